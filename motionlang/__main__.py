@@ -17,32 +17,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def main() -> int:
-    """Run one command and exit; return the status if the process must exit normally."""
+    """Run one command; return the exit status."""
     from motionlang.cli import main as command
 
-    status = command()
-    _leave(status)
-    return status
-
-
-def _leave(status: int) -> None:
-    """Exit without finalisation, which takes a fifth of the time of an empty Python.
-
-    With exit handlers, a tracer or other threads, the exit is normal.
-    """
-    import atexit
-
-    waiting = getattr(atexit, "_ncallbacks", None)
-    if waiting is None or waiting() or "threading" in sys.modules or sys.flags.inspect:
-        return
-    if sys.gettrace() is not None or sys.getprofile() is not None:
-        return
-    try:
-        sys.stdout.flush()
-        sys.stderr.flush()
-    except (OSError, ValueError):
-        return  # Python reports it itself as it ends
-    os._exit(status)
+    return command()
 
 
 if __name__ == "__main__":

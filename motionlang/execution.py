@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
-import sys
 
-from motionlang import cache as compile_cache
-from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
@@ -42,8 +39,6 @@ if TYPE_CHECKING:
 ONE_SHIFT = 8 * 3600.0
 # New objects between two passes of the garbage collector.
 GARBAGE = 200_000
-# "0" in this environment variable disables all accelerators.
-FAST = "MOTIONLANG_FAST"
 # The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -80,15 +75,6 @@ def machine_of(program: str | os.PathLike[str] | Source | None, given: str | Non
     return path if os.path.isfile(path) else None
 
 
-def accelerators(fast: bool | None = None) -> Accelerators:
-    """Return all accelerators, or none with `fast=False` or `MOTIONLANG_FAST=0`."""
-    if not (os.environ.get(FAST) != "0" if fast is None else fast):
-        return NO_ACCELERATORS
-    from motionlang.fast import everything
-
-    return everything()
-
-
 def run(
     program: str | os.PathLike[str] | Source,
     *,
@@ -101,12 +87,10 @@ def run(
     outside: Outside | None = None,
     begun: Callable[[Machine], None] | None = None,
     nv: str | None = None,
-    cache: bool = True,
     keep_crash: bool = False,
     prove: bool = False,
     log_size: float | None = None,
     compiled: Program | None = None,
-    fast: bool | None = None,
     hook: Hook | None = None,
     inputs: Given = (),
     analog: Given = (),
@@ -136,28 +120,36 @@ def run(
         first_axis=language.first_axis,
         show=show,
         overrides=overrides,
-        accelerators=accelerators(fast),
         hook=hook,
     )
     result = Run(source, language, virtual)
     if wrong:
         result.diagnostics, result.status = wrong, "fault"
         return result
-    entry = _entry(source, language, result.machine) if cache and compiled is None else None
     if compiled is None:
-        compiled = _compile(source, language, settings, result, entry)
+        compiled = _compile(source, language, settings, result)
     result.program = compiled
     if log_size is not None:
         result.machine.log.store.disk = int(log_size * 1e9)
     if nv is not None and compiled is not None and not open_nonvolatile(result, nv):
         compiled = None
     if compiled is not None:
-        size, last = compiled.size, end_of(settings) if until is None else until
+        last = end_of(settings) if until is None else until
         _perform(result, compiled, last, pace, outside, begun, prove, keep_crash)
         result.notes += remarks
-        if compiled.size > size:
-            _keep(compiled, entry)
     _finish(result, settings)
+    return result
+
+
+def run_on(
+    source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
+) -> Run:
+    """Continue a run from the state of its machine, which a debugger has put back; return another result."""
+    result = Run(source, language, machine)
+    result.program = program
+    last = end_of(machine.settings) if until is None else until
+    _perform(result, program, last, None, None, None, False, False)
+    _finish(result, machine.settings)
     return result
 
 
@@ -284,39 +276,18 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
-def _entry(source: Source, language: Dialect, machine: Machine) -> compile_cache.Entry | None:
-    """Return the cache entry of a program; None if it is not cached."""
-    if not language.cached or not compile_cache.wanted():
-        return None
-    package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
-    if not package:
-        return None
-    return compile_cache.program_entry(
-        package,
-        language.name,
-        "debug" if machine.hook is not None else "" if machine.accelerators.ranges is None else "fast",
-        repr(sorted(machine.settings.items())),
-        source.name,
-        source.text,
-    )
-
-
 def _compile(
     source: Source,
     language: Dialect,
     settings: dict[str, object],
     result: Run,
-    entry: compile_cache.Entry | None,
 ) -> Program | None:
-    """Return the compiled program, from the cache if it is cached."""
-    payload = entry.get() if entry is not None else None
-    if payload is not None:
-        return language.load(payload)
+    """Return the compiled program; None if it has errors."""
     try:
         if result.machine.hook is not None:
             compiled = language.debug(source, settings)
         else:
-            compiled = language.compile(source, settings, result.machine.accelerators.ranges)
+            compiled = language.compile(source, settings)
     except (KeyboardInterrupt, Terminated) as error:
         result.diagnostics.append(interrupted(result, None, error))
         result.status = "interrupted"
@@ -334,15 +305,7 @@ def _compile(
         if [each.code for each in found] == ["language"]:
             result.diagnostics, result.status = found, "fault"
             return None
-    _keep(compiled, entry)
     return compiled
-
-
-def _keep(compiled: Program, entry: compile_cache.Entry | None) -> None:
-    """Cache a program, again if more of it has been compiled since."""
-    payload = compiled.payload() if entry is not None else None
-    if entry is not None and payload is not None:
-        entry.put(payload)
 
 
 def _execute(
@@ -353,19 +316,18 @@ def _execute(
     outside: Outside | None,
 ) -> None:
     """Run to the end or to an error; earlier results remain in `result`."""
-    scheduler: Scheduler | None = None
+    scheduler = result.machine.scheduler
     # The log of a run lives as long as the run: repeated collections would find nothing.
     thresholds, collecting = _thresholds(), gc.isenabled()
     if thresholds:
         gc.set_threshold(GARBAGE, *thresholds[1:])
     gc.enable()
     try:
-        if outside is not None:
-            outside.start(result.machine)
-        parent = compiled.start(result.machine)
-        make = result.machine.accelerators.scheduler or Scheduler
-        scheduler = result.machine.scheduler = make(result.machine, parent, pace, outside)
-        assert scheduler is not None
+        if scheduler is None:
+            if outside is not None:
+                outside.start(result.machine)
+            parent = compiled.start(result.machine)
+            scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         result.status = scheduler.run(until)
         if result.status == "until":
             report_futile_waits(result, scheduler)

@@ -11,7 +11,6 @@ from itertools import islice
 from math import inf
 from operator import attrgetter
 
-from motionlang.log.plain_moves import move_of
 from motionlang.planners.packed import RAMPS, packed
 from motionlang.planners.ramps import named_ramps
 
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.library.report_types import Report
     from motionlang.log.history import Figures, MotorFigures
-    from motionlang.log.plain_moves import Row as PlainRow
     from motionlang.planners import Profile
     from motionlang.result import Run
 
@@ -101,31 +99,24 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
     """
     running = _running(run)
     figures = _motor_figures(run.controller)
-    for number, move in enumerate(run.controller.log.moves.as_stored()):
+    for number, move in enumerate(run.controller.log.moves):
         if in_full is not None and number >= in_full and number not in figures:
             yield _brief(run, move, running)
             continue
-        whole = move_of(move) if isinstance(move, tuple) else move
-        yield _move(run, whole, running, figures.get(number))
+        yield _move(run, move, running, figures.get(number))
 
 
-def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) -> Row:
+def _brief(run: Run, move: Move, running: dict[int, float | None]) -> Row:
     """Return the fields of a move's row that are used in sums."""
-    if isinstance(move, tuple):
-        axis, _, start, end, duration, recipe, _, scale, _, (_, _, command, line, _, _) = move
-        distance, peak = end - start, max(map(abs, recipe[::3]))
-    else:
-        profile, _ = _until_end(run, move, running)
-        axis, command, line, scale = move.axis, move.command, move.line, move.scale
-        duration, distance, peak = profile.duration, profile.end - profile.start, _peak(profile)
-    scale = scale or 1.0
+    profile, _ = _until_end(run, move, running)
+    scale = move.scale or 1.0
     return {
-        "axis": axis,
-        "command": command,
-        "line": line,
-        "duration": duration,
-        "distance": distance / scale,
-        "peak_speed": peak / abs(scale),
+        "axis": move.axis,
+        "command": move.command,
+        "line": move.line,
+        "duration": profile.duration,
+        "distance": (profile.end - profile.start) / scale,
+        "peak_speed": _peak(profile) / abs(scale),
     }
 
 
@@ -134,21 +125,16 @@ def _move_lines(run: Run) -> Iterator[str]:
     line = _encoder()
     figures = _motor_figures(run.controller)
     running = _running(run)
-    for number, move in enumerate(run.controller.log.moves.as_stored()):
+    for number, move in enumerate(run.controller.log.moves):
         text = ""
-        if isinstance(move, tuple):
-            axis, start_time, start, end, duration, recipe, asked, scale, zero, entry = move
-            about = axis, entry[2], entry[3], start_time, asked, scale, zero, ""
-            text = _line_of_ramps(about, "trapezoid", start, end, duration, recipe)
-        elif id(move) not in running and not move.overlaid and number not in figures:
+        if id(move) not in running and not move.overlaid and number not in figures:
             profile = packed(move.profile)  # type: ignore[arg-type]
             if len(profile) == RAMPS:
                 about = move.axis, move.command, move.line, move.start_time, *_figures(move)
                 text = _line_of_ramps(about, *profile)  # type: ignore[arg-type]
         # JSON has null for a figure that has overflowed.
         if not text or "inf" in text or "nan" in text:
-            whole = move_of(move) if isinstance(move, tuple) else move
-            text = line(_move(run, whole, running, figures.get(number)))
+            text = line(_move(run, move, running, figures.get(number)))
         yield text
 
 

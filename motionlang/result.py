@@ -203,10 +203,10 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
             result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
-        elif is_over and task.polls_in_vain:
+        elif is_over and task.polls_in_vain and task.polled:
             line, _, _ = result.dialect.locate(result.source, task.at)
-            polled = f"polled {task.last_poll}" if task.last_poll else "polled"
-            result.notes.append(f"line {line}: {task.name} still {polled}, which could no longer change")
+            polled = f"line {line}: {task.name} still polled {task.polled}, which could no longer change"
+            result.notes.append(polled)
 
 
 def _log_wait(result: Run, at: int, why: str) -> None:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.cache import GRAMMARS
-from motionlang.lang.syntax.grammar import PYTHON, store
+from motionlang.lang.syntax.grammar import GRAMMARS, PYTHON, store
 from motionlang.mccl.syntax import parser as mccl
 from motionlang.mint.syntax.build import Builder
 

@@ -114,7 +114,7 @@ def start(request: Message, send: Send, alarm: Alarm = bool) -> None:
     try:
         with _limited(alarm):
             made = run(
-                source, dialect=request["dialect"], machine=settings, show=output.write, begun=begun, cache=False,
+                source, dialect=request["dialect"], machine=settings, show=output.write, begun=begun,
                 keep_crash=True, inputs=[f"{channel}=1" for channel in request.get("inputs", ())],
             )  # fmt: skip
     except Exception as error:  # before the program began, such as a machine with a motor

@@ -27,7 +27,7 @@ End While
 def motor(mode: int) -> tuple[list[float], list[float]]:
     """Return the times, ms, and the positions of the motor, counts."""
     program = PROGRAM.format(play=PLAY, mode=mode)
-    rows = [line.split() for line in run(Source("play.mnt", program), cache=False).output]
+    rows = [line.split() for line in run(Source("play.mnt", program)).output]
     return [float(time) for time, _ in rows], [float(position) for _, position in rows]
 
 

@@ -6,7 +6,6 @@ import gc
 import os
 import signal
 import zipfile
-from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 
@@ -18,7 +17,7 @@ os.environ.setdefault("HYPOTHESIS_NO_PLUGINS", "1")
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
-from motionlang.cache import GRAMMARS
+from motionlang.lang.syntax.grammar import GRAMMARS
 from motionlang.tables import write
 from tests import cases
 from tests.built import distributions
@@ -80,16 +79,6 @@ def _draw_examples(all_of_them: bool) -> None:
     settings.load_profile("motionlang")
 
 
-def _compile_each_text_once() -> None:
-    """Let equal texts of generated Python share their code, which is immutable.
-
-    Half of all texts occur more than once.
-    """
-    from motionlang.mint.runtime import code_units
-
-    code_units.compile = lru_cache(2048)(compile)  # type: ignore[attr-defined]
-
-
 def _prove_every_run() -> None:
     """Prove every run, including runs of tests that do not request it.
 
@@ -126,7 +115,6 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.prove = True
     if config.option.prove:
         _prove_every_run()
-    _compile_each_text_once()
 
 
 def _import_backwards(config: pytest.Config) -> None:

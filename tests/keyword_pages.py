@@ -40,7 +40,7 @@ def machine_of(row: Keyword) -> dict[str, object]:
 def shown(row: Keyword, language: str) -> list[str]:
     """Return the output of a row's example."""
     source = Source("example", f"{row.example}\n")
-    return run(source, dialect=language, machine=machine_of(row), cache=False, until=UNTIL).output
+    return run(source, dialect=language, machine=machine_of(row), until=UNTIL).output
 
 
 def written(language: str) -> dict[str, str]:

@@ -13,7 +13,7 @@ from motionlang.controller.triggers.limit import Limit
 from motionlang.controller.verbs import VERBS
 
 if TYPE_CHECKING:
-    from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
+    from motionlang.controller.readers import Reader, Subscriber, Writer
 
 
 class Recorder:
@@ -61,10 +61,6 @@ class Recorder:
         """Return a writer that records every setting, in counts."""
         scale = self.axes[axis].scale
         return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
-
-    def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """Return a loader that never loads, so that the verbs are recorded."""
-        return lambda value, line: False
 
     def __getattr__(self, verb: str) -> Any:
         if verb not in VERBS:

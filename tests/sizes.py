@@ -62,7 +62,7 @@ def called(frame, event, argument):
     whole.add(file)
     if active[0]:
         running.add(file)
-run(Source(name, text), cache=False, begun=lambda machine: sys.setprofile(called))
+run(Source(name, text), begun=lambda machine: sys.setprofile(called))
 sys.setprofile(None)
 print(len(whole), len(running))
 """

@@ -5,18 +5,23 @@ The page follows one statement through every stage.
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
+import motionlang
 from motionlang.execution import run
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
+from motionlang.lang.steps import Steps
 from motionlang.mint import DIALECT
 from motionlang.mint.syntax.node import Node
 from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.tokens import tokens
 from motionlang.source import Source
-from motionlang.views.listing import render_listing
+from motionlang.views.steps import render_steps
 from tests.recorder import Recorder
 
 PAGE = Path(__file__).parents[1] / "docs" / "contributing" / "one-statement.md"
@@ -25,6 +30,15 @@ PROGRAM = (
     f"SCALE(0) = 10\nSPEED(0) = 100\nACCEL(0) = 500\nDECEL(0) = 500\n{STATEMENT}\nGO(0)\nPAUSE IDLE(0)\n"
 )
 LINE = 5
+PACKAGE = Path(motionlang.__file__).parent
+# Programs, each with the statement whose files the page lists; it runs for the second time, as the first time it may
+# create objects.
+WAYS = (
+    ("a.mnt", "SPEED(0) = 50\nSPEED(0) = 100\n", "SPEED(0) = 100"),
+    ("a.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n", "GO(0)"),
+    ("a.mnt", "JOG(0) = 5\nx = POS(0)\nWAIT(5)\ny = POS(0)\nCANCEL(0)\n", "y = POS(0)"),
+    ("a.mcl", "1MN,1MR5,1WS\n1MR40000\n1WS\n", "1MR40000"),
+)
 TEXT = """\
 # One statement through every stage
 
@@ -50,11 +64,12 @@ The parser builds nodes of `mint/syntax/nodes.py`. The base class is `mint/synta
 {tree}
 ```
 
-## Generated Python
+## Steps
 
-`mint/resolve/` finds what each name refers to, and `mint/compile/` writes Python. The constant is folded. The operation
-`k4` loads the move; its arguments are the statements to charge to machine time first,
-the value and the line.
+`mint/check/` finds what each name refers to and reports every mistake. `mint/steps/` turns the checked tree into steps
+(`lang/steps.py`), a list that `motionlang check FILE --steps` prints. What a step does is a function of the variables
+of the call. Loading a move is a `try`: while the move buffer of the axis is full, the step waits and is done again. It
+pays for the statement when it is done.
 
 ```text
 {code}
@@ -62,8 +77,9 @@ the value and the line.
 
 ## Verbs
 
-At run time the operation checks the axis and calls verbs of the controller (`controller/verbs.py`) in counts and
-seconds: 25 user units are 250 counts.
+At run time `lang/step_task.py` does one step after another. The function of this one was bound to the row of its
+keyword when the steps were written (`mint/runtime/binding.py`). It checks the value and calls verbs of the controller
+(`controller/verbs.py`) in counts and seconds: 25 user units are 250 counts.
 
 ```text
 {verbs}
@@ -77,6 +93,14 @@ seconds: 25 user units are 250 counts.
 ```text
 {log}
 ```
+
+## Four statements, file by file
+
+These are the files that the functions of a statement enter while it runs, in the order in which they first do. The
+loop over the steps (`lang/step_task.py`) and the scheduler are not among them, and neither is what happens once, when
+the steps are written.
+
+{ways}
 """
 
 
@@ -92,6 +116,7 @@ def written() -> str:
         code=_code(source),
         verbs="\n".join(f"{verb}({', '.join(map(repr, arguments))})" for verb, *arguments in _verbs(source)),
         log=_log(source),
+        ways="\n".join(_way(*each) for each in WAYS),
     )
 
 
@@ -116,11 +141,52 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
 
 
 def _code(source: Source) -> str:
-    listing = DIALECT.listing(source, {}, {}, None)
-    lines = "".join(render_listing(DIALECT, source, listing, colour=False)).splitlines()
+    lines = "".join(render_steps(DIALECT, DIALECT.step_list(source, {}), colour=False)).splitlines()
     begin = next(i for i, line in enumerate(lines) if line.endswith(STATEMENT))
-    end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("#"))
+    end = next(i for i in range(begin + 1, len(lines)) if lines[i][:4].strip())
     return "\n".join(lines[begin:end])
+
+
+def _way(file: str, text: str, statement: str) -> str:
+    files = entered(Source(file, text), text[: text.rindex(statement)].count("\n") + 1)
+    return f"* `{statement}`: " + ", ".join(f"`{each}`" for each in files)
+
+
+def entered(source: Source, line: int) -> list[str]:
+    """Return the files of the package that the steps of a line enter, in a second run that imports nothing."""
+    run(source)
+    found: dict[str, None] = {}
+
+    def enter(frame: FrameType, event: str, _: object) -> None:
+        path = Path(frame.f_code.co_filename)
+        if event == "call" and path.is_relative_to(PACKAGE):
+            found[path.relative_to(PACKAGE).as_posix()] = None
+
+    def traced(do: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        def call(values: Any) -> Any:
+            before = sys.getprofile()
+            sys.setprofile(enter)
+            try:
+                return do(values)
+            finally:
+                sys.setprofile(before)
+
+        return call
+
+    add = Steps.add
+
+    def add_traced(
+        steps: Steps, kind: int, do: Any = None, to: int = -1, at: int = -1, *others: Any, **more: Any
+    ) -> int:
+        is_traced = do is not None and at >= 0 and source.location(at)[0] == line
+        return add(steps, kind, traced(do) if is_traced else do, to, at, *others, **more)
+
+    Steps.add = add_traced  # type: ignore[method-assign,assignment]
+    try:
+        run(source)
+    finally:
+        Steps.add = add  # type: ignore[method-assign]
+    return list(found)
 
 
 def _verbs(source: Source) -> list[tuple[Any, ...]]:
@@ -132,7 +198,7 @@ def _verbs(source: Source) -> list[tuple[Any, ...]]:
 
 
 def _log(source: Source) -> str:
-    (move,) = run(source, cache=False).machine.log.moves
+    (move,) = run(source).machine.log.moves
     assert move.profile is not None
     return (
         f"axis {move.axis}, {move.command} of line {move.line}: {move.profile.shape} from {move.start_time:.5f} s, "

@@ -62,7 +62,6 @@ LEVELS: dict[str, int] = {
     "analysis.cores": 1,
     "analysis.workers": 1,
     "analysis.planning": 2,
-    "fast": 6,
     "files": 0,
     "library.report_types": 0,
     "library.tables": 1,
@@ -94,7 +93,6 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "task",
             "statement_time",
             "lint",
-            "listing",
             "names",
             "nesting",
             "run_errors",
@@ -114,13 +112,13 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ),
         ("scheduler",),
         ("steps",),
-        ("variable_uses",),
+        ("step_list", "variable_uses"),
         ("loop_log",),
         ("loops",),
         ("step_task",),
     ),
     "controller": (
-        ("accelerators", "clock", "scale", "faults", "move", "watches", "listeners"),
+        ("clock", "scale", "faults", "move", "watches", "listeners"),
         ("joined",),
         ("axis",),
         ("triggers",),
@@ -135,11 +133,12 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "mint": (
         ("models", "evidence", "vocabulary"),
-        ("syntax", "runtime"),
+        ("syntax",),
+        ("runtime",),
         ("keywords",),
         ("resolve",),
         ("check",),
-        ("compile",),
+        ("steps",),
         ("program",),
         ("interactive", "lint"),
         ("hosts",),
@@ -176,7 +175,6 @@ HOMES: dict[str, tuple[str, ...]] = {
 # Files whose sums are of integers, although their text does not show it.
 WHOLE_SUMS = {
     "copley/node.py",
-    "mint/compile/for_loops.py",
     "mint/lint/brackets.py",
     "mint/lint/buffer.py",
     "views/grid.py",
@@ -262,15 +260,6 @@ def test_imports_point_down(path: Path) -> None:
         assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in PEERS, (
             f"{here} imports {module}, which lies above it or beside it"
         )
-
-
-def test_only_the_module_that_reads_the_switch_imports_accelerators() -> None:
-    importers = {
-        path.relative_to(PACKAGE).as_posix()
-        for path in FILES
-        if any(name.startswith("motionlang.fast") for name in imports(path))
-    }
-    assert {name for name in importers if not name.startswith("fast/")} == {"execution.py"}
 
 
 # How many fields each of the classes that a newcomer reads first may have, with its bases and the objects that
@@ -439,13 +428,13 @@ def test_floors_inside_a_package(package: str) -> None:
             assert here == there or level[there] < level[here], f"{'/'.join(own)} imports {name}"
 
 
-def test_the_package_has_32_entries_and_each_has_a_level() -> None:
+def test_the_package_has_31_entries_and_each_has_a_level() -> None:
     entries = {
         path.stem
         for path in PACKAGE.iterdir()
         if path.suffix == ".py" or (path.is_dir() and any(path.glob("*.py")))
     } - {"__init__", "__main__", "_wheel"}
-    assert len(entries) == 32
+    assert len(entries) == 31
     assert entries == {name.partition(".")[0] for name in LEVELS} - {"", "__main__", "_wheel"}
 
 

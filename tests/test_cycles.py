@@ -20,7 +20,7 @@ PACKAGE = Path(__file__).parent.parent / "motionlang"
 # Folder and files of a group, and why they know each other. The table may only become shorter.
 GROUPS: dict[tuple[str, str], str] = {
     (".", "report result"): "a run makes its report on request, and a report is made from a run",
-    ("controller", "accelerators axis axis_verbs core feedback joined move readers readings"):
+    ("controller", "axis core feedback joined move readings"):
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
     ("controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
     ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
@@ -31,21 +31,16 @@ GROUPS: dict[tuple[str, str], str] = {
     ("lang", "loop_log loops step_task"): "a task knows its loops, which are those of a task",
     ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
     ("mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
-    ("mint/compile", "body conversions loop_times operators polling splitting stops"):
-        "a body is handed to those who write parts of it",
-    ("mint/compile", "calls expressions keyword_use path_use terminal_use unsimulated_use words"):
-        "an expression may be a keyword, whose arguments are expressions",
-    ("mint/compile", "for_loops loops statements"): "a loop is a statement, and contains statements",
-    ("mint/compile", "compiler error_recovery"): "to find further mistakes, a program is compiled again without a line",
     ("mint/hosts", "console port"): "a console has ports, and what a port receives acts on its console",
     ("mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
                       "table_motion_splines"):
         "cams, splines and compensation share their tables, followers and triggers their masters",
     ("mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
     ("mint/resolve", "handlers names"): "the resolver of names finds handlers, which are looked up by name",
-    ("mint/runtime", "binding changes environment errors events input_values loop_log loop_skipping operations "
-                     "power_up task task_state waits"):
-        "the environment of a program owns its tasks, events and operations; each is handed its environment",
+    ("mint/runtime", "binding changes environment errors events power_up task waits"):
+        "the environment of a program owns its tasks and events; each is handed its environment",
+    ("mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):
+        "an expression may be a keyword or a call, whose arguments are expressions; a block contains statements",
     ("mint/syntax", "node nodes"): "each kind of node contains expressions, which are nodes",
     ("planners", "crossing cubics curve formula sequence"):
         "the kinds of profile are made from each other: a sequence of formulas, the cubics of a curve",

@@ -136,7 +136,7 @@ def test_commands_in_the_text_exist_with_their_options(
 
 @pytest.mark.parametrize(("kind", "text"), blocks("mint", "mccl"))
 def test_programs(kind: str, text: str) -> None:
-    result = run(Source("block", text), dialect=kind, cache=False)
+    result = run(Source("block", text), dialect=kind)
     assert result.diagnostics == []
 
 

@@ -24,7 +24,6 @@ PACKAGE = Path(motionlang.__file__).parent
 ELSEWHERE = {
     "files.py",
     "cli/standard_streams.py",
-    "debug/checkpoints.py",
     "repl/history.py",
     "_wheel.py",
     # A log that grows by each call, a compiled library that is moved to its place, and streams of processes.

@@ -26,35 +26,25 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "fast/__init__.py": "loop_counters loop_switches moves ranges",
-    "fast/time_slices.py": "recurrence timer_ticks",
-    "fast/timer_ticks.py": "polled_ticks",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries triggers.limit",
-    # The process that passes messages on does not load the debugger, which its engine does.
-    "dap/relay.py": "engine",
-    "dap/server.py": "adapter relay",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
     "mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
-    "mint/__init__.py": "compile.listing keywords keywords.machine_readings keywords.switchable models program "
-    "resolve.aliases resolve.chosen_rates runtime.wait_sources",
+    "mint/__init__.py": "keywords keywords.machine_readings keywords.switchable models resolve.aliases "
+    "resolve.chosen_rates runtime.wait_sources",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
-    "mint/program.py": "runtime.debugging",
-    "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
-    "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
+    "mint/program.py": "steps.inspection",
+    "mint/runtime/environment.py": "runtime.errors runtime.events runtime.functions runtime.power_up",
     "planners/packed.py": "extrapolation rate reparametrised sequence superposition",
     "planners/shapes.py": "jerk parabolic scurve",
     # The plainest runs, which load as little as they can.
     "planners/trapezoid.py": "feasibility",
     "cli/__init__.py": "commands complaints crash options run welcome",
     "cli/input_files.py": "complaints",
-    "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_code",
+    "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_tree",
     # Those that need one another.
-    "mint/compile/expressions.py": "compile.calls compile.words",
-    "mint/compile/keyword_use.py": "compile.path_use",
-    "mint/compile/loops.py": "compile.statements",
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
@@ -62,11 +52,10 @@ LAZY = {
     "log/stream.py": "records repeated sampled",
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",
-    "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",
     "mint/keywords/buffer.py": "keywords.following_masters",
     "mint/resolve/names.py": "resolve.flattening",
     "mint/runtime/printing.py": "models",
-    "mint/runtime/task.py": "runtime.errors runtime.task_state",
+    "mint/runtime/task.py": "runtime.errors",
 }
 
 

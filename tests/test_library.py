@@ -105,7 +105,6 @@ def test_the_import_loads_nothing_else() -> None:
 def test_internal_parameters_are_not_public() -> None:
     public = set(inspect.signature(motionlang.run).parameters)
     assert not public & {"pace", "outside", "begun", "compiled", "keep_crash"}
-    assert "fast" in public
 
 
 @pytest.mark.parametrize(

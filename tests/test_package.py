@@ -37,7 +37,7 @@ def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_
     alone = ["--no-deps", "--no-index", "--no-build-isolation", "--no-compile", "--target", "site"]
     run([*pip, *alone, str(built[number])], tmp_path)
     shutil.copy(ROOT / "scripts" / "mint" / "ballscrew.mnt", tmp_path)
-    command = [sys.executable, "-m", "motionlang", "run", "ballscrew.mnt", "--format", "json", "--no-cache"]
+    command = [sys.executable, "-m", "motionlang", "run", "ballscrew.mnt", "--format", "json"]
     site = str(tmp_path / "site")
     assert json.loads(run(command, tmp_path, PYTHONPATH=site))["axes"][0]["position"] == 200.0
     where = [sys.executable, "-c", "import motionlang; print(motionlang.__file__)"]

@@ -11,19 +11,16 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import cache
-from motionlang.cache import program_entry
 from motionlang.cli import main
 from motionlang.execution import run
 from motionlang.report import text
-from motionlang.source import Source
 
 ROOT = Path(__file__).parent.parent
 PROGRAMS = ("scripts/mint/palletiser.mnt", "scripts/mccl/back-and-forth.mcl")
 
 
 def reports() -> list[str]:
-    return [text(run(ROOT / name, cache=False)) for name in PROGRAMS]
+    return [text(run(ROOT / name)) for name in PROGRAMS]
 
 
 def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -63,29 +60,9 @@ def test_what_is_left_when_a_command_ends_is_not_collected(
         assert (gc.get_freeze_count() > before) == has_freeze
 
 
-def test_the_cache_of_one_python_is_not_that_of_another(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
-    monkeypatch.delenv(cache.OFF, raising=False)
-    program_entry(str(ROOT / "motionlang" / "mint"), "program").put(b"code")
-    monkeypatch.setattr(
-        sys, "version", f"{sys.version.partition(' ')[0]} (0000) [PyPy 7.3.19 with GCC 10.2.1]"
-    )
-    assert program_entry(str(ROOT / "motionlang" / "mint"), "program").get() is None
-
-
 def test_nothing_uses_what_only_cpython_has() -> None:
     """Only CPython has reference counts and object sizes."""
     for path in (ROOT / "motionlang").rglob("*.py"):
         program = path.read_text(encoding="utf-8")
         for word in ("getrefcount", "getsizeof", "get_referrers", "_PyObject", "ctypes"):
             assert word not in program, f"{path.name}: {word}"
-
-
-def test_a_traceback_in_a_sub_knows_its_line() -> None:
-    """Line numbers come from frames of the program's own code, which every Python has."""
-    ran = run(
-        Source("a.mnt", "Deep\nEnd\nSub Deep()\n  Dim x\n  x = 0\n  PRINT 1 / x\nEnd Sub\n"), cache=False
-    )
-    assert [each.line for each in ran.diagnostics] == [6]

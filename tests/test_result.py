@@ -6,12 +6,10 @@ import signal
 
 import pytest
 
-from motionlang.controller.accelerators import NO_ACCELERATORS
 from motionlang.errors import Diagnostic, Terminated
 from motionlang.execution import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
-    accelerators,
     dialect_for,
     dialect_of,
     end_of,
@@ -112,7 +110,7 @@ def test_what_a_run_reports(
     notes: list[str],
     diagnostics: list[tuple[str, str, int, int, int, str, str]],
 ) -> None:
-    found = run(Source("a.mnt", text), machine=machine, cache=False)
+    found = run(Source("a.mnt", text), machine=machine)
     assert (found.status, found.notes) == (status, notes)
     assert [
         (each.code, each.message, each.line, each.column, each.length, each.hint, each.severity)
@@ -151,11 +149,7 @@ GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
 
 @cases("text, machine, message", GUESSES)
 def test_a_result_names_its_guesses(text: str, machine: dict[str, object], message: str) -> None:
-    found = [
-        each
-        for each in run(Source("a.mnt", text), machine=machine, cache=False).diagnostics
-        if each.code == "guess"
-    ]
+    found = [each for each in run(Source("a.mnt", text), machine=machine).diagnostics if each.code == "guess"]
     assert [each.message for each in found] == ([f"this result depends on {message}"] if message else [])
     assert all(each.severity == "warning" and not each.line for each in found)
 
@@ -172,29 +166,17 @@ def test_a_program_of_the_other_language_is_not_run(
     text: str, status: str, output: list[str], code: str
 ) -> None:
     """A mistake alone does not make it one."""
-    found = run(Source("a.mcl", text), cache=False)
+    found = run(Source("a.mcl", text))
     assert (found.status, found.output) == (status, output)
     assert [each.code for each in found.diagnostics] == [code] * bool(code)
 
 
-def test_the_environment_switches_accelerators(monkeypatch: pytest.MonkeyPatch) -> None:
-    for value, given, on in (
-        ("0", None, False), ("1", None, True), ("0", True, True), ("1", False, False),
-    ):  # fmt: skip
-        monkeypatch.setenv("MOTIONLANG_FAST", value)
-        assert (accelerators(given) is not NO_ACCELERATORS) is on
-    monkeypatch.delenv("MOTIONLANG_FAST")
-    assert accelerators() is not NO_ACCELERATORS
-
-
 def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
-    assert (
-        run(Source("a.mnt", "PRINT 1\n"), cache=False, log_size=2.5).machine.log.store.disk == 2_500_000_000
-    )
+    assert run(Source("a.mnt", "PRINT 1\n"), log_size=2.5).machine.log.store.disk == 2_500_000_000
 
 
 def test_a_run_of_no_time_is_proved() -> None:
-    result = run(Source("a.mnt", ""), cache=False, prove=True)
+    result = run(Source("a.mnt", ""), prove=True)
     assert (result.time, result.proof().violations) == (0.0, [])
 
 
@@ -225,7 +207,7 @@ def test_a_run_in_one_line() -> None:
     assert repr(result) == "<Run of a.mnt: ended at 0 s, 0 moves>"
     result.diagnostics.append(Diagnostic("range", "too large"))
     assert repr(result) == "<Run of a.mnt: ended at 0 s, 0 moves, 1 diagnostic>"
-    moved = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"), cache=False)
+    moved = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"))
     assert repr(moved).endswith(" s, 1 move>")
 
 
@@ -246,7 +228,7 @@ def test_an_interrupted_run_ends_at_its_statement() -> None:
     def stop(text: str) -> None:
         raise KeyboardInterrupt
 
-    found = run(Source("a.mnt", "x = 1\n PRINT x\nWAIT = 500\n"), show=stop, cache=False)
+    found = run(Source("a.mnt", "x = 1\n PRINT x\nWAIT = 500\n"), show=stop)
     (diagnostic,) = found.diagnostics
     assert found.status == "interrupted"
     assert found.time == pytest.approx(1e-5)

@@ -43,7 +43,7 @@ NAMED = {
     # Commands that the code around them reports to the user, or that open a block.
     "mccl/lint/running.py": "WS",
     "mccl/motion/joystick.py": "JN",
-    "mint/compile/keyword_use.py": "IDLE VEL",
+    "mint/check/access.py": "IDLE VEL",
     "mint/lint/buffer.py": "TRIGGERMODE",
     "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
 }

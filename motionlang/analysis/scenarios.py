@@ -49,7 +49,7 @@ class Scenario:
 
     def run(self, *, cache: bool = False) -> Run:
         """Run the program in this world."""
-        return run(self.program, machine=self.settings, cache=cache)
+        return run(self.program, machine=self.settings)
 
 
 def scenario_files(program: str) -> list[str]:

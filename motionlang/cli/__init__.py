@@ -1,7 +1,7 @@
 """The command line: selection of the command, closed pipes and Ctrl-C.
 
-The most frequent command lines, `run FILE` with at most a format, a dialect, `--profile` and `--no-cache`, are
-parsed here without argparse, whose import alone takes as long as such a run. A test checks that both parsers
+The most frequent command lines, `run FILE` with at most a format, a dialect and `--profile`, are parsed
+here without argparse, whose import alone takes as long as such a run. A test checks that both parsers
 agree.
 """
 
@@ -90,9 +90,7 @@ def quick_options(given: Sequence[str]) -> Options | None:
     options = Options("")
     rest = iter(given[1:])
     for word in rest:
-        if word == "--no-cache":
-            options.cache = False
-        elif word == "--profile":
+        if word == "--profile":
             options.profile = True
         elif word == "--format":
             options.report = next(rest, "")

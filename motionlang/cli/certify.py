@@ -68,9 +68,7 @@ def certify_folder(folder: str, options: Options) -> int:
     signed = 0
     for program in found:
         try:
-            result = run(
-                program, until=options.until, overrides=options.overrides, cache=options.cache, prove=True
-            )
+            result = run(program, until=options.until, overrides=options.overrides, prove=True)
         except OSError as error:
             complain([unreadable(str(error.filename or program), error)], None, program)
             failed += 1

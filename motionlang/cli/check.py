@@ -32,7 +32,7 @@ from motionlang.views.terminal import printable, styled, wants_colour, width_of
 SCHEMA = "motionlang.check/3"
 GROUPS = {
     "program": "dialect machine model",
-    "checks": "strict fix evidence literals",
+    "checks": "strict fix evidence literals steps",
     "report": "format quiet output jobs",
 }
 EPILOG = """\
@@ -52,8 +52,8 @@ class CheckOptions:
     """The options of a check.
 
     `strict` counts warnings as errors, `evidence` lists open assumptions. `literals` lists the numbers of each
-    program by address. `fix` writes unambiguous fixes. `quiet` prints the diagnostics only. `form` is one of
-    `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
+    program by address, `steps` its steps. `fix` writes unambiguous fixes. `quiet` prints the diagnostics only. `form`
+    is one of `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
     """
 
     dialect: str | None = None
@@ -65,6 +65,7 @@ class CheckOptions:
     evidence: bool = False
     fix: bool = False
     literals: bool = False
+    steps: bool = False
     quiet: bool = False
 
 
@@ -78,6 +79,7 @@ _OPTIONS = (
     flag("--evidence", "list the unconfirmed assumptions that each program depends on, and the evidence for each"),
     flag("--literals", "list the numbers of each program by the addresses that --set and --vary take, such as "
          "SPEED[0]@12"),
+    flag("--steps", "print the steps that a run takes beside the lines of each program that has no error"),
     flag("--fix", "fix what has only one possible fix, in the files, then report the rest"),
 )  # fmt: skip
 
@@ -102,6 +104,7 @@ def _check_files(arguments: argparse.Namespace) -> int:
         strict=arguments.strict,
         evidence=arguments.evidence,
         literals=arguments.literals,
+        steps=arguments.steps,
         fix=arguments.fix,
         quiet=arguments.quiet,
     )
@@ -165,6 +168,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
             sys.stdout.write(f"{name}: {fixes}{tally(diagnostics) or 'no problems'}{fixable}\n")
         if options.literals and source is not None and language:
             _list_literals(language, source, rows[-1], options.form == "json")
+        if options.steps and source is not None and settings is not None:
+            _list_steps(language, source, settings, rows[-1], options.form == "json")
         if options.evidence and settings is not None and source is not None:
             _report_evidence(language, source, settings, rows[-1], options.form == "json")
     if options.form == "json":
@@ -200,6 +205,22 @@ def _list_literals(language: str, source: Source, row: dict[str, object], as_jso
         sys.stdout.write(
             f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {printable(source.line(each.line).strip())}\n"
         )
+
+
+def _list_steps(
+    language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
+) -> None:
+    """Print the steps of a program without errors beside its lines, or put them into its row."""
+    from motionlang.views.steps import render_steps, steps_as_dicts
+
+    try:
+        units = dialect(language).step_list(source, settings)
+    except ProgramError:  # its errors are among the findings
+        return
+    if as_json:
+        row["steps"] = steps_as_dicts(units)
+    else:
+        sys.stdout.writelines(render_steps(dialect(language), units, colour=wants_colour(sys.stdout)))
 
 
 def _report_evidence(

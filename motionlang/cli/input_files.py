@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from marshal import dumps, loads
 
 from motionlang.execution import language_of
 from motionlang.source import STDIN, STDIN_NAME, Source
@@ -11,7 +10,6 @@ from motionlang.source import STDIN, STDIN_NAME, Source
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.cli.options import Options
-    from motionlang.lang.dialect import Dialect
 
 
 def read_source(file: str) -> Source:
@@ -24,6 +22,7 @@ def read_source(file: str) -> Source:
 def read_machine_file(options: Options, settings: dict[str, object]) -> int:
     """Merge the machine file's settings with those of `--set`, which take precedence."""
     from motionlang.errors import ProgramError
+    from motionlang.lang.machine.file import read_machine
 
     assert options.machine is not None
     try:
@@ -33,32 +32,10 @@ def read_machine_file(options: Options, settings: dict[str, object]) -> int:
 
         return refuse(options, [unreadable(options.machine, error)], None, 1)
     try:
-        for key, value in _settings(
-            source, language_of(options.dialect, options.file), options.cache
-        ).items():
+        for key, value in read_machine(source, language=language_of(options.dialect, options.file)).items():
             settings.setdefault(key, value)
     except ProgramError as error:
         from motionlang.cli.complaints import refuse
 
         return refuse(options, error.diagnostics, source, 1)
     return 0
-
-
-def _settings(source: Source, language: Dialect | None, cached: bool) -> dict[str, object]:
-    """Return the settings of a machine file, from the cache if they are cached.
-
-    Importing the library that reads such a file takes as long as starting an empty Python.
-    """
-    from motionlang.cache import machine_entry
-
-    entry = machine_entry(source.text, language.name if language else "") if cached else None
-    stored = entry.get() if entry is not None else None
-    if stored is not None:
-        settings: dict[str, object] = loads(stored)
-        return settings
-    from motionlang.lang.machine.file import read_machine
-
-    settings = read_machine(source, language=language)
-    if entry is not None:
-        entry.put(dumps(settings))
-    return settings

@@ -43,7 +43,6 @@ class Options:
         # `--input`, `--analog`, `--answer` and `--keys`, by the parameters of lang.machine.entries.with_entries.
         self.world: dict[str, list[str]] = {}
         self.nv: str | None = None
-        self.cache = True
         # The command line itself, for crash reports.
         self.given: list[str] = []
         self.prove = False
@@ -54,7 +53,7 @@ class Options:
         self.certify = False
         # Quantities of the report, by the names of analysis.quantities.
         self.keep: tuple[str, ...] = ()
-        self.show_code = self.show_tree = False
+        self.show_tree = False
         # Gigabytes that the log may take on the disk; None for the default.
         self.log_size: float | None = None
         # The events that do not make the exit status 1: names of cli.event_status.ALLOWED.

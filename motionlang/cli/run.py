@@ -97,13 +97,9 @@ def _result(options: Options) -> Run | int:
     if missing:
         return _refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
     if options.show_tree:
-        from motionlang.cli.show_code import show_tree
+        from motionlang.cli.show_tree import show_tree
 
         return show_tree(options, source)
-    if options.show_code:
-        from motionlang.cli.show_code import show_code
-
-        return show_code(options, source, settings)
     if options.realtime is not None and options.file != STDIN and sys.stdin.isatty():
         from motionlang.cli.keyboard import run_live
 
@@ -267,7 +263,6 @@ def _run_unwatched(
             begun=prepare,
             nv=options.nv,
             keep_crash=True,
-            cache=options.cache,
             prove=options.prove,
             log_size=options.log_size,
         )

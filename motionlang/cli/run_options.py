@@ -23,8 +23,8 @@ HIGHEST_RATE = 10e6
 _RATE = real(
     f"a rate above 0 and up to {HIGHEST_RATE:,.0f} samples per second", 0.0, HIGHEST_RATE, above=True
 )
-# The options that --show-code and --show-tree use; the others are about a run.
-FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "show_tree", "no_cache"))
+# The options that --show-tree uses; the others are about a run.
+FOR_TREE = frozenset(("help", "file", "dialect", "machine", "set", "show_tree"))
 RUN_EPILOG = """\
 The language is chosen by file extension: .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL.
 Time is machine time: an hour takes a moment, unless you give --realtime.
@@ -36,7 +36,6 @@ examples:
   motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
   motionlang run pick.mcl --trace pick.csv --trajectory-points
   motionlang run pick.mnt --set controller.axes=2 --set pitch=5
-  motionlang run pick.mnt --show-code
   generate-program | motionlang run - --dialect mint --format json
 """
 
@@ -47,7 +46,7 @@ GROUPS = {
     "checks": "prove certify allow",
     "trace": "trace rate columns trajectory-points trajectory-rate",
     "pictures": "plot from to axes path",
-    "code and files": "show-code show-tree no-cache nv log-size",
+    "syntax and files": "show-tree nv log-size",
 }
 
 
@@ -157,10 +156,7 @@ _OPTIONS = (
            ".speedscope.json"),
     flag("--certify", "check what each axis reached against [axis.N.limits] of the machine file and print a table to "
          "sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"),
-    flag("--show-code", "print the generated Python next to each line of a Mint program, or the function behind each "
-         "command of an MCCL program, without running it"),
     flag("--show-tree", "print the syntax tree of the program; do not run it"),
-    flag("--no-cache", "compile again and do not store the result"),
 )  # fmt: skip
 
 
@@ -175,7 +171,6 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
     options.columns, options.everything = arguments.columns, arguments.all
     options.report = arguments.format
-    options.cache = not arguments.no_cache
     options.world = world_of(arguments)
     language = language_of(options.dialect, options.file)
     set_values(arguments.set, options.settings, options.overrides, parser, language)
@@ -206,11 +201,10 @@ def _run(arguments: argparse.Namespace) -> int:
 
 def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
     """Reject options that would have no effect."""
-    if arguments.show_code or arguments.show_tree:
-        shown = "--show-code" if arguments.show_code else "--show-tree"
+    if arguments.show_tree:
         for action in parser._actions:
-            if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
-                parser.error(f"{action.option_strings[0]} has no effect with {shown}, which runs nothing")
+            if action.dest not in FOR_TREE and getattr(arguments, action.dest, None) != action.default:
+                parser.error(f"{action.option_strings[0]} has no effect with --show-tree, which runs nothing")
     if arguments.trace is None:
         for name in ("rate", "columns", "trajectory_points"):
             if getattr(arguments, name):

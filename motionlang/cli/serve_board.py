@@ -9,7 +9,6 @@ from motionlang.cli.output_queue import dropped
 from motionlang.cli.serve_hosts import greet, listen, open_lines, remark, say, until_signal, warn
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.execution import accelerators
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.models import written_for
@@ -72,7 +71,7 @@ def server_of(
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
-        console = Console(Machine(settings, first_axis=1, overrides=overrides, accelerators=accelerators()))
+        console = Console(Machine(settings, first_axis=1, overrides=overrides))
         download = console.download(
             source or Source("", ""), say, lambda diagnostic: complain([diagnostic], source, args.file or "")
         )

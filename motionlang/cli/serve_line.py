@@ -10,7 +10,6 @@ from motionlang.cli.serve_hosts import cannot, greet, open_lines, remark, say, u
 from motionlang.cli.serve_modbus import modbus_server, remark_on_mapping
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, count_of
-from motionlang.execution import accelerators
 from motionlang.mint.hosts.console import MintConsole
 from motionlang.mint.keywords.identity import VIRTUAL
 from motionlang.mint.models import named
@@ -44,7 +43,6 @@ def serve_line(
         console = MintConsole(
             settings,
             overrides,
-            accelerators=accelerators(),
             complain=lambda found, text: complain(found, text, text.name),
         )
         if source is not None:

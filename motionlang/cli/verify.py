@@ -127,7 +127,7 @@ def _review(program: str, verdict: Verdict) -> None:
                 f"{verdict.name}: a log is recorded, not accepted: motionlang mcapi run --record\n"
             )
         elif verdict.kind == "program":
-            result = run(program, cache=False)
+            result = run(program)
             SIGNALS.end_with(result)
             matches = review(program, result)
             verdict.failed = not matches or bool(expectations(result))
@@ -209,7 +209,7 @@ def _ran(verdict: Verdict) -> Run | None:
     """Return the run of a program; None if it or its machine file cannot be read."""
     program = verdict.name
     try:
-        result = run(program, cache=False)
+        result = run(program)
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename or program), error)])
     except ProgramError as error:

@@ -77,7 +77,6 @@ class Client(Connection):
         line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
         """
         from motionlang.client.virtual import VirtualWire
-        from motionlang.execution import accelerators
         from motionlang.lang.machine.file import current_key, first_mistake
         from motionlang.lang.machine.machine import Machine
         from motionlang.mccl.hosts.console import Console
@@ -89,7 +88,7 @@ class Client(Connection):
             if mistake:
                 raise ValueError(mistake)
             settings = {current_key(key): value for key, value in (board or {}).items()}
-            console = Console(Machine(settings, first_axis=1, accelerators=accelerators()))
+            console = Console(Machine(settings, first_axis=1))
         return cls(VirtualWire(console, step), timeout)
 
     @classmethod

@@ -66,12 +66,12 @@ class MintClient(Connection):
         ProgramError if the program has errors, and ValueError for an invalid setting.
         """
         from motionlang.client.virtual import MintWire
-        from motionlang.execution import accelerators, checked_settings
+        from motionlang.execution import checked_settings
         from motionlang.mint.hosts.console import MintConsole
 
         if isinstance(program, MintConsole):
             return cls(MintWire(program, step), timeout)
-        console = MintConsole(checked_settings(settings or {}), accelerators=accelerators())
+        console = MintConsole(checked_settings(settings or {}))
         if program:
             console.load(program if isinstance(program, Source) else Source("program", program))
         return cls(MintWire(console, step), timeout)

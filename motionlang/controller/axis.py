@@ -20,11 +20,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
-    from motionlang.controller.core import Core
     from motionlang.controller.feedback import Feedback
     from motionlang.controller.motion.follow import Follow
     from motionlang.controller.move import Move
-    from motionlang.controller.readers import Loader
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.older_profiles import Profiles
     from motionlang.planners import Profile, State
@@ -117,6 +115,9 @@ class Axis:
         "watches",
     )
 
+    # The attributes that `cut` restores.
+    GROWING = ("starts", "profiles", "older")
+
     def __init__(self, index: int) -> None:
         self.index = index
         self.scale = Scale()
@@ -199,29 +200,28 @@ class Axis:
         """Make `profile`, begun at `start`, the only one of the track."""
         self.starts[:], self.profiles[:], self.present = [start], [profile], profile
 
+    def extent(self) -> tuple[int, float, Profile]:
+        """Return what `cut` needs to drop all profiles that are added from now on."""
+        older = 0 if self.older is None else self.older.count
+        return older + len(self.starts), self.starts[-1], self.profiles[-1]
+
+    def cut(self, extent: tuple[int, float, Profile]) -> None:
+        """Drop the profiles since `extent` was taken.
+
+        The last one is then the same object as before, by which readers and moves know it.
+        """
+        count, start, last = extent
+        if self.older is not None:
+            self.older.cut_track(self, count)
+            count -= self.older.count
+            if not self.older.count:
+                self.older = None
+        del self.starts[count:], self.profiles[count:]
+        self.starts[-1], self.profiles[-1] = start, last
+
     def idle_reader(self) -> Callable[[], bool]:
         """Return a function that is true if no move is in progress."""
         return lambda: self.move is None
-
-    # ------------------------------------------------------------------------------ hooks of `fast/moves.py`
-
-    def loader(self, controller: Core, relative: bool, command: str) -> Loader:
-        """Return a fast function that loads moves to a position or by a distance.
-
-        It takes the position or distance in user units, and a line. It returns false if it cannot load the move.
-        """
-        return lambda value, line: False
-
-    def start_loaded(self, controller: Core) -> bool:
-        """Start the move that `loader` has loaded; false if there is none."""
-        return False
-
-    def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
-        """Start a move to `target`, counts, without a `Move`; false if it needs one."""
-        return False
-
-    def finish_updates(self, now: float) -> None:
-        """Roll back or finish partial updates after an interrupt."""
 
     # ---------------------------------------------------------------------------------------- state at a time
 

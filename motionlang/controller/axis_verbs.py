@@ -225,9 +225,6 @@ class AxisVerbs(Core):
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; idle axes start now, together."""
         for axis in axes:
-            a = self.axes[axis]
-            if a.start_loaded(self):
-                continue
             a = self.movable(axis)
             if self.expected_motion is not None:
                 self.expected_motion.prompt(a, "go")

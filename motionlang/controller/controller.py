@@ -8,7 +8,6 @@ is imported when first needed.
 from __future__ import annotations
 
 from motionlang.controller import moves, readers
-from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.axis_verbs import AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Rejected
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.entries import Make, Table
     from motionlang.controller.moves.geometry import Arc, Line
     from motionlang.controller.moves.path_policy import PathPolicy
-    from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
+    from motionlang.controller.readers import Reader, Subscriber, Writer
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.trace import Trace
     from motionlang.planners import Profile
@@ -45,9 +44,8 @@ class Controller(AxisVerbs):
         first: int = 0,
         clock: Clock | None = None,
         log: Log | None = None,
-        accelerators: Accelerators = NO_ACCELERATORS,
     ) -> None:
-        super().__init__(axes, first, clock or Clock(), log or Log(), accelerators)
+        super().__init__(axes, first, clock or Clock(), log or Log())
         power_up(self.log, self.axes)
 
     # ----------------------------------------------------------------------------------- bound to an axis
@@ -63,13 +61,6 @@ class Controller(AxisVerbs):
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
         """Return a writer of one of `SETTINGS`, for repeated use, in `unit`."""
         return readers.writer(self, name, axis, unit)
-
-    def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """Return a fast function that loads moves to a position or by a distance.
-
-        It takes the position or distance in user units, and a line. It returns false if it cannot load the move.
-        """
-        return self.axes[axis].loader(self, relative, command)
 
     # ------------------------------------------------------------------------------- notifications of an axis
 

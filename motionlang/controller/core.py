@@ -29,8 +29,6 @@ class Core(Readings):
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from any state of motion."""
-        if self.axes[axis].start_at_once(self, position, command, line):
-            return
         a = self.movable(axis)
         move = moves.buffer.stamped(a, Move(axis, command, line, position))
         move.released = True
@@ -179,8 +177,6 @@ class Core(Readings):
     def finish_updates(self) -> None:
         """Roll back or finish partial updates after an interrupt."""
         axes = (*self.axes.values(), *self.encoders.values())
-        for a in axes:
-            a.finish_updates(self.clock.now)
         self.log.finish_updates(axes)
         for a in axes:
             del a.starts[len(a.profiles) :]

@@ -51,6 +51,7 @@ from motionlang.controller.joined import Followed
 from motionlang.controller.triggers.watch import margin, watched_position
 from motionlang.planners import hold
 from motionlang.servo.axis_loop import axis_loop
+from motionlang.servo.closed_form import ClosedFormServo
 from motionlang.servo.lookahead import (
     REST_ERROR,
     REST_TIME,
@@ -80,7 +81,6 @@ if TYPE_CHECKING:
     from motionlang.servo.replay import Change
 
     Section = Mapping[str, object]
-    Servos = Callable[..., SpeculativeServo]
 
 LONG = 0.5
 _NEVER = 1 << 62
@@ -96,10 +96,11 @@ class Feedback:
     called if the following error exceeds `error_limit` (counts).
     """
 
-    def __init__(
-        self, axis: Axis, clock: Clock, plant: Section, section: Section, servo: Servos | None = None
-    ) -> None:
-        self._axis, self._clock, self._made_of = axis, clock, servo or SpeculativeServo
+    # The attributes that `cut` restores.
+    GROWING = ("changes",)
+
+    def __init__(self, axis: Axis, clock: Clock, plant: Section, section: Section) -> None:
+        self._axis, self._clock = axis, clock
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
@@ -339,6 +340,14 @@ class Feedback:
             apply(self._servo, (self._clock.now, what))
         self.changes.append((self._clock.now, what))
 
+    def extent(self) -> int:
+        """Return what `cut` needs to drop all changes that are added from now on."""
+        return len(self.changes)
+
+    def cut(self, extent: int) -> None:
+        """Drop the changes since `extent` was taken."""
+        del self.changes[extent:]
+
     # ------------------------------------------------------------------------------------------------- inside
 
     @property
@@ -367,7 +376,7 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        servo = self._made_of(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
+        servo = ClosedFormServo(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
         self._servo = servo
         last = None
         for change in self.changes:

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]
-    Loader = Callable[[float, int], bool]
     # The level of a comparison, None if it is unknown; `(distance, centre)` if the distance from the centre is
     # compared.
     Level = float | tuple[float, float] | None

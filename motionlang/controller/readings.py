@@ -14,7 +14,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.controller.accelerators import Accelerators
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Rejected
     from motionlang.controller.triggers.conditions import Condition
@@ -31,14 +30,9 @@ class Readings:
     KeyError.
     """
 
-    def __init__(self, axes: int, first: int, clock: Clock, log: Log, accelerators: Accelerators) -> None:
+    def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
         self.clock = clock
-        self.accelerators = accelerators
-        numbers = range(first, first + axes)
-        made = (
-            [Axis(number) for number in numbers] if accelerators.axes is None else accelerators.axes(numbers)
-        )
-        self.axes: dict[int, Axis] = dict(zip(numbers, made, strict=True))
+        self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.log = log
         self.inputs = Channels(clock, log.inputs)
         self.outputs = Channels(clock, log.outputs)

@@ -22,7 +22,6 @@ VERBS: dict[str, str] = {
     "setting": "Read a setting back.",
     "reader": "A reading of an axis, to be called again and again, in its unit.",
     "writer": "A function that sets one setting of an axis, for repeated calls.",
-    "loader": "A function that loads plain moves of an axis, for repeated calls.",
     "set_units": "Set the units of speeds and of accelerations of an axis.",
     "set_time_unit": "Set the seconds in the unit of time of an axis.",
     "set_scale": "Set the counts per user unit (and the time base) of an axis.",

@@ -9,9 +9,8 @@ one.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from queue import SimpleQueue
-from typing import Any
 
 from motionlang.dap import tables
 from motionlang.dap.arguments import Arguments, Refused
@@ -28,11 +27,9 @@ from motionlang.dap.tables import (
     READS,
     READY,
     RUNNING,
-    SET_BREAKPOINTS,
     STOPPED,
 )
-from motionlang.debug.checkpoints import Checkpoints, HandOver
-from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
+from motionlang.debug.debugger import Debugger, NotStopped, Stop
 from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
@@ -55,19 +52,10 @@ _COMMANDS = (".input", ".analog", ".keys", ".goto", ".changed", ".help")
 
 
 class Adapter:
-    """One session; `send` writes a message to the client.
+    """One session; `send` writes a message to the client."""
 
-    With `checkpoints` it may continue in a copy of the process: `hand_over` makes the message for this from the key of
-    the copy and the state of the session.
-    """
-
-    def __init__(
-        self,
-        send: Callable[[Message], None],
-        checkpoints: Checkpoints | None = None,
-        hand_over: Callable[[int, object], Message] | None = None,
-    ) -> None:
-        self._write, self._checkpoints, self._hand_over = send, checkpoints, hand_over
+    def __init__(self, send: Callable[[Message], None]) -> None:
+        self._write = send
         self._lock = threading.Lock()
         self._seq = 0
         self.phase = NEW
@@ -75,8 +63,6 @@ class Adapter:
         self._reports_progress = False
         # The progress report that is open, and how many there have been.
         self._progress_id, self._reports = "", 0
-        # The last arguments of the requests that set breakpoints.
-        self._breakpoints: dict[str, object] = {}
         self._launch: Launch
         self._debugger: Debugger
         self._breaking: Breaking
@@ -146,14 +132,8 @@ class Adapter:
             if name in NEED_A_STOP and self.phase == RUNNING:
                 raise NotStopped
             raise Refused(f"{name} is not possible now: the session is {self.phase}")
-        return self._carry_out(name, given)
-
-    def _carry_out(self, name: str, given: object) -> Body | None:
         handler: Callable[[Arguments], Body | None] = getattr(self, f"_do_{name}")
-        body = handler(Arguments(given))
-        if name in SET_BREAKPOINTS:
-            self._breakpoints[name] = given
-        return body
+        return handler(Arguments(given))
 
     # ----------------------------------------------------------------------------------------------- session
 
@@ -172,7 +152,7 @@ class Adapter:
             overrides=launch.overrides, until=launch.until,
             show=self.output, log_message=lambda text: self.output(f"{text}\n", "console"), ask=self._ask,
         )  # fmt: skip
-        debugger.observe(self._checkpoints, self._progress)
+        debugger.progress = self._progress
         self._launch, self._debugger = launch, debugger
         self._breaking = Breaking(debugger, launch.path, int(self._lines_at_1))
         self._showing = Showing(debugger, launch.path, int(self._lines_at_1), int(self._columns_at_1))
@@ -246,11 +226,6 @@ class Adapter:
         while (command := self._work.get()) is not None:
             try:
                 stop = command()
-            except HandOver as handover:
-                self._continue_in_copy(handover)
-                continue
-            except Interrupted:
-                stop = self._debugger.stay("cancelled")
             except Exception as error:
                 self._idle.set()
                 if not self.is_over:
@@ -262,39 +237,10 @@ class Adapter:
             if not self.is_over:
                 self._report(stop)
 
-    def _continue_in_copy(self, handover: HandOver) -> None:
-        """Hand the session to a copy of this process, which does the remaining work."""
-        assert self._hand_over is not None
-        with self._lock:
-            state = {
-                "debugger": self._debugger.state_for_copy(),
-                "threads": self._showing.state_for_copy(),
-                "breakpoints": self._breakpoints,
-                "then": handover.then,
-                "progress": (self._progress_id, self._reports),
-            }
-            self._write(self._hand_over(handover.key, state))
-
-    def revive(self, state: Mapping[str, Any]) -> None:
-        """Continue the session in this copy of the process.
-
-        Called in the thread of the program.
-        """
-        self._lock, self._idle = threading.Lock(), threading.Event()
-        self._work, self._answers, self._worker = SimpleQueue(), SimpleQueue(), None
-        self._asking, self._after = False, []
-        self._debugger.revive(state["debugger"])
-        self._showing.revive(state["threads"])
-        self._progress_id, self._reports = state["progress"]
-        for name, given in state["breakpoints"].items():
-            self._carry_out(name, given)
-        self._go(lambda: self._debugger.resume(state["then"]))
-        self._start_after()
-
     # ---------------------------------------------------------------------------------------------- progress
 
     def _progress(self, fraction: float) -> None:
-        """Report the completed fraction of a replay; called in a timer thread."""
+        """Report the completed fraction of a replay."""
         if not self._reports_progress or self.phase != RUNNING:
             return
         if not self._progress_id:
@@ -399,11 +345,7 @@ class Adapter:
 
     def _do_lastChange(self, given: Arguments) -> None:  # noqa: N802 - in the style of the protocol
         path = self._showing.path_of(given.text("name"))
-        self._go(
-            lambda: (
-                self._debugger.last_change(path) or self._debugger.stay(f"nothing has changed {path[-1]} yet")
-            )
-        )
+        self._go(lambda: self._debugger.last_change(path))
 
     def _do_pause(self, given: Arguments) -> None:
         if self.phase == RUNNING:

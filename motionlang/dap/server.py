@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import sys
 
+from motionlang.dap.adapter import Adapter
 from motionlang.dap.framing import WrongMessage, read, written
-from motionlang.debug.checkpoints import can_fork, close_here
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import socket
-    from collections.abc import Callable
     from typing import IO
 
-    from motionlang.dap.adapter import Adapter
     from motionlang.dap.framing import Message
-    from motionlang.dap.relay import Relay
 
 
-def serve(incoming: IO[bytes], outgoing: IO[bytes], close: Callable[[], None]) -> None:
-    """Serve a client until it disconnects or its stream ends.
-
-    In a forked process, `close` closes the streams of the client.
-    """
+def serve(incoming: IO[bytes], outgoing: IO[bytes]) -> None:
+    """Serve a client until it disconnects or its stream ends."""
     broken = False
 
     def send(message: Message) -> None:
@@ -35,7 +29,7 @@ def serve(incoming: IO[bytes], outgoing: IO[bytes], close: Callable[[], None]) -
         except (OSError, ValueError):
             broken = True  # the client has gone; the end of its stream ends the session
 
-    adapter = _made(send, close)
+    adapter = Adapter(send)
     try:
         while not adapter.is_over and not broken:
             try:
@@ -54,20 +48,10 @@ def serve(incoming: IO[bytes], outgoing: IO[bytes], close: Callable[[], None]) -
         adapter.close()
 
 
-def _made(send: Callable[[Message], None], close: Callable[[], None]) -> Adapter | Relay:
-    if can_fork():
-        from motionlang.dap.relay import Relay
-
-        return Relay(send, close)
-    from motionlang.dap.adapter import Adapter
-
-    return Adapter(send)
-
-
 def serve_stdio() -> None:
     """Serve the client that has started this process."""
     output, sys.stdout = sys.stdout, sys.stderr  # nothing else may be written between the messages
-    serve(sys.stdin.buffer, output.buffer, lambda: None)
+    serve(sys.stdin.buffer, output.buffer)
 
 
 def serve_connection(listener: socket.socket) -> None:
@@ -77,4 +61,4 @@ def serve_connection(listener: socket.socket) -> None:
     listener.close()
     connection.setblocking(True)
     with connection, connection.makefile("rb") as incoming, connection.makefile("wb") as outgoing:
-        serve(incoming, outgoing, lambda: close_here(connection.fileno()))
+        serve(incoming, outgoing)

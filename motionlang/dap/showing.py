@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from typing import Any
 
 from motionlang.dap.arguments import Arguments, Refused
 from motionlang.debug.debugger import Debugger
@@ -53,15 +52,6 @@ class Showing:
         self._old_references += len(self._references)
         self._frames.clear()
         self._references.clear()
-
-    def state_for_copy(self) -> object:
-        """Return the numbers that the client knows, for a copy of this process."""
-        return self._threads, self._old_frames, self._old_references
-
-    def revive(self, state: Any) -> None:
-        """Continue with the numbers that the client knows."""
-        self.forget()
-        self._threads, self._old_frames, self._old_references = state
 
     def number(self, task: str) -> int:
         """Return the number of a task's thread."""

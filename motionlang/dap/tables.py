@@ -92,7 +92,3 @@ READS = frozenset(
         "completions",
     )
 )
-# Requests that replace breakpoints.
-SET_BREAKPOINTS = frozenset(
-    ("setBreakpoints", "setFunctionBreakpoints", "setExceptionBreakpoints", "setDataBreakpoints")
-)

@@ -2,9 +2,10 @@
 
 Problem. A user stops a program and asks how it reached this state. By then the run has moved on.
 
-Idea. A stop is identified by the number of a statement (`replay.py`). To go forward, the waiting thread of the run
-continues. To go back, a new run executes up to an earlier number. To find that number, each run remembers the
-statements just before a stop. If they do not suffice, a search runs to the stop once more and notes the last hit.
+Idea. A stop is identified by the number of a statement. To go forward, the waiting thread of the run continues. To go
+back, the run is put back to a checkpoint before the statement and goes on to it (`replay.py`). A search for the last
+statement of some kind begins at the last checkpoint before the stop, then at the second, fourth, eighth last and so on,
+and each time runs up to the stop again.
 
 Moments without a statement, such as a limit in the middle of a wait, are found in the log, whenever the run stops and
 every `STRIDE` statements. The first statement after the moment becomes the stop, or the last statement if the program
@@ -15,7 +16,8 @@ statement gives up after as many advances of the clock as the run has made so fa
 then the stop. `go_on` and `go_to_line` run on, until they are paused.
 
 Invariants.
-- After each command there is one run: stopped at `stop`, or ended (`stop` is None, `run` has the result).
+- There is one run. After each command it is stopped at `stop`, or ended (`stop` is None, `run` has the result).
+- A command that is cancelled or paused leaves the run at the statement that it has reached.
 - The same commands give the same stops, and no command changes the result of the run. Manual changes are in the
   journal.
 - Hit counts count executed statements from the start of the program. Skipped iterations of a polling loop execute
@@ -24,36 +26,35 @@ Invariants.
 
 from __future__ import annotations
 
-from collections import deque
 from math import nextafter
 
 from motionlang.controller.clock import INFINITY
-from motionlang.debug import checkpoints, moments, scopes
+from motionlang.debug import moments, scopes
 from motionlang.debug.breakpoints import Breakpoint, Watched
-from motionlang.debug.checkpoints import HandOver
 from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.patience import Patience
-from motionlang.debug.replay import EVERY, MEMORY, Output, Point, Remembered, Replay, Setup
+from motionlang.debug.replay import EVERY, Output, Point, Replay, Setup
 from motionlang.debug.state import State
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
-    from typing import Any
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+    from typing import Concatenate, ParamSpec, TypeVar
 
-    from motionlang.debug.checkpoints import Checkpoints
+    from motionlang.debug.checkpoints import Checkpoint
     from motionlang.debug.moments import Moment, Search
     from motionlang.lang.debugging import Variable
     from motionlang.lang.dialect import Dialect
     from motionlang.result import Run
     from motionlang.source import Source
 
+    Given = ParamSpec("Given")
+    Found = TypeVar("Found")
+
 # Statements between two searches of the log.
 STRIDE = 4096
-# Statements that are recorded to find the one before a stop, if it is not among the last ones.
-REACH = 65536
 # Two searches find the same moment within this time, s: that of a condition depends on the samples.
 CLOSE = 1e-8
 
@@ -80,8 +81,22 @@ class NotStopped(Exception):
     """The program has ended or not begun, so its state is not available."""
 
 
-class Interrupted(Exception):
-    """The user has cancelled a search; the program is at its previous stop."""
+class _Paused(Exception):
+    """A search has been paused or cancelled."""
+
+
+def _search(
+    command: Callable[Concatenate[Debugger, Given], Stop | None],
+) -> Callable[Concatenate[Debugger, Given], Stop | None]:
+    """Make the statement at which a search is paused the stop."""
+
+    def searching(debugger: Debugger, /, *arguments: Given.args, **named: Given.kwargs) -> Stop | None:
+        try:
+            return command(debugger, *arguments, **named)
+        except _Paused:
+            return debugger._paused()
+
+    return searching
 
 
 class Debugger:
@@ -112,6 +127,8 @@ class Debugger:
         self.journal = Journal()
         self._output = Output(show)
         self.breakpoints: list[Breakpoint] = []
+        # The source offsets at which hits are counted.
+        self._counted: frozenset[int] = frozenset()
         self.searches: list[Search] = []
         self.watched: list[Watched] = []
         self.stops_at_errors = False
@@ -119,10 +136,8 @@ class Debugger:
         self.source = source
         self._lines: dict[int, list[int]] = {}
         self._locations: dict[int, tuple[int, int, int]] = {}
-        # Copies of the process to go back to, and where progress of a long replay is reported: a fraction.
-        self.checkpoints: Checkpoints | None = None
-        self.progress: Callable[[float], None] | None = None
-        # The last statement of the replay that goes on, 0 for none.
+        # Called with the fraction of a long replay that is done, and the last statement of the one that goes on.
+        self.progress: Callable[[float], None] = lambda fraction: None
         self._last = 0
         self._load(source)
         self._replay = self._new()
@@ -132,9 +147,6 @@ class Debugger:
         self._marks: list[tuple[int, float]] = []
         # The advances of the clock after which moments are searched.
         self._next_search = STRIDE
-        # The run of a search, while there is one, and the statements before the stop that it has found.
-        self._searching: Replay | None = None
-        self._history: list[Remembered] = []
 
     def _load(self, source: Source) -> None:
         program = self.language.debug(source, self._settings)
@@ -149,35 +161,14 @@ class Debugger:
             self._lines.setdefault(line, []).append(offset)
 
     def _new(self) -> Replay:
-        replay = Replay(
-            self._setup,
-            self.journal,
-            self._output,
-            self._ask,
-            self._interrupted if self._can_interrupt else None,
-        )
-        if self.checkpoints is not None or self.progress is not None:
-            replay.on_tick = lambda: self._tick(replay)
-        return replay
+        return Replay(self._setup, self.journal, self._output, self._ask, self._meanwhile)
 
-    def observe(self, checkpoints: Checkpoints | None, progress: Callable[[float], None]) -> None:
-        """Make copies of the process in slow runs, and report the progress of replays.
-
-        Call it before `start`.
-        """
-        self.checkpoints, self.progress = checkpoints, progress
-        self._replay = self._new()
-
-    def _tick(self, replay: Replay) -> None:
-        """Make a copy of a slow run, and report its progress; runs in a timer thread."""
-        replay.ticks += 1
-        if replay.ticks < checkpoints.SLOW:
-            return
-        if self.checkpoints is not None and replay is self._replay:
-            replay.checkpoints = self.checkpoints
-            replay.copy_soon()
-        if self.progress is not None and self._last:
-            self.progress(min(replay.hook.count / self._last, 1.0))
+    def _meanwhile(self) -> None:
+        """Pause the run after Ctrl-C, and report the progress of a replay."""
+        if self._interrupted is not None and self._can_interrupt and self._interrupted():
+            self.pause()
+        if self._last:
+            self.progress(min(self._replay.hook.count / self._last, 1.0))
 
     # ------------------------------------------------------------------------------------------------- state
 
@@ -234,7 +225,7 @@ class Debugger:
 
     def pause(self) -> None:
         """Stop a run or a search before its next statement; may be called from any thread."""
-        self._replay_in_force.pause()
+        self._replay.pause()
 
     # ----------------------------------------------------------------------------------------------- forward
 
@@ -270,7 +261,7 @@ class Debugger:
 
     def _depth(self) -> int:
         task = self._point().task
-        return self._replay.query(lambda: self._replay.depth(task))
+        return self._replay.depth(task)
 
     def _point(self) -> Point:
         if self._replay.point is None:
@@ -324,7 +315,7 @@ class Debugger:
         if searching:
             self._output.hold()
         if self.watched and self._replay.point is not None:
-            self._replay.query(lambda: self._note_values(self._point()))
+            self._note_values(self._point())
         while True:
             limit = EVERY if every else begin + STRIDE if searching else INFINITY
             point = replay.go(decide, limit, self._stopping_offsets(), give_up)
@@ -357,9 +348,6 @@ class Debugger:
             return f"the program has ended, but motion continues at {time:.9g} s"
         return f"line {self.location_of(point.offset)[0]} still waits at {time:.9g} s"
 
-    def _counted_offsets(self) -> frozenset[int]:
-        return frozenset(offset for each in self.breakpoints if each.is_counted for offset in each.offsets)
-
     def _stopping_offsets(self) -> frozenset[int]:
         return frozenset(offset for each in self.breakpoints for offset in each.offsets)
 
@@ -373,7 +361,7 @@ class Debugger:
         self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
         # What the statement itself causes has its time, too.
         self._after = nextafter(point.time, -INFINITY)
-        found = self._replay.query(lambda: self._moments(point.time)) if self.searches else []
+        found = self._moments(point.time) if self.searches else []
         if found:
             self._after = point.time
         return self.stop
@@ -382,20 +370,29 @@ class Debugger:
 
     def _hit(self, point: Point, live: bool) -> tuple[str, str] | None:
         """Return reason and text of a stop at a point; None if the program does not stop."""
+        hit = self._line_hit(point, live)
         for watched in self.watched:
-            change = watched.change(self._replay_in_force, point)
+            change = watched.change(self._replay, point)
             if change:
                 return "change", f"{change} before line {self.location_of(point.offset)[0]}"
+        return hit
+
+    def _count_hits(self, point: Point) -> None:
+        """Count the hits at a point at which the program does not stop."""
+        if point.offset in self._counted:
+            self._line_hit(point, False)
+
+    def _line_hit(self, point: Point, live: bool) -> tuple[str, str] | None:
         for each in self.breakpoints:
             if point.offset not in each.offsets:
                 continue
-            state = State(self, self._replay_in_force, point)
+            state = State(self, self._replay, point)
             try:
                 if each.condition is not None and not each.condition(state):
                     continue
             except ValueError as error:
                 return "breakpoint", f"the condition has no value: {error}"
-            count = self._replay_in_force.hits[each] = self._replay_in_force.hits.get(each, 0) + 1
+            count = self._replay.hits[each] = self._replay.hits.get(each, 0) + 1
             if not each.counts(count):
                 continue
             if each.message is None:
@@ -405,17 +402,16 @@ class Debugger:
                 self._log_message(each.message(state))
         return None
 
-    @property
-    def _replay_in_force(self) -> Replay:
-        return self._searching or self._replay
-
     def set_breakpoints(self, breakpoints: Iterable[Breakpoint]) -> None:
         """Replace all line breakpoints; hits are counted from the start of the program."""
         self.breakpoints = list(breakpoints)
+        self._counted = frozenset().union(*[each.offsets for each in self.breakpoints if each.is_counted])
         if self._replay.point is None:
             self._replay.hook.offsets = self._stopping_offsets()
         if any(each.is_counted for each in self.breakpoints) and self._replay.point is not None:
-            self._go_to(self._replay.point.number)
+            number = self._replay.point.number
+            self._replay.back(None)
+            self._go_on_to(number)
 
     def offsets_at(self, line: int) -> tuple[int, ...]:
         """Return the source offsets at which execution of a line may begin."""
@@ -438,7 +434,7 @@ class Debugger:
         )
 
     def _moments(self, until: float) -> list[Moment]:
-        machine = self._replay_in_force.machine
+        machine = self._replay.machine
         found = [each for search in self.searches for each in search(machine, self._after, until)]
         return sorted(found, key=lambda each: each.time)
 
@@ -448,7 +444,7 @@ class Debugger:
         if not self.searches and not self.stops_at_errors:
             return None
         until = point.time if point is not None else self._end()
-        found = self._replay.query(lambda: self._moments(until))
+        found = self._moments(until)
         if found:
             return moments.together(found)
         if point is None and run is not None and self.stops_at_errors and self._after < INFINITY:
@@ -493,28 +489,40 @@ class Debugger:
     def _go_to(
         self, number: int, decide: Callable[[Point], bool] | None = None, time: float = INFINITY
     ) -> Point | None:
-        """Run again up to a statement, or from there to where `decide` is true.
+        """Go back, and on to a statement, or from there to where `decide` is true.
 
-        The replay gives up a while after `time`.
+        The run gives up a while after `time`.
         """
-        self._replay.abandon()
-        self._replay = replay = self._new()
-        counted = self._counted_offsets()
+        self._replay.back(next(self._beginnings(number)), number)
+        return self._go_on_to(number, decide, time)
+
+    def _go_on_to(
+        self, number: int, decide: Callable[[Point], bool] | None = None, time: float = INFINITY
+    ) -> Point | None:
+        """Go on like `_go_to`."""
+        replay = self._replay
 
         def there(point: Point) -> bool:
-            if point.offset in counted:
-                self._hit(point, False)
+            self._count_hits(point)
             return point.number >= number and (decide is None or decide(point))
 
         self._last = number
         try:
-            return replay.go(there, number - MEMORY, counted, Patience(replay, time))
+            return replay.go(there, number, self._counted, Patience(replay, time))
         finally:
             self._last = 0
 
+    def _beginnings(self, number: int) -> Iterator[Checkpoint | None]:
+        """Yield the last checkpoint before a statement, the second, fourth, eighth last, and the start."""
+        known = self._replay.checkpoints.before(number)
+        distance = 1
+        while distance <= len(known):
+            yield known[-distance]
+            distance *= 2
+        yield None
+
     def _arrive(self, number: int, reason: str, text: str = "") -> Stop | None:
-        """Go to a statement and make it the stop, in this process or in a closer copy."""
-        self._hand_over(number, "arrive", number, reason, text)
+        """Go to a statement and make it the stop."""
         return self._arrive_on_replay(self._go_to(number), reason, text)
 
     def _arrive_on_replay(self, point: Point | None, reason: str, text: str) -> Stop | None:
@@ -530,168 +538,96 @@ class Debugger:
             return self._arrive(self._replay.hook.count, "pause")
         finally:
             self._can_interrupt = True
-            self._replay.interrupted = self._interrupted
 
-    def _hand_over(self, number: int, *then: object) -> None:
-        """Raise HandOver if a copy waits at or before a statement."""
-        key = self.checkpoints.before(number) if self._may_hand_over() and self.checkpoints else None
-        if key is not None:
-            raise HandOver(key, *then)
+    def _last_before(
+        self, last: int, find: Callable[[Point], Found | None], offsets: frozenset[int] | None = None
+    ) -> tuple[int, Found] | None:
+        """Return the last statement up to `last` for which `find` returns something, and that.
 
-    def _may_hand_over(self) -> bool:
-        """False if a copy would lack the hit count of a breakpoint or a watched value."""
-        return not self.watched and not any(each.is_counted for each in self.breakpoints)
-
-    def state_for_copy(self) -> dict[str, object]:
-        """Return the state that a copy needs to continue this session."""
-        assert self.checkpoints is not None
-        return {
-            "journal": (self.journal.changes, self.journal.answers),
-            "shown": self._output.shown,
-            "logged": self._logged,
-            "copies": (self.checkpoints.known, self.checkpoints.last_key),
-        }
-
-    def revive(self, state: Mapping[str, Any]) -> None:
-        """Continue the session in this copy, with its state."""
-        assert self.checkpoints is not None
-        self.journal.changes, self.journal.answers = state["journal"]
-        self._output.revive(state["shown"])
-        self._logged = state["logged"]
-        self.checkpoints.known, self.checkpoints.last_key = state["copies"]
-        self._searching, self._last, self._history, self._marks = None, 0, [], []
-        self._replay.revive()
-
-    def resume(self, then: Sequence[Any]) -> Stop | None:
-        """Do the work that remained when the session was handed over to this copy."""
-        what, number, *rest = then
-        if what == "arrive":
-            return self._arrive_on(number, *rest)
-        if what == "time":
-            self._replay.go(lambda each: each.time >= number, EVERY, frozenset())
-            point = self._replay.point
-            return self._at(point, "goto") if point else self._arrive(self._replay.hook.count, "goto")
-        task, depth = rest
-        self._replay.recent = deque(self._replay.recent, REACH)
-        self._run_on_to(number - 1, REACH)
-        found = _before(self._replay.recent, number, task, depth)
-        if found == number - 1:
-            return self._at(self._replay.point, "step")
-        if found is not None:
-            return self._arrive(found, "step")
-        begin = self._recorded_from()
-        if begin > 1:
-            self._hand_over(begin - 1, "back", number, task, depth)
-            self._remember_more(number, number)
-            found = _before(self._history, number, task, depth)
-        return self._arrive(found or max(number - 1, 1), "step")
-
-    def _arrive_on(self, number: int, reason: str, text: str) -> Stop | None:
-        """Continue from an earlier statement to one that becomes the stop."""
-        self._run_on_to(number, MEMORY)
-        return self._arrive_on_replay(self._replay.point, reason, text)
-
-    def _run_on_to(self, number: int, reach: int) -> None:
-        point = self._replay.point
-        if point is not None and point.number < number:
-            self._last = number
-            self._replay.go(lambda each: each.number >= number, number - reach, frozenset())
-            self._last = 0
-
-    def _search(self, last: int, first: int, note: Callable[[Point], None], offsets: frozenset[int]) -> None:
-        """Run to a statement once more, and call `note` for points before it."""
-        self._searching = replay = self._new()
-        try:
+        Only statements at `offsets` are considered if they are given. The run is then at statement `last`.
+        """
+        replay, found = self._replay, None
+        for begin in self._beginnings(last):
 
             def decide(point: Point) -> bool:
-                if point.number < last:
-                    note(point)
+                nonlocal found
+                what = find(point)
+                if what is not None:
+                    found = point.number, what
                 return point.number >= last
 
+            replay.back(begin, last)
             self._last = last
-            replay.go(decide, first, offsets)
+            try:
+                replay.go(decide, EVERY if offsets is None else last, offsets)
+            finally:
+                self._last = 0
             if replay.paused:
-                raise Interrupted
-        finally:
-            replay.abandon()
-            self._searching, self._last = None, 0
+                raise _Paused
+            if found is not None:
+                break
+        return found
 
+    @_search
     def step_back(self) -> Stop | None:
         """Go to the previous statement of the task, stepping over calls."""
         if self._replay.run is not None:
             return self._arrive(self._replay.hook.count, "step")
         point, depth = self._point(), self._depth()
-        found = _before(list(self._replay.recent), point.number, point.task.name, depth)
-        if found is None:
-            self._hand_over(self._recorded_from() - 1, "back", point.number, point.task.name, depth)
-        reach = MEMORY
-        while found is None and self._recorded_from() > 1:
-            reach *= 16
-            self._remember_more(point.number, reach)
-            found = _before(self._history, point.number, point.task.name, depth)
-            if reach >= point.number:
-                break
-        if found is None and point.number > 1:
-            found = point.number - 1  # the task began here
-        if found is None:
+        if point.number == 1:
             return self._at(point, "start", "this is the first statement")
-        return self._arrive(found, "step")
+        name, here = point.task.name, point.number
 
-    def _recorded_from(self) -> int:
-        return self._replay.recent[0].number
+        def is_before(each: Point) -> bool | None:
+            self._count_hits(each)
+            is_of_task = each.number < here and each.task.name == name
+            return True if is_of_task and self._replay.depth(each.task) <= depth else None
 
-    def _remember_more(self, number: int, reach: int) -> None:
-        self._history = []
+        found = self._last_before(here, is_before)
+        # A task that began here has none.
+        return self._arrive(here - 1 if found is None else found[0], "step")
 
-        def note(point: Point) -> None:
-            replay = self._replay_in_force
-            self._history.append(
-                Remembered(point.number, point.task.name, replay.depth(point.task), point.offset)
-            )
-
-        self._search(number, number - reach, note, frozenset())
-
+    @_search
     def reverse(self) -> Stop | None:
         """Go back to the last breakpoint or moment before this stop, or to the beginning."""
-        ended = self._replay.run is not None
-        here = self._replay.hook.count + 1 if ended else self._point().number
-        hits: list[tuple[int, str, str]] = []
+        here, found = self._here(), self._last_moment()
 
-        def note(point: Point) -> None:
-            hit = self._hit(point, False)
-            if hit is not None:
-                hits.append((point.number, *hit))
+        def hit(point: Point) -> tuple[str, str] | None:
+            what = self._hit(point, False)
+            return what if point.number < here else None
 
-        moment = self._last_moment()
         if self.breakpoints or self.watched:
-            first = EVERY if self.watched else here
-            self._search(here, first, note, self._stopping_offsets())
-        if moment is not None and moment[0] < here and (not hits or moment[0] > hits[-1][0]):
-            hits.append(moment)
-        if not hits:
+            offsets = None if self.watched else self._stopping_offsets()
+            last = self._last_before(here, hit, offsets)
+            if last is not None and (found is None or last[0] >= found[0]):
+                found = last
+        if found is None:
             return self._arrive(1, "start", "this is the first statement")
-        number, reason, text = hits[-1]
+        number, (reason, text) = found
         return self._arrive(number, reason, text)
 
-    def _last_moment(self) -> tuple[int, str, str] | None:
-        """Return the stop after the last moment before this one: number, reason, text."""
+    def _here(self) -> int:
+        """Return the number of the statement at the stop; at the end, that after the last one."""
+        return self._replay.hook.count + 1 if self._replay.run is not None else self._point().number
+
+    def _last_moment(self) -> tuple[int, tuple[str, str]] | None:
+        """Return the stop after the last moment before this one: number, reason and text."""
         if not self.searches:
             return None
-        run, stop = self._replay.run, self.stop
+        run, stop, here = self._replay.run, self.stop, self._here()
         end = run.time if run is not None else stop.time if stop is not None else 0.0
-        here = self._replay.hook.count + 1 if run is not None else self._point().number
         after, self._after = self._after, -1.0
         try:
-            found = self._replay.query(lambda: self._moments(end))
+            found = self._moments(end)
+            while found:
+                moment = found.pop()
+                number = self._first_after(moment, here)
+                if number is None:
+                    number = here - 1 if run is not None else here
+                if number < here:
+                    return number, (moment.reason, self._described(moment))
         finally:
             self._after = after
-        while found:
-            moment = found.pop()
-            number = self._first_after(moment, here)
-            if number is None:
-                number = self._replay.hook.count if run is not None else here
-            if number < here:
-                return number, moment.reason, self._described(moment)
         return None
 
     def _described(self, moment: Moment) -> str:
@@ -700,122 +636,98 @@ class Debugger:
 
     def _first_after(self, moment: Moment, before: int) -> int | None:
         """Return the number of the first statement after a moment, if below `before`."""
-        found: list[int] = []
+        replay = self._replay
 
-        def note(point: Point) -> None:
-            if not found and self._has_come(moment, point):
-                found.append(point.number)
+        def has_come(point: Point) -> bool:
+            self._count_hits(point)
+            return point.number >= before or self._has_come(moment, point)
 
-        after, self._after = self._after, -1.0
+        replay.back(replay.checkpoints.before_time(moment.time), before)
+        self._last = before
         try:
-            self._search(before, EVERY, note, frozenset())
+            point = replay.go(has_come, EVERY)
         finally:
-            self._after = after
-        return found[0] if found else None
+            self._last = 0
+        if replay.paused:
+            raise _Paused
+        return point.number if point is not None and point.number < before else None
 
     def go_to_time(self, time: float) -> Stop | None:
         """Go to the first statement at or after a time, or to the last statement."""
-        key = self.checkpoints.before_time(time) if self.checkpoints and self._may_hand_over() else None
-        if key is not None:
-            raise HandOver(key, "time", time)
-        self._replay.abandon()
+        replay = self._replay
+        if replay.point is None or replay.point.time >= time:
+            replay.back(replay.checkpoints.before_time(time))
         self._output.hold()
-        self._replay = replay = self._new()
-        before = 0
-        patience = Patience(replay, time)
 
-        def decide(point: Point) -> bool:
-            nonlocal before
-            if point.time >= time:
-                return True
-            before = point.number
-            replay.consider_from(before + STRIDE)
-            return False
+        def there(point: Point) -> bool:
+            self._count_hits(point)
+            return point.time >= time
 
-        def give_up(now: float) -> bool:
-            nonlocal before
-            if now < time:
-                before = replay.hook.count
-            else:
-                replay.consider_next()
-            return patience(now)
-
-        point = replay.go(decide, EVERY, None, give_up)
+        point = replay.go(there, EVERY, None, Patience(replay, time))
         if replay.paused:
             return self._paused()
         if point is None:
             point = self._go_to(replay.hook.count)
-        if point is not None and point.time >= time and point.number > before + 1:
-            point = self._go_to(before + 1, lambda each: each.time >= time, time)
         return self._arrive_on_replay(point, "goto", "")
 
     def go_to_line(self, line: int) -> Stop | None:
         """Go to the next execution of a line; stay if there is none."""
-        offsets, counted = frozenset(self.offsets_at(line)), self._counted_offsets()
+        offsets = frozenset(self.offsets_at(line))
         before = self._point().number
         self._output.hold()
 
         def decide(point: Point) -> bool:
-            if point.offset in counted:
-                self._hit(point, False)
+            self._count_hits(point)
             return point.offset in offsets
 
-        point = self._replay.go(decide, INFINITY, offsets | counted)
+        point = self._replay.go(decide, INFINITY, offsets | self._counted)
         if self._replay.paused:
             return self._paused()
         if point is None:
             return self._arrive(before, "goto", f"line {line} does not begin again")
         return self._at(point, "goto")
 
+    @_search
     def go_back_to_line(self, line: int) -> Stop | None:
         """Go back to the previous execution of a line; stay if there is none."""
-        offsets, found = frozenset(self.offsets_at(line)), [0]
-        ended = self._replay.run is not None
-        here = self._replay.hook.count + 1 if ended else self._point().number
-        self._search(here, here, lambda point: found.append(point.number), offsets)
-        if not found[-1]:
+        here = self._here()
+        offsets = frozenset(self.offsets_at(line))
+
+        def is_line(point: Point) -> bool | None:
+            self._count_hits(point)
+            return True if point.offset in offsets and point.number < here else None
+
+        found = self._last_before(here, is_line, offsets | self._counted)
+        if found is None:
             return self.stay(f"line {line} has not begun before")
-        return self._arrive(found[-1], "goto")
+        return self._arrive(found[0], "goto")
 
+    @_search
     def last_change(self, path: Sequence[str]) -> Stop | None:
-        """Go back to the statement that last changed a variable, an axis or a channel.
-
-        Returns None if there is no such statement.
-        """
-        point = self._point()
+        """Go back to the statement that last changed a variable, an axis or a channel; stay if there is none."""
         watched = Watched(tuple(path))
-        replay, previous, found = self._replay, 0, 0
-        values: dict[tuple[str, ...], object] = {}
-
-        def note(each: Point) -> None:
-            nonlocal previous, found, values
-            if watched.change(self._replay_in_force, each):
-                found = previous
-            previous, values = each.number, self._replay_in_force.values
-
-        self._search(point.number, EVERY, note, frozenset())
-        replay.values |= values
-        if replay.query(lambda: watched.change(replay, point)):
-            found = previous
-        if not found:
-            return None
-        return self._arrive(found, "change", f"this statement changes {path[-1]}")
+        found = self._last_before(
+            self._point().number, lambda each: watched.change(self._replay, each) or None
+        )
+        if found is None:
+            return self.stay(f"nothing has changed {path[-1]} yet")
+        return self._arrive(found[0] - 1, "change", f"this statement changes {path[-1]}")
 
     # ------------------------------------------------------------------------------------------------ changes
 
     def assign(self, path: Sequence[str], value: object) -> Variable:
         """Change the value of a variable; raise ValueError if that is not possible."""
         point, replay = self._point(), self._replay
-        variable = replay.query(lambda: scopes.find(replay.hook, point, path))
+        variable = scopes.find(replay.hook, point, path)
         if variable is None:
             raise ValueError(f"there is no variable {path[-1]} here")
         if variable.set is None:
             raise ValueError(f"{variable.name} cannot be set; set one of its elements")
         give = variable.set
-        replay.query(lambda: give(value))
+        give(value)
         self._changed()
         self.journal.add(Assigned(point.number, tuple(path), value))
-        found = replay.query(lambda: scopes.find(replay.hook, point, path))
+        found = scopes.find(replay.hook, point, path)
         assert found is not None
         return found
 
@@ -830,8 +742,6 @@ class Debugger:
         """Allow output from here on to be shown again, because the run now differs."""
         self._output.forget(self._replay.written)
         self._logged = min(self._logged, self._point().number)
-        if self.checkpoints is not None:
-            self.checkpoints.forget_from(self._point().number)
 
     def restart(self, source: Source) -> Stop | None:
         """Run another text with the same journal, up to the time of the stop.
@@ -841,16 +751,6 @@ class Debugger:
         time = self.stop.time if self.stop is not None else 0.0
         self._load(source)
         self._replay.abandon()
-        if self.checkpoints is not None:
-            self.checkpoints.forget_from(0)
+        self._replay = self._new()
         self._output.forget(0)
         return self.go_to_time(time)
-
-
-def _before(recent: Iterable[Remembered], number: int, task: str, depth: int) -> int | None:
-    """Return a task's last statement before a number, in at most `depth` calls."""
-    found = None
-    for each in recent:
-        if each.number < number and each.task == task and each.depth <= depth:
-            found = each.number
-    return found

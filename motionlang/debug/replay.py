@@ -1,49 +1,47 @@
-"""One execution of a program, in a thread that blocks in the hook at a stop.
+"""One execution of a program, in a thread that blocks in the hook at a stop, and that goes back.
 
-Problem. A debugger asks for the state of a run at a statement, and then for an earlier one. A run cannot go back, and a
-run that is split into parts differs in the last bits.
+Problem. A debugger asks for the state of a run at a statement, and then for an earlier one. A run that is split into
+parts at its stops differs in the last bits.
 
-Idea. Runs are deterministic. A statement has the same number in each run, so a stop is a number, and going back means
-running again to an earlier number. A run is never split: its thread waits inside the hook, in the middle of its work,
-while another thread asks for its state. All questions are answered in the thread of the run, which has the program's
-frames.
+Idea. A run is never split: its thread waits inside the hook, in the middle of its work, while another thread reads its
+state. Between two rounds of the scheduler the whole state of the run is in its objects. Snapshots are taken there,
+now and then (`checkpoints.py`). To go back, the thread ends, the last snapshot before the statement is put back, and
+another thread continues from there. Runs are deterministic, so a statement has the same number whenever it is executed.
 
     controlling thread                       thread of the run
     go(…)              -- None ------------> continues
       waits                                  … statement 17: decide(point) is true
       returns          <-- "stopped" ------- waits in the hook
-    ask(question)      -- question --------> answers
-      returns          <-- answer ---------- waits in the hook
-    abandon()          -- ABANDON ---------> raises `Abandoned` through the program
+    back(12)           -- ABANDON ---------> raises `Abandoned` through the program
+      puts a snapshot back
+    go(…)              -- starts ----------> another thread, from statement 9
 
 Invariants.
 - One thread runs at a time, except for `pause`, which only makes the next statement a stop.
-- A run that gives up, because no statement begins, ends between two events. It only shows its log from then on.
-- The changes of the journal are made before their statements, in every run.
-- An abandoned run leaves nothing behind: it writes no files, and only its new output is shown.
+- A run that gives up, because no statement begins, ends between two events. It only shows its log until it goes back.
+- The changes of the journal are made before their statements, whenever these are executed.
+- An abandoned thread leaves nothing behind: it writes no files, and only its new output is shown.
 """
 
 from __future__ import annotations
 
 import threading
-from collections import deque
 from queue import Empty, SimpleQueue
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.debug.checkpoints import Ticks
+from motionlang.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.debug.journal import Assigned, Entered
 from motionlang.debug.scopes import find
-from motionlang.execution import run
+from motionlang.debug.snapshot import Snapshot
+from motionlang.execution import run, run_on
 from motionlang.lang.debugging import Hook
 from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
-    from typing import Any, TypeVar
 
-    from motionlang.debug.checkpoints import Checkpoints
     from motionlang.debug.journal import Journal
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.machine import Machine
@@ -52,15 +50,13 @@ if TYPE_CHECKING:
     from motionlang.result import Run
     from motionlang.source import Source
 
-    Answer = TypeVar("Answer")
-
-# The number of statements before a stop that a replay remembers, so that stepping back takes one replay.
-MEMORY = 64
 # The limit at which every statement is considered: they are numbered from 1.
 EVERY = 0
+# Statements before the target of a replay at which a snapshot is taken.
+NEAR = 64
 # How often the clock advances without a statement until a pause ends the run instead.
 PAUSE = 64
-# Real time between two checks for Ctrl-C, s.
+# Real time between two calls of `meanwhile`, s.
 POLL = 0.05
 # Enough for the deepest recursion of a program on systems whose threads have small stacks.
 STACK_SIZE = 64 * 1024 * 1024
@@ -81,16 +77,6 @@ class Point:
     number: int
     time: float
     task: Task
-    offset: int
-
-
-@record
-class Remembered:
-    """A recently executed statement before a stop."""
-
-    number: int
-    task: str
-    depth: int
     offset: int
 
 
@@ -129,15 +115,6 @@ class Output:
         """Retain all text from here on."""
         self._holds = True
 
-    @property
-    def shown(self) -> int:
-        """The number of characters of the output that have been shown."""
-        return self._shown
-
-    def revive(self, shown: int) -> None:
-        """Continue after another process has shown `shown` characters."""
-        self._shown, self._buffered, self._holds = shown, "", False
-
     def release(self, length: int) -> None:
         """Show the output up to a length, and discard the retained rest."""
         text = self._buffered[: max(length - self._shown, 0)]
@@ -154,7 +131,8 @@ class Output:
 class Replay:
     """A run in its own thread.
 
-    `ask_user` returns the line for an INPUT; without it there is no operator, as in a plain run.
+    `ask_user` returns the line for an INPUT; without it there is no operator, as in a plain run. `meanwhile` is called
+    again and again while the run goes on.
     """
 
     def __init__(
@@ -163,17 +141,21 @@ class Replay:
         journal: Journal,
         output: Output,
         ask_user: Callable[[str], str | None] | None = None,
-        interrupted: Callable[[], bool] | None = None,
+        meanwhile: Callable[[], None] = lambda: None,
     ) -> None:
         self._setup, self._journal, self._output, self._ask_user = setup, journal, output, ask_user
-        self.interrupted = interrupted
-        self.hook = Hook(self._stop, advancing=self._advancing)
+        self._meanwhile = meanwhile
+        self.hook = self._new_hook()
+        self.checkpoints = Checkpoints()
+        # The statement shortly before which another snapshot is taken, since a user steps back from it.
+        self._target = INFINITY
         # How often the clock has advanced, and who is asked then whether to give up.
         self.advances = 0
         self._give_up: Callable[[float], bool] | None = None
         self.gave_up = False
         self._idle = 0
         self.machine: Machine
+        self._is_new = True
         self.point: Point | None = None
         # The result, once the program has ended, and an internal error.
         self.run: Run | None = None
@@ -182,25 +164,15 @@ class Replay:
         # Hits by breakpoint, and the last values of watched variables.
         self.hits: dict[object, int] = {}
         self.values: dict[tuple[str, ...], object] = {}
-        # The statements before the last call of the hook, without gaps.
-        self.recent: deque[Remembered] = deque(maxlen=MEMORY)
         self.written = 0
         self._answers_used = 0
         self._decide: Callable[[Point], bool] = lambda point: False
         self._limit = INFINITY
         # True if `pause` caused the last stop.
         self.paused = self._pausing = False
-        self._requests: SimpleQueue[Callable[[], object] | str] = SimpleQueue()
+        self._requests: SimpleQueue[str] = SimpleQueue()
         self._news: SimpleQueue[str] = SimpleQueue()
-        self._answers: SimpleQueue[tuple[Any, BaseException | None]] = SimpleQueue()
         self._thread: threading.Thread | None = None
-        # What is called every tick of real time while the run goes on, and how often it has been.
-        self.on_tick: Callable[[], None] | None = None
-        self.ticks = 0
-        # The copies of the process, and the statement at which this one is a copy.
-        self.checkpoints: Checkpoints | None = None
-        self._is_due = False
-        self._copied: Point | None = None
 
     # ---------------------------------------------------------------------------- from the controlling thread
 
@@ -223,41 +195,23 @@ class Replay:
         self.hook.offsets = offsets
         self._arm()
         self.point = None
-        ticks = None if self.on_tick is None else Ticks(self.on_tick)
-        if ticks is not None:
-            ticks.start()
         if self._thread is None:
             self._start()
         else:
             self._requests.put("go")
         while self._next_news() == "asks":
             self._requests.put("go" if self._answer_input() else "abandon")
-        if ticks is not None:
-            ticks.end()
         if self.error is not None:
             raise self.error
         return self.point
 
     def _next_news(self) -> str:
-        """Wait for the thread of the run; Ctrl-C pauses it."""
-        if self.interrupted is None:
-            return self._news.get()
+        """Wait for the thread of the run."""
         while True:
             try:
                 return self._news.get(timeout=POLL)
             except Empty:
-                if self.interrupted():
-                    self.pause()
-
-    def query(self, question: Callable[[], Answer]) -> Answer:
-        """Answer a question in the thread of the run, at its stop."""
-        if self.point is None:
-            return question()
-        self._requests.put(question)
-        answer, trouble = self._answers.get()
-        if trouble is not None:
-            raise trouble
-        return answer  # type: ignore[no-any-return]
+                self._meanwhile()
 
     def pause(self) -> None:
         """Stop before the next statement, or end the run if none begins.
@@ -267,28 +221,9 @@ class Replay:
         self._pausing = True
         self.hook.limit = EVERY
 
-    def copy_soon(self) -> None:
-        """Make a copy of the process before the next statement.
-
-        May be called from any thread.
-        """
-        self._is_due = True
-        self.hook.limit = EVERY
-
-    def revive(self) -> None:
-        """Remain stopped in this copy, with new threads that control the run."""
-        self._requests, self._news, self._answers = SimpleQueue(), SimpleQueue(), SimpleQueue()
-        self.point, self.problems = self._copied, []
-        self.paused = self._pausing = False
-        self.ticks = 0
-
     def consider_from(self, number: int) -> None:
         """Call `decide` only from statement `number` on; called by `decide` itself."""
         self._limit = number
-
-    def consider_next(self) -> None:
-        """Ask `decide` before the next statement; called by `give_up`."""
-        self._limit = self.hook.limit = EVERY
 
     def abandon(self) -> None:
         """End the thread of the run."""
@@ -298,9 +233,28 @@ class Replay:
                 pass
             self.point = None
 
+    def back(self, to: Checkpoint | None, target: float = INFINITY) -> None:
+        """Go back to a snapshot, or to the start; `go` continues from there, towards statement `target`."""
+        self.abandon()
+        self._thread, self.run, self.error, self.gave_up = None, None, None, False
+        self.paused = self._pausing = False
+        self.values = {}
+        begin = 0 if to is None else to.number
+        self._target = target - NEAR if target - NEAR > begin else INFINITY
+        self.checkpoints.drop_after(to)
+        if to is None:
+            self._is_new, self.hook = True, self._new_hook()
+            self.hits = {}
+            self.written = self._answers_used = self.advances = 0
+            return
+        to.snapshot.restore()
+        self.hook.count = to.number
+        self.hits = dict(to.hits)
+        self.written, self._answers_used, self.advances = to.written, to.answers_used, to.advances
+
     def enter(self, entries: Mapping[str, object]) -> None:
         """Add inputs and keys to the simulated world now."""
-        self.query(lambda: self.machine.add_entries(entries))
+        self.machine.add_entries(entries)
 
     # -------------------------------------------------------------------------------- in the thread of the run
 
@@ -315,6 +269,10 @@ class Replay:
     def _main(self) -> None:
         setup = self._setup
         try:
+            if not self._is_new:
+                self.run = run_on(setup.source, setup.language, setup.program, self.machine, setup.until)
+                return
+            self._is_new = False
             self.run = run(
                 setup.source,
                 dialect=setup.language,
@@ -325,14 +283,14 @@ class Replay:
                 begun=self._begun,
                 compiled=setup.program,
                 hook=self.hook,
-                cache=False,
             )
         except Abandoned:
             if not self.gave_up:
                 self.error = Cancelled()
         except BaseException as error:
             self.error = error
-        self._news.put("ended")
+        finally:
+            self._news.put("ended")
 
     def _begun(self, machine: Machine) -> None:
         self.machine = machine
@@ -345,16 +303,9 @@ class Replay:
 
     def _stop(self, task: Task, time: float, offset: int) -> None:
         point = Point(self.hook.count, time, task, offset)
-        self._remember(point)
         decided = self._decide(point)  # before the changes, as when they were made
         for change in self._journal.at(point.number):
             self.make(change, point)
-        if self._is_due and self.checkpoints is not None:
-            self._is_due, self._copied = False, point
-            if self.checkpoints.take(point.number, point.time):
-                self._wait()
-                self._arm()
-                return
         if decided or self._pausing:
             self.paused, self._pausing, self._idle = not decided, False, 0
             self.point = point
@@ -373,30 +324,38 @@ class Replay:
             raise Abandoned
 
     def _wait(self) -> None:
-        """Answer questions until the run continues."""
-        while True:
-            order = self._requests.get()
-            if order == "go":
-                return
-            if order == "abandon":
-                raise Abandoned
-            assert callable(order)
-            try:
-                self._answers.put((order(), None))
-            except BaseException as error:
-                self._answers.put((None, error))
+        """Wait until the run continues or is abandoned."""
+        if self._requests.get() == "abandon":
+            raise Abandoned
 
     def _arm(self) -> None:
         """Set the number of the next statement for `decide` or the journal."""
         self.hook.limit = min(self._limit, self._journal.following(self.hook.count))
-        if self._pausing or self._is_due:
+        if self._pausing:
             self.hook.limit = EVERY
 
-    def _remember(self, point: Point) -> None:
-        recent = self.recent
-        if recent and recent[-1].number != point.number - 1:
-            recent.clear()
-        recent.append(Remembered(point.number, point.task.name, self.depth(point.task), point.offset))
+    def _new_hook(self) -> Hook:
+        return Hook(self._stop, advancing=self._advancing, between=self._between)
+
+    def _between(self) -> None:
+        """Take a snapshot if one is due; the scheduler is between two rounds."""
+        number, target = self.hook.count, self._target
+        if number >= min(self.checkpoints.due, target):
+            snapshot = Snapshot(self.machine.scheduler)
+            self.checkpoints.add(
+                Checkpoint(
+                    number,
+                    self.machine.clock.now,
+                    snapshot,
+                    dict(self.hits),
+                    self.written,
+                    self._answers_used,
+                    self.advances,
+                )
+            )
+            if number >= target:
+                self._target = INFINITY
+        self.hook.round_at = min(self.checkpoints.due, self._target)
 
     def depth(self, task: Task) -> int:
         """Return the number of calls that the running task is in."""

@@ -22,8 +22,6 @@ class State:
     def __init__(self, debugger: Debugger, replay: Replay, point: Point | None = None) -> None:
         self._debugger, self._replay = debugger, replay
         self._point = replay.point if point is None else point
-        # A point is given in the thread of the run itself.
-        self._query = replay.query if point is None else lambda question: question()
 
     @property
     def time(self) -> float:
@@ -36,35 +34,35 @@ class State:
     def tasks(self) -> list[Waiting]:
         """Return the tasks and event handlers, each with the condition it waits for."""
         running = None if self._point is None else self._point.task
-        return self._query(lambda: scopes.tasks(self._replay.machine, running))
+        return scopes.tasks(self._replay.machine, running)
 
     def frames(self, task: Task) -> Sequence[Frame]:
         """Return the calls of a task, the innermost first."""
-        return self._query(lambda: scopes.frames(self._replay.hook, task, self._point))
+        return scopes.frames(self._replay.hook, task, self._point)
 
     def module(self) -> list[Variable]:
         """Return the global variables of the program, or the shared registers."""
-        return self._query(lambda: scopes.module(self._replay.hook))
+        return scopes.module(self._replay.hook)
 
     def axes(self) -> list[Variable]:
         """Return the axes at the time of the stop, and their motion at its moment."""
         stop = self._debugger.stop
         moment = None if stop is None else stop.moment
-        return self._query(lambda: scopes.axes(self._replay.machine, self.time, moment))
+        return scopes.axes(self._replay.machine, self.time, moment)
 
     def inputs(self) -> list[Variable]:
-        return self._query(lambda: scopes.inputs(self._replay.machine))
+        return scopes.inputs(self._replay.machine)
 
     def outputs(self) -> list[Variable]:
-        return self._query(lambda: scopes.outputs(self._replay.machine))
+        return scopes.outputs(self._replay.machine)
 
     def find(self, path: Sequence[str]) -> Variable | None:
         """Return the variable at a path, as in `scopes.find`."""
-        return self._query(lambda: scopes.find(self._replay.hook, self._point, path))
+        return scopes.find(self._replay.hook, self._point, path)
 
     def named(self, name: str) -> tuple[tuple[str, ...], Variable] | None:
         """Return path and variable of a name at the stop."""
-        return self._query(lambda: scopes.named(self._replay.hook, self._point, name))
+        return scopes.named(self._replay.hook, self._point, name)
 
     def path_of(self, name: str) -> tuple[str, ...]:
         """Return the path of a variable, an element, an axis or a channel such as "output 2".
@@ -81,7 +79,7 @@ class State:
         component = scopes.of_machine(name)
         if component is None:
             raise WrongExpression(f"there is no variable {name.strip()[:60]} here")
-        self._query(lambda: scopes.present(self._replay.machine, component))
+        scopes.present(self._replay.machine, component)
         return scopes.MACHINE, component
 
     def names(self) -> list[str]:
@@ -127,4 +125,4 @@ class State:
         """Return a reading for an expression."""
         if what == "time":
             return self.time
-        return self._query(lambda: scopes.reading(self._replay.machine, self.time, what, number))
+        return scopes.reading(self._replay.machine, self.time, what, number)

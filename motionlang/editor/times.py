@@ -78,7 +78,6 @@ def times(page: Page) -> Times:
         dialect=page.language,
         machine=settings,
         until=min(end_of(settings), MAX_TIME),
-        cache=False,
         keep_crash=True,
         log_size=_LOG_SIZE,
     )

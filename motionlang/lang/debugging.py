@@ -15,8 +15,7 @@ from motionlang.record import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from types import CellType
-    from typing import Any, Protocol
+    from typing import Protocol
 
     from motionlang.lang.task import Task
 
@@ -49,9 +48,9 @@ class Hook:
     """The hook of one run, and the number of the last statement.
 
     `stop` is called before each statement whose number is at least `limit`, and before those at the source
-    offsets in `offsets`. `cells` has these three, so that generated code reads them as fast as its own variables.
-    `advancing` is called with each time to which the clock is about to advance.
-    `tally` is for an interpreter, which compares only once: the number, and the limit, or 0 while there are offsets.
+    offsets in `offsets`. `advancing` is called with each time to which the clock is about to advance. `between` is
+    called between two rounds of the scheduler, when the whole state of the run is in its objects. A task that is
+    alone seldom makes a round; from statement `round_at` on it makes one after each statement.
     """
 
     def __init__(
@@ -59,50 +58,22 @@ class Hook:
         stop: Stop,
         limit: float = INFINITY,
         advancing: Callable[[float], None] = lambda time: None,
+        between: Callable[[], None] = lambda: None,
     ) -> None:
-        self.stop, self.advancing = stop, advancing
+        self.stop, self.advancing, self.between = stop, advancing, between
+        # The number of statements begun so far.
+        self.count = 0
+        self.limit, self.round_at = limit, INFINITY
+        self.offsets: frozenset[int] | None = None
         # The variables of the program, once it has started.
         self.inspection: Inspection | None = None
-        self.cells: tuple[CellType, CellType, CellType] = (_cell(0), _cell(limit), _cell(None))
-        self.tally: list[float] = [0, limit]
 
-    @property
-    def count(self) -> int:
-        """The number of statements begun so far."""
-        return self.cells[0].cell_contents + int(self.tally[0])  # type: ignore[no-any-return]
-
-    @property
-    def limit(self) -> float:
-        """The number of the first statement before which `stop` is called."""
-        return self.cells[1].cell_contents  # type: ignore[no-any-return]
-
-    @limit.setter
-    def limit(self, number: float) -> None:
-        self.cells[1].cell_contents = number
-        self.tally[1] = number if self.offsets is None else 0
-
-    @property
-    def offsets(self) -> frozenset[int] | None:
-        """The source offsets before which `stop` is called; None if there are none."""
-        return self.cells[2].cell_contents  # type: ignore[no-any-return]
-
-    @offsets.setter
-    def offsets(self, offsets: frozenset[int] | None) -> None:
-        self.cells[2].cell_contents = offsets or None
-        self.tally[1] = 0 if offsets else self.limit
-
-    def begins(self, task: Task, time: float, offset: int) -> None:
-        """Count a statement, and stop before it if that is due; compiled code does so by itself."""
-        tally = self.tally
-        tally[0] += 1
-        if tally[0] < tally[1]:
-            return
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        """Count a statement, and stop before it if that is due; True if a round of the scheduler is to follow it."""
+        self.count += 1
         if self.count >= self.limit or (self.offsets is not None and offset in self.offsets):
             self.stop(task, time, offset)
-
-
-def _cell(value: object) -> Any:
-    return (lambda: value).__closure__[0]  # type: ignore[index]
+        return self.count >= self.round_at
 
 
 @record

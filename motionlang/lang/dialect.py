@@ -1,7 +1,7 @@
 """A dialect: the interface of a language to the layers above.
 
 `motionlang.mint.DIALECT` and `motionlang.mccl.DIALECT` implement it. Each method imports its modules when it
-is called, so that a cached program starts without a parser.
+is called, so that a command imports only what it needs.
 """
 
 from __future__ import annotations
@@ -13,22 +13,18 @@ from motionlang.record import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
-    from typing import Any
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Keyword
-    from motionlang.lang.listing import Listing
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
+    from motionlang.lang.step_list import ListedUnit
     from motionlang.lang.task import Task
     from motionlang.lang.vocabulary import Vocabulary
     from motionlang.source import Source
-
-    # The accelerator of that name: the followed variables of a function, and the ranges by node.
-    Ranges = Callable[[Any], tuple[set[Any], dict[int, Any]]]
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.
@@ -89,16 +85,12 @@ class Target:
 
 
 class Dialect:
-    """A dialect: `name` for users, `title` for sentences, file `suffixes`, first axis.
-
-    `cached` is true if compiled programs are worth caching, with `Program.payload` and `load`.
-    """
+    """A dialect: `name` for users, `title` for sentences, file `suffixes`, first axis."""
 
     name: str
     title: str
     suffixes: tuple[str, ...]
     first_axis: int
-    cached = False
     # The sign that begins a comment.
     comment: str
     # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
@@ -114,24 +106,15 @@ class Dialect:
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
     jumps: frozenset[str] = frozenset()
 
-    def compile(
-        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
-    ) -> Program:
-        """Parse and compile; raise ProgramError with all errors of the text.
-
-        `ranges` is the accelerator called `ranges`.
-        """
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Parse and check; raise ProgramError with all errors of the text."""
         raise NotImplementedError
 
     def compile_given(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        values: Mapping[str, float | str],
-        ranges: Ranges | None = None,
+        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
     ) -> Program:
-        """Compile for runs with many `values` of names; same as `compile` by default."""
-        return self.compile(source, settings, ranges)
+        """Return a program for runs with many `values` of names; same as `compile` by default."""
+        return self.compile(source, settings)
 
     def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         """Return a program that counts its statements, for a machine with a `hook`.
@@ -145,21 +128,15 @@ class Dialect:
         """Return the syntax tree of a text; ProgramError with all its syntax errors."""
         raise NotImplementedError
 
-    def listing(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        overrides: Mapping[str, float | str],
-        ranges: Ranges | None = None,
-    ) -> Listing:
-        """Return the code of a run with these settings and overrides, for people to read.
+    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+        """Return the steps of a program on a machine with these settings, for people to read.
 
-        Raises ProgramError with all errors. `ranges` is as in `compile`.
+        Raises ProgramError with all errors.
         """
         raise NotImplementedError
 
     def compiled_in(self, key: str) -> bool:
-        """True if a compiled program depends on a key of the machine file."""
+        """True if the check of a program depends on a key of the machine file."""
         return False
 
     def check(
@@ -231,10 +208,6 @@ class Dialect:
         `why` is the text that describes the wait.
         """
         return []
-
-    def load(self, payload: bytes) -> Program:
-        """Return the program from the bytes that `Program.payload` returned."""
-        raise NotImplementedError
 
     def table(self) -> Vocabulary:
         """Return the vocabulary."""

@@ -38,10 +38,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.dependencies import CLOSE, MAX_NOTES
-from motionlang.lang.statement_time import units
+from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.steps import own
 from motionlang.lang.variable_uses import NONE, UNKNOWN, Body, Copy, body_of
 from motionlang.lang.waits import ROUNDING, Delay, Wait
+from motionlang.log.repeated import Row, rows_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -57,6 +58,8 @@ if TYPE_CHECKING:
         """The state that the tasks of a program share."""
 
         dependencies: Dependencies
+        # True if tasks take turns by the end of time slices.
+        has_slices: bool
 
         @property
         def tasks(self) -> Sequence[StepTask]:
@@ -66,11 +69,24 @@ if TYPE_CHECKING:
         def shared(self) -> list[Any]:
             """The variables of all tasks."""
 
+        @property
+        def switched(self) -> int:
+            """How often outputs have been switched that nothing on the machine hears."""
+
+        def levels(self) -> Sequence[object]:
+            """Return the levels of these outputs, which are part of the state."""
+
         def changes(self) -> tuple[int, int]:
             """Return counters of the actions whose effects cannot be compared, and of events."""
 
         def acted(self) -> object:
             """Return counters of all that a loop could wait for, shared variables included."""
+
+        def stands_still(self) -> Wait | None:
+            """Return the wait of a loop that repeats until something else acts; None if it runs on."""
+
+        def end_of_wait(self, base: float, count: float, seconds: float) -> float:
+            """Return when a wait ends that began at statement `count` from `base`."""
 
 
 MAX_BACK_OFF = 4096
@@ -81,6 +97,8 @@ MAX_STATES = 2000
 # Numbers that are whole multiples of this, and smaller than `LARGEST`, add up without rounding.
 GRAIN = 2.0**-20
 LARGEST = 2.0**31
+# A period with more switches of outputs is not skipped, nor one of more iterations in which they differ.
+MAX_ROWS, MAX_TOGGLED = 64, 8
 # An iteration with more waits for a time is not skipped.
 MAX_DELAYS = 100
 
@@ -113,13 +131,15 @@ class State:
     body: Body
     strayed: int
     turns: int
-    # Counters of all that has been done so far.
+    # Counters of all that has been done so far, and of the outputs that have been switched.
     acted: object
+    switched: int
     # What had been recorded: readings of each task, margins, waits for a time, and the log of several tasks.
     read: list[tuple[StepTask, Mark]] = field(default_factory=list)
     margins: Mark = NO_RECORDS
     delays: Mark = NO_RECORDS
     logged: Any = None
+    lengths: list[int] = field(default_factory=list)
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: State | None = None
     change: list[float] | None = None
@@ -133,6 +153,10 @@ class Loops:
         # The running task, and how often another one than the last has run.
         self.task: StepTask | None = None
         self.turns = 0
+        # The switches of outputs before the last state.
+        self._switched = 0
+        # True until the first jump back of the running task since it went on.
+        self._is_first = True
         self._margins: list[float] = []
         # The waits for a time: at which statement each began, and its length.
         self._delays: list[tuple[float, float]] = []
@@ -142,6 +166,7 @@ class Loops:
     def run(self, task: StepTask) -> None:
         """Record that a task goes on."""
         self.world.dependencies.notes = task.notes
+        self._is_first = True
         if task is not self.task:
             self.task = task
             self.turns += 1
@@ -172,6 +197,10 @@ class Loops:
         if task.unchecked:
             task.unchecked -= 1
             return t, None
+        if self.world.has_slices and self._is_shared(task):
+            if not self._is_first:
+                return t, None  # one state for each time slice is enough
+            self._is_first = False
         self._find_futile(task, here)
         return self._check(task, here, t)
 
@@ -193,7 +222,7 @@ class Loops:
             task.met, task.met_after = {}, changes
             if has_acted:
                 return self._failed(task, t)
-        place, now = self._place(here), self._state(task, here, t)
+        place, now = self._place(task, here), self._state(task, here, t)
         if not task.met:
             self._begin()
         last = task.met.get(place)
@@ -206,7 +235,9 @@ class Loops:
                 return self._failed(task, t)
             elif last.before is not None:
                 task.failures += 1
-        elif len(task.met) >= MAX_STATES or (task.met and not task.others_ready()):
+        elif len(task.met) >= MAX_STATES or (
+            len(task.met) > self._places_alone(now) and not self._is_shared(task)
+        ):
             return self._failed(task, t)
         now.t, now.base, now.before = t, self.time.base, last
         if last is not None:
@@ -217,6 +248,14 @@ class Loops:
         else:
             task.met = {}
         return t, wait
+
+    def _places_alone(self, now: State) -> int:
+        """Return at how many places a task that runs alone may have been: it may toggle outputs."""
+        return MAX_TOGGLED if now.switched else 0
+
+    def _is_shared(self, task: StepTask) -> bool:
+        """True if another task can run, too."""
+        return any(each.wait is None and each is not task for each in self.world.tasks)
 
     def _find_futile(self, task: StepTask, here: int) -> None:
         """Find out if an iteration of a task was like the one before, and only others can change that."""
@@ -240,11 +279,22 @@ class Loops:
 
     # ------------------------------------------------------------------------------------------------ states
 
-    def _place(self, here: int) -> tuple[object, ...]:
+    def _place(self, task: StepTask, here: int) -> tuple[object, ...]:
         tasks = self.world.tasks
-        return here, *[
-            (id(each.steps), each.pc, each.is_paid, each.context(), _kind(each.wait)) for each in tasks
-        ]
+        turn = self._turn_of_tasks() if self.world.has_slices and self._is_shared(task) else ()
+        return (
+            here,
+            turn,
+            self.world.levels(),
+            *[(id(each.steps), each.pc, each.is_paid, each.context(), _kind(each.wait)) for each in tasks],
+        )
+
+    def _turn_of_tasks(self) -> tuple[int, ...]:
+        """Return whose turn it is next, and what is left of the time slice, in units of time."""
+        scheduler = self.machine.scheduler
+        assert scheduler is not None
+        following, end = scheduler.turn
+        return following, round((end - self.time.at(self.time.count)) * UNITS)
 
     def _state(self, task: StepTask, here: int, t: float) -> State:
         tasks = self.world.tasks
@@ -254,7 +304,8 @@ class Loops:
         left = [units(wait.ends) - elapsed if isinstance(wait, Delay) else 0 for wait in waits]
         body = _body(task.last_loop)
         acted = self.world.acted()
-        return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted)
+        switched = self.world.switched
+        return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
 
     def _begin(self) -> None:
         """Begin to record what tasks read."""
@@ -278,6 +329,8 @@ class Loops:
             now.read.append((each, Mark(each.notes, len(each.notes))))
         now.margins = Mark(self._margins, len(self._margins))
         now.delays = Mark(self._delays, len(self._delays))
+        if now.switched != self._switched:
+            self._switched, now.lengths = now.switched, list(map(len, self.machine.log.streams()))
         scheduler = self.machine.scheduler
         if self.task is not None and scheduler is not None and len(scheduler.tasks) > 1:
             self.machine.log.slices.so_far(self.task.name, scheduler.began, self.time.at(now.t))
@@ -397,8 +450,10 @@ class Loops:
         if until == INFINITY and most == INFINITY and now.acted == last.acted:
             if last.delays.since(self._delays) == []:
                 self._is_futile(task)
-                return t, self._never()
-            if kept:
+                wait = self.world.stands_still()
+                if wait is not None:
+                    return t, wait
+            elif kept:
                 return t, None  # the run may end before, if all tasks are futile
         if is_alone:
             if any(each.wait is None for each in self.world.tasks if each is not task):
@@ -414,7 +469,10 @@ class Loops:
         if not here < until < INFINITY:
             return t, None
         moved = self._moved(now, last)
-        if moved is None:
+        rows: list[Row] | None = []
+        if now.switched != last.switched:
+            rows = self._outputs(now, last)
+        if moved is None or rows is None:
             return t, None
         times, time.base = self._fitting(now, last, until, most)
         if times > 0:
@@ -423,9 +481,33 @@ class Loops:
             time.leave(t)
             for wait, count, seconds in moved:
                 wait.since = time.at(count + more)
-                wait.ends = wait.since + seconds
+                wait.ends = self.world.end_of_wait(time.base, count + more, seconds)
             self._carry(task, now, last, began, here, times)
+            if rows:
+                self._repeat_outputs(now, last, rows, times)
         return t, None
+
+    def _outputs(self, now: State, last: State) -> list[Row] | None:
+        """Return what has been logged of outputs since a state; None if it cannot be repeated."""
+        scheduler, log = self.machine.scheduler, self.machine.log
+        assert scheduler is not None
+        if len(scheduler.tasks) > 1 or scheduler.interrupts or now.base != last.base:
+            return None
+        rows: list[Row] | None = []
+        if not last.lengths:
+            return None
+        for stream, length in zip(log.streams(), last.lengths, strict=True):
+            if stream is log.outputs and len(stream) - length <= MAX_ROWS:
+                rows = rows_of(stream[length:], 0, now.base, self.time.cost)
+            elif len(stream) != length:
+                return None
+        return rows
+
+    def _repeat_outputs(self, now: State, last: State, rows: list[Row], times: int) -> None:
+        """Log `times` more periods with these switches of outputs."""
+        lasts = now.t - last.t
+        later = [(tick, tuple([each + lasts for each in counts]), rest) for tick, counts, rest in rows]
+        self.machine.log.outputs.repeat((later, times, 0, lasts), (last.base, 0, 0.0, self.time.cost))
 
     def _moved(self, now: State, last: State) -> list[tuple[Delay, float, float]] | None:
         """Return the waits of other tasks that have begun since a state: statement and length.
@@ -444,12 +526,12 @@ class Loops:
             return int(min(time.periods(last.base, last.t + 1.0, now.t + 1.0, until), most)), now.base
         # Sums of waits for a time round, so they are added up one by one.
         delays, base, times = last.delays.since(self._delays), now.base, 0
-        if delays is None or _after(last.base, delays, time.cost) != base:
+        if delays is None or self._after(last.base, delays) != base:
             return 0, base
         if now.turns != last.turns or now.t != last.t:
             return 0, base
         rest = (now.t + 1.0) * time.cost
-        while times < most and (following := _after(base, delays, time.cost)) + rest < until:
+        while times < most and (following := self._after(base, delays)) + rest < until:
             base = following
             times += 1
         return times, base
@@ -462,6 +544,7 @@ class Loops:
             log.slices.so_far(task.name, scheduler.began, here)
             log.repeat_period(last.logged, began, here, time.reached, times)
             log.slices.shared_by_all(time.reached - here)
+            scheduler.move_slice(time.reached - here)
         elif last.base != now.base:
             log.repeat_waits(task.name, began, here - began, times)
         if now.change is not None:
@@ -496,17 +579,11 @@ class Loops:
             ]
         return dependencies.until(began - CLOSE, matter) - CLOSE
 
-    def _never(self) -> Wait:
-        """Return the wait of a loop that repeats until something else acts."""
-        acted, now = self.world.acted(), self.machine.clock.now
-        return Wait(now, lambda: self.world.acted() != acted, lambda: INFINITY, "for its loop to end")
-
-
-def _after(base: float, delays: list[tuple[float, float]], cost: float) -> float:
-    """Return the base of statements after some waits."""
-    for count, seconds in delays:
-        base = base + count * cost + seconds
-    return base
+    def _after(self, base: float, delays: list[tuple[float, float]]) -> float:
+        """Return the base of statements after some waits."""
+        for count, seconds in delays:
+            base = self.world.end_of_wait(base, count, seconds)
+        return base
 
 
 def _body(loop: tuple[Steps, int, int]) -> Body:

@@ -1,24 +1,21 @@
-"""The call depth of a program, and space for it on Python's stack.
+"""The call depth of a program, and space for nested text on Python's stack.
 
 A language has a maximum depth of its own, so that a recursion ends at the same call and the same time in any
-environment: from the command line, from `run` at any depth of Python calls, in a thread, on any version of
-Python. Python's recursion limit is raised for the duration of a run, relative to the depth at its beginning,
-so that it never ends a program.
+environment. Its calls are in lists, and take no space on Python's stack. Nested brackets and blocks do: in the passes over
+a program, and in the functions of its expressions. So Python's recursion limit is raised meanwhile, relative to the depth
+at which that begins, and never ends a program.
 """
 
 from __future__ import annotations
 
 from _thread import allocate_lock
-from sys import _getframe, getrecursionlimit, setrecursionlimit
+from sys import getrecursionlimit, setrecursionlimit
+from traceback import walk_stack
 
 # Nested calls of subs, functions and Gosubs, in one task or handler.
 MAX_DEPTH = 1000
-# Python frames that one call may take: the generator, its dispatcher, and functions for groups of labels and nested
-# blocks.
-MAX_FRAMES = 12
-# Frames for the functions that the deepest statement calls, and for passes over the nested text of a program.
-_REST = 5000
-_FRAMES = MAX_DEPTH * MAX_FRAMES + _REST
+# Frames for passes over the nested text of a program, and for the functions that the deepest statement calls.
+_FRAMES = 5000
 
 _lock = allocate_lock()
 # The limits that the open blocks need, after the limit before the first of them.
@@ -33,7 +30,7 @@ class StackSpace:
     """
 
     def __enter__(self) -> None:
-        self._limit = _depth() + _FRAMES
+        self._limit = sum(1 for _ in walk_stack(None)) + _FRAMES
         with _lock:
             if not _limits:
                 _limits.append(getrecursionlimit())
@@ -48,12 +45,3 @@ class StackSpace:
             setrecursionlimit(max(_limits))
             if len(_limits) == 1:
                 _limits.clear()
-
-
-def _depth() -> int:
-    """Return the depth of the caller in Python calls."""
-    depth = 0
-    frame = _getframe().f_back
-    while frame is not None:
-        depth, frame = depth + 1, frame.f_back
-    return depth

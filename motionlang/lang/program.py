@@ -1,4 +1,4 @@
-"""A compiled program: a dialect's result for a source, ready to be started."""
+"""A checked program: a dialect's result for a source, ready to be started."""
 
 from __future__ import annotations
 
@@ -10,19 +10,11 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
-    # The blocks of a program in the form of `Dialect.blocks`, and the lines of source positions in it.
-    Outline = tuple[list[tuple[str, int, int]], dict[int, int]]
-
 
 class Program:
     """A program that can be started; each dialect has its own class."""
 
     __slots__ = ()
-
-    @property
-    def size(self) -> int:
-        """The amount of compiled code, if that grows as the program runs."""
-        return 0
 
     @property
     def is_doubtful(self) -> bool:
@@ -49,18 +41,6 @@ class Program:
         """Chosen defaults that the motion depends on, a line each."""
         return ()
 
-    @property
-    def outline(self) -> Outline | None:
-        """Blocks and lines, if stored by the compiler; None if parsing is needed."""
-        return None
-
     def start(self, machine: Machine) -> Task:
         """Return the program's parent task, bound to `machine` but not yet run."""
         raise NotImplementedError
-
-    def payload(self) -> bytes | None:
-        """Return the program as bytes for the cache and `Dialect.load`.
-
-        Returns None if compiling is just as fast.
-        """
-        return None

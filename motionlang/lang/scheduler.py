@@ -29,8 +29,6 @@ Invariants.
 - Times less than `ROUNDING` apart are one time: the order of the tasks decides, not the last bit.
 - An event interrupts a time slice. The slice continues unless the event starts a handler or ends another
   task's wait.
-- While all tasks that can run compute with data of their own (`busy`), a slice may last many quanta, since no
-  other task can observe the difference.
 - When the parent ends, the program has ended, and `settle` lets the motion in progress finish.
 - `Stuck` is raised if every task waits and nothing can end any of the waits. A wait that is due and, by
   rounding, not ready is checked again slightly later, with doubling steps.
@@ -48,15 +46,15 @@ from __future__ import annotations
 from operator import attrgetter
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.statement_time import NEVER, StatementTime
 from motionlang.lang.waits import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any, Protocol
+    from typing import Protocol
 
     from motionlang.controller.controller import Controller
+    from motionlang.lang.debugging import Hook
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
     from motionlang.lang.waits import Wait
@@ -101,8 +99,6 @@ class Scheduler:
     advances, and may end any wait.
     """
 
-    # When another task continues, if that is known without checking each; in the past if not.
-    next_slice = -INFINITY
     # True while each beginning of a wait must be seen here, so that no wait passes within its statement.
     is_observed = False
 
@@ -122,9 +118,6 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
-        # The statement time knows if anything may act while the running task waits.
-        self._statements = getattr(machine, "statements", None) or StatementTime(0.0)
-        self._statements.share()
         # When the program had ended, while motion continues.
         self.ended: float | None = None
         # When the running task was resumed, true if no other could have been, and the end of its time slice,
@@ -139,8 +132,7 @@ class Scheduler:
         self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self.where)
-        # The length of the time slices of a round, and how many of them remain.
-        self._length, self._left = QUANTUM, 0
+        self._hook: Hook | None = getattr(machine, "hook", None)
 
     @property
     def parent(self) -> Task:
@@ -162,21 +154,18 @@ class Scheduler:
 
     def start(self, task: Task) -> None:
         """Start a further task now."""
-        self.invalidate_waits()
         self._alone = False
         self.machine.log.slices.started(task.name, self.clock.now)
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
         """Stop a task at the request of the running one."""
-        self.invalidate_waits()
         if task.wait is not None:
             self.machine.log.waits.add(task.waited(task.wait, self.clock.now))
         self._forget(task)
 
     def interrupt(self, task: Task) -> None:
         """Run a task to its end before any other continues."""
-        self.invalidate_waits()
         self.machine.log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
@@ -194,48 +183,43 @@ class Scheduler:
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False if `until` came first."""
         clock = self.clock
-        statements = self._statements
         outside = self.outside is not None
         parent = self.parent
-        by_itself = self.pace is None and not outside
         self.until, self._end = until, 0.0
         while not parent.done:
-            if self.current.wait is not None and len(self.tasks) > 1 and by_itself and self.idle_round(until):
-                continue
             now = clock.now
             if now >= until:
                 return False
+            if self._hook is not None and not self._end:
+                self._hook.between()
             task = self.current if self._end else self._runnable()
             if task is None:
                 self._jump(until)
                 continue
-            horizon = min(clock.next_time(), until, INFINITY if self.pace is None else now + PACED)
+            event = min(clock.next_time(), until, INFINITY if self.pace is None else now + PACED)
             several = outside or len(self.tasks) > 1
-            statements.alone, statements.free = by_itself and not several and not self.is_observed, NEVER
-            event, self.began, self._alone = horizon, now, not several
-            if several:
-                if not self._end:
-                    many = task.busy >= 2 * QUANTUM or self._left
-                    length = self._slice_length(horizon) - ROUNDING if many else FULL_SLICE
-                    self._end = now + min(length, task.max_slice)
-                horizon = min(horizon, self._end, self._next_due(task))
-            time, task.wait = task.resume(now, horizon)
+            self.began, self._alone = now, not several
+            if several and not self._end:
+                self._end = now + min(FULL_SLICE, task.max_slice)
+            time, task.wait = task.resume(now, self.horizon(task))
             self._leave(task, event, time, several)
         return True
 
-    def idle_round(self, until: float) -> bool:
-        """Resume waiting tasks at the known ends of their waits; False if there are none."""
-        return False
+    def horizon(self, task: Task) -> float:
+        """Return until when a task may run on: something else may happen then."""
+        clock = self.clock
+        horizon = min(clock.next_time(), self.until, INFINITY if self.pace is None else self.began + PACED)
+        return min(horizon, self._end, self._next_due(task)) if self._end else horizon
 
-    def slice_over(self, task: Task) -> None:
-        """Handle the end of a task's time slice."""
+    @property
+    def turn(self) -> tuple[int, float]:
+        """Which task is next, and when the present time slice ends; 0 if there is none."""
+        return self._next_index, self._end
 
-    def timer_set(self, events: Any) -> None:
-        """Handle a new period of a Mint program's timer."""
-
-    def invalidate_waits(self) -> None:
-        """Invalidate the known ends of waits: the running task changed a wait or a task."""
-        self._statements.share()
+    def move_slice(self, by: float) -> None:
+        """Move the end of the present time slice, since the running task has skipped whole periods of all tasks."""
+        if self._end:
+            self._end += by
 
     def passes(self, wait: Wait) -> bool:
         """Let a wait of the running task pass; False if the task must yield.
@@ -255,13 +239,6 @@ class Scheduler:
                 return False
             clock.advance(time)
         return False
-
-    def passes_among_others(self, since: float, end: float, by_arrival: bool) -> float:
-        """Like `passes`, for a wait of one of several tasks.
-
-        Returns the time up to which the task may then run, 0.0 if it must yield.
-        """
-        return 0.0
 
     def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
         """Let a wait for standstill of axes pass; False if the task must yield.
@@ -301,7 +278,6 @@ class Scheduler:
             slices.shared(clock.now)
         if self._end and not (event <= time < self._end and self._goes_on(task)):
             self._end = 0.0
-            self.slice_over(task)
         if task.done and task is not self.parent:
             self._forget(task)
         if several and len(self.tasks) == 1 and self.outside is None:
@@ -315,10 +291,6 @@ class Scheduler:
         if not self._alone or self.outside is not None:
             return 0.0
         return min(self.clock.next_time(), self._first_end() - 0.5 * ROUNDING, self.until)
-
-    def is_watched(self) -> bool:
-        """True if a task may wait for a variable or memory of the program."""
-        return any(task.wait is not None and not task.wait.ignores_data for task in self.tasks)
 
     def next_change(self) -> float:
         """Return the time of the next event or end of a wait if running tasks do nothing."""
@@ -376,32 +348,6 @@ class Scheduler:
                         self._advance(until)
                     return False
             self._advance(time)
-
-    def _slice_length(self, horizon: float) -> float:
-        """Return the length of a time slice: many quanta if the difference is invisible.
-
-        It is invisible while every task that can run computes with its own data, and nothing is due before
-        the round ends.
-        """
-        busy = self.current.busy
-        if self._left and busy >= self._length:
-            self._left -= 1
-            return self._length
-        self._left = 0
-        if busy < 2 * QUANTUM:
-            return QUANTUM
-        tasks = self.interrupts[-1:] or self.tasks
-        running = [task for task in tasks if task.wait is None]
-        busy = min(task.busy for task in running)
-        if busy < 2 * QUANTUM or self.outside is not None:
-            return QUANTUM
-        waits = [task.wait.due() for task in tasks if task.wait is not None]
-        free = min(horizon, *waits) - self.clock.now if waits else horizon - self.clock.now
-        quanta = int(min(free / len(running), busy, 1e6) / QUANTUM)
-        if quanta < 2:
-            return QUANTUM
-        self._length, self._left = quanta * QUANTUM, len(running) - 1
-        return self._length
 
     def _next_due(self, task: Task) -> float:
         """Return when the first wait of another task may end; no time slice outlasts it.

@@ -13,24 +13,17 @@ from motionlang.controller.clock import INFINITY
 
 # 10 ps: decimal, like durations and waits, and coarse enough that a day of them fits a float.
 UNITS = 1e11
-# Up to this many units, every number of units is a distinct float.
-EXACT = 2.0**52
-# That limit in seconds.
-LATEST = EXACT / UNITS
-NEVER = -INFINITY
 
 
 class StatementTime:
     """The time of the running task: the `base` of statement 0 plus `cost` for each.
 
-    Both are in seconds. `count` is the statement at which the last task stopped, `reached` its time: a task
-    that continues from there continues the count. `until` is the horizon of the running task. Up to `free` no
-    other task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`. `repeated`
-    is the first progress that was repeated since it was set to None: its base, its first statement and its last one.
-    `cost_units` is `cost` in units, 0 if that is no integer.
+    Both are in seconds. `count` is the statement at which the last task stopped, `reached` its time: a task that
+    continues from there continues the count. `until` is the horizon of the running task. `cost_units` is `cost` in
+    units, 0 if that is no integer.
     """
 
-    __slots__ = ("alone", "base", "cost", "cost_units", "count", "free", "reached", "repeated", "until")
+    __slots__ = ("base", "cost", "cost_units", "count", "reached", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
@@ -38,36 +31,18 @@ class StatementTime:
         self.cost_units = whole if abs(cost * UNITS - whole) < 1e-6 else 0
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
-        self.alone, self.free = False, NEVER
-        self.repeated: tuple[float, float, float] | None = None
 
     def at(self, count: float) -> float:
         """Return the time of a statement."""
         return self.base + count * self.cost
 
-    def share(self) -> None:
-        """Record that other tasks may act while the running task waits."""
-        self.alone, self.free = False, NEVER
-
-    def go_on(self, now: float, horizon: float) -> tuple[float, float]:
-        """Resume a task at `now`; return its statement, and the first one at the horizon.
-
-        The latter is computed as in `limit`.
-        """
-        if now != self.reached:
-            self.base, base, count = now, now, 0.0
-        else:
-            base, count = self.base, self.count
+    def go_on(self, now: float, horizon: float) -> float:
+        """Resume a task at `now`; return its statement."""
         self.until = horizon
-        if self.alone:
-            self.free = horizon if horizon < LATEST else LATEST
-        if horizon == INFINITY:
-            return count, INFINITY
-        cost = self.cost
-        last = -((base - horizon) / cost // 1.0)
-        if base + last * cost < horizon:
-            return count, last + 1.0
-        return count, last - 1.0 if base + (last - 1.0) * cost >= horizon else last
+        if now == self.reached:
+            return self.count
+        self.base = now
+        return 0.0
 
     def start(self, now: float) -> float:
         """Restart the count at 0."""
@@ -79,13 +54,6 @@ class StatementTime:
         self.count = count
         self.reached = self.base + count * self.cost
         return self.reached
-
-    def limit(self, horizon: float) -> float:
-        """Set the horizon of the running task; return the first statement at or after it."""
-        self.until = horizon
-        if self.alone:
-            self.free = horizon if horizon < LATEST else LATEST
-        return self.first(horizon)
 
     def first(self, moment: float) -> float:
         """Return the first statement at or after a time."""
@@ -110,17 +78,6 @@ class StatementTime:
         if here != count or units(base) / UNITS != base:
             return 0
         return (until - self.at(here)) // (self.base - base)
-
-    def repeat(self, base: float, count: float, times: float) -> float:
-        """Repeat the progress since `base` and `count`; return the new statement."""
-        if self.repeated is None:
-            self.repeated = base, count, self.count
-        if base != self.base:
-            here = units(self.base)
-            self.base = (here + int(times) * (here - units(base))) / UNITS
-        self.count += times * (self.count - count)
-        self.reached = self.at(self.count)
-        return self.count
 
 
 def units(moment: float) -> int:

@@ -6,11 +6,13 @@ adds in a subclass what the operations of its keywords look for in a task.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.loop_log import LoopLog
 from motionlang.lang.steps import (
     BACK,
+    BEGIN,
     BRANCH,
     CALL,
     COMMAND,
@@ -19,14 +21,17 @@ from motionlang.lang.steps import (
     ENTER,
     GO,
     JUMP,
+    NOTE,
+    NOW,
     RETURN,
     TRY,
+    TURN,
     WAIT,
     Steps,
     Values,
 )
 from motionlang.lang.task import Task
-from motionlang.lang.waits import Standstill, Wait
+from motionlang.lang.waits import Wait
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -64,6 +69,8 @@ class StepTask(Task):
         # True if the time of the statement at `pc` has been paid, and it has not begun.
         self.is_paid = False
         self.at_statement = -1
+        # The result of the call that has ended last.
+        self.result: Any = None
         self.loops_of_all = loops
         self.machine, self.time = loops.machine, loops.time
         self.clock = self.machine.clock
@@ -106,6 +113,15 @@ class StepTask(Task):
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
         return self.loop_log.open()
 
+    @property
+    def is_futile(self) -> bool:
+        """True if only an event, or another task, can change its loop, and neither has acted."""
+        return self.futile_since is not None and self.futile_after == self.loops_of_all.world.acted()
+
+    @property
+    def polls_in_vain(self) -> bool:
+        return self.is_futile
+
     # ------------------------------------------------------------------------------------------ for languages
 
     @property
@@ -125,8 +141,13 @@ class StepTask(Task):
         """Return the wait before a statement that has been paid, if any."""
         return None
 
-    def recover(self, error: Exception) -> None:
-        """Set the state in which the program goes on after an error, one of `recovers`."""
+    def failed(self, error: BaseException, pc: int, t: float) -> None:
+        """Record that a step has failed at a statement; raise the error again if the program cannot go on."""
+        if not isinstance(error, self.recovers):
+            raise error
+
+    def recover(self, error: BaseException) -> bool:
+        """Set the state in which the program goes on after an error, one of `recovers`; True if it gives way first."""
         raise error
 
     def too_deep(self) -> Exception:
@@ -140,7 +161,7 @@ class StepTask(Task):
         loops = self.loops_of_all
         loops.run(self)
         try:
-            t, wait = self._run(self.time.go_on(now, horizon)[0], horizon)
+            t, wait = self._run(self.time.go_on(now, horizon), horizon)
         finally:
             loops.give_way(self)
         return self.time.leave(t), wait
@@ -149,13 +170,31 @@ class StepTask(Task):
         """Run from statement `t`; by `horizon`, or the next event, something else may happen."""
         time, clock, calls, loop_log = self.time, self.clock, self.calls, self.loop_log
         left, has_run, hook = SLICE, False, self.hook
+        cost_of_statement = time.cost
         time.count = t
         while not self.done:
             steps, pc, values = self.steps, self.pc, self.values
             try:
                 while True:
-                    kind, do, to, at = steps[pc]
-                    if kind == COMMAND:
+                    kind, do, to, at, cost = steps[pc]
+                    if kind == DO:
+                        do(values)  # type: ignore[misc]
+                        t += cost
+                        pc += 1
+                    elif kind == NOW:
+                        self.pc = pc = pc + 1
+                        self.at_statement = at
+                        time.count = t
+                        now = time.base + t * cost_of_statement
+                        if now >= horizon or now >= clock.horizon:
+                            return t, None
+                        clock.now = now
+                        if not left:
+                            return t, None
+                    elif kind == BRANCH:
+                        pc = pc + 1 if do(values) else to  # type: ignore[misc]
+                        t += cost
+                    elif kind == COMMAND:
                         self.pc = pc
                         if self.is_paid:
                             self.is_paid = False
@@ -175,43 +214,56 @@ class StepTask(Task):
                             return t, wait
                         if pc > loop_log.end:
                             loop_log.passed()
-                        if hook is not None:
-                            hook.begins(self, clock.now, at)
+                        if hook is not None and hook.begins(self, clock.now, at) and self._is_alone:
+                            left = 0
                         self.at_statement = at
                         self.pc = pc = pc + 1
                         if do is not None:
                             do(values)
-                    elif kind == DO:
-                        do(values)  # type: ignore[misc]
-                        pc += 1
                     elif kind in (WAIT, TRY):
                         self.pc = pc
+                        if at >= 0:
+                            self.at_statement = at
+                        time.count = t
                         wait = do(values)  # type: ignore[misc]
                         if wait is None or kind == WAIT:
                             self.pc = pc = pc + 1
+                            t += cost
                         if wait is not None:
                             if not self._passes(wait):
                                 return t, wait
                             t, horizon = self._after_wait(wait, t)
-                    elif kind == BRANCH:
-                        pc = pc + 1 if do(values) else to  # type: ignore[misc]
                     elif kind in (BACK, GO):
                         here = pc
-                        pc = do(values) if kind == GO else to if do(values) else pc + 1  # type: ignore[misc]
+                        pc = to if do is None else do(values) if kind == GO else to if do(values) else pc + 1
+                        self.pc = pc
+                        t += cost
+                        if do is None:
+                            time.count = t
+                            now = time.base + t * cost_of_statement
+                            if now >= horizon or now >= clock.horizon:
+                                self.at_statement = at
+                                return t, None
                         if pc <= here:
-                            self.pc = pc
+                            began, base = t, time.base
                             t, wait = self.loops_of_all.back(self, here, t)
                             if wait is not None:
                                 return t, wait
+                            if t != began or time.base != base:
+                                horizon = self._horizon(t)
+                        elif loop_log.running:
+                            loop_log.passed()
                     elif kind == JUMP:
                         pc = to
+                        t += cost
                     elif kind == CALL:
                         if len(calls) > self.max_depth:
                             raise self.too_deep()
+                        time.count = t
                         called = do(values)  # type: ignore[misc]
                         calls.append(Call(steps, pc + 1, values))
                         self.steps, self.values = steps, values = called
-                        self.pc = pc = 0
+                        self.pc = pc = max(to, 0)
                         loop_log.enter()
                     elif kind == ENTER:
                         here, before = pc, steps
@@ -228,34 +280,74 @@ class StepTask(Task):
                         self.pc = pc
                         if has_run and self.others_ready():
                             return t, None
-                        if do is not None:
-                            do(values)
+                        time.count = t
+                        self.result = None if do is None else do(values)
                         if loop_log.running:
                             loop_log.leave()
+                        if not calls:
+                            self.done = True
+                            return t, None
                         self.steps, self.pc, self.values = steps, pc, values = calls.pop()
                         if loop_log.running:
                             loop_log.enter()
+                    elif kind == NOTE:
+                        self.pc = pc = pc + 1
+                        time.count = t
+                        do(values)  # type: ignore[misc]
+                    elif kind == TURN:
+                        horizon = -INFINITY
+                        t += cost
+                        pc += 1
+                    elif kind == BEGIN:
+                        self.pc = pc
+                        self.at_statement = at
+                        time.count = t
+                        assert hook is not None
+                        if hook.begins(self, time.at(t), at) and self._is_alone:
+                            left = 0
+                        pc += 1
                     else:
                         assert kind == END
                         self.pc = pc
+                        time.count = t
                         self.done = True
                         if do is not None:
                             do(values)
+                        if loop_log.running:
+                            loop_log.close()
                         return t, None
                     if self.done:
+                        if loop_log.running:
+                            loop_log.close()
                         return t, None
-            except self.recovers as error:
-                self.recover(error)
-                if self.others_ready():
+            except BaseException as error:
+                self.failed(error, pc, t)
+                gives_way = self.recover(error)
+                t = time.count
+                if gives_way or self.others_ready():
                     break
         return t, None
+
+    @property
+    def _is_alone(self) -> bool:
+        """True if it is the only task, so that another round of the scheduler changes nothing."""
+        scheduler = self.machine.scheduler
+        return scheduler is not None and len(scheduler.tasks) == 1
+
+    def _horizon(self, t: float) -> float:
+        """Return until when the task may run on after it has skipped iterations."""
+        scheduler = self.machine.scheduler
+        assert scheduler is not None
+        self.clock.now = self.time.at(t)
+        self.time.until = horizon = scheduler.horizon(self)
+        return horizon
 
     def _passes(self, wait: Wait) -> bool:
         """Let a wait pass within the statement if nothing else happens meanwhile; False if the task must give way."""
         scheduler = self.machine.scheduler
         if scheduler is None:
             return False
-        if isinstance(wait, Standstill):
+        if wait.end_of_moves is not None:
             return bool(scheduler.comes_to_rest(wait.since, wait.end_of_moves))
         return bool(scheduler.passes(wait))
 

@@ -9,10 +9,10 @@ from any copy of them:
     values    the variables of the innermost call
 
 Time. Each statement takes the same time, so a task counts statements and the time is base + count × cost, never a
-running sum (`statement_time.py`).
+running sum (`statement_time.py`). MCCL pays for a statement before it (COMMAND), Mint after it (`cost`).
 
 Invariants
-- Only COMMAND and jumps back know of time. Nothing else happens between two of them.
+- Only COMMAND, NOW and jumps back know of time. Nothing else happens between two of them.
 - A step has no memory: all that it changes is in `values`, in shared variables, or in the machine.
 - What a step does with variables is in its `Uses`, which may have too many reads and too few sets, never the reverse.
 """
@@ -27,9 +27,10 @@ Values = list[Any]
 # The kinds of step. `do` is what it computes, `to` another step.
 DO = 0  # do it
 COMMAND = 1  # a statement begins: let other tasks that are ready go first, then pay its time; then do it
+NOW = 12  # let happen what is due by now, then set the clock
 BRANCH = 2  # go on if `do` is true, else at `to`
 JUMP = 3  # go on at `to`
-BACK = 4  # the end of an iteration: go back to `to` if `do` is true
+BACK = 4  # the end of an iteration: let happen what is due by now, then go back to `to`
 GO = 5  # `do` returns the index of the next step
 WAIT = 6  # `do` returns what to wait for, or None
 TRY = 7  # like WAIT, but it is done again after the wait
@@ -37,15 +38,42 @@ CALL = 8  # `do` returns the steps of a call and its values
 ENTER = 9  # the same, without return
 RETURN = 10  # let other tasks go first, do it, and go back to the caller
 END = 11  # do it; the task ends
+NOTE = 13  # do it, for the log: a loop begins or ends
+TURN = 15  # let other tasks go at the next step that knows of time
+BEGIN = 14  # a statement begins, before which a debugger may stop
+
+# What the kinds are called in a list of steps.
+NAMES = {
+    DO: "do",
+    COMMAND: "command",
+    NOW: "now",
+    BRANCH: "branch",
+    JUMP: "jump",
+    BACK: "back",
+    GO: "go",
+    WAIT: "wait",
+    TRY: "try",
+    CALL: "call",
+    ENTER: "enter",
+    RETURN: "return",
+    END: "end",
+    NOTE: "note",
+    TURN: "turn",
+    BEGIN: "begin",
+}
 
 
 class Step(NamedTuple):
-    """One step; `at` is the offset of its statement in the text, -1 if it has none."""
+    """One step.
+
+    `at` is the offset of its statement in the text, -1 if it has none; `cost` is the number of statements that it pays.
+    """
 
     kind: int
     do: Callable[[Values], Any] | None = None
     to: int = -1
     at: int = -1
+    cost: float = 0.0
 
 
 class Uses(NamedTuple):
@@ -73,6 +101,12 @@ class Steps(list[Step]):
         self.uses: list[Uses | None] = []
         # What loops do with variables, by their first and last step; worked out on demand.
         self.bodies: dict[tuple[int, int], Any] = {}
+        # The statements of loops, by their last step.
+        self.loops: dict[int, Any] = {}
+        # What they were written from: only positions in the same text can be compared.
+        self.origin: object = None
+        # The step after each statement whose failure the program handles, by the steps of the statement.
+        self.behind: dict[int, int] = {}
 
     def add(
         self,
@@ -81,15 +115,21 @@ class Steps(list[Step]):
         to: int = -1,
         at: int = -1,
         uses: Uses | None = NOTHING,
+        cost: float = 0.0,
     ) -> int:
         """Append a step and return its index."""
-        self.append(Step(kind, do, to, at))
+        self.append(Step(kind, do, to, at, cost))
         self.uses.append(uses)
         return len(self) - 1
 
     def set_target(self, index: int, to: int) -> None:
         """Set the step to which a step jumps."""
         self[index] = self[index]._replace(to=to)
+
+    def guard(self, first: int, end: int) -> None:
+        """Let the program go on at `end` if a step from `first` on fails; inner statements come first."""
+        for index in range(first, end):
+            self.behind.setdefault(index, end)
 
 
 def own(number: int) -> int:

@@ -110,7 +110,7 @@ def _backward(
 
 
 def _following(steps: Steps, pc: int, first: int, last: int, goes_on: bool) -> list[int]:
-    kind, _, to, _ = steps[pc]
+    kind, to = steps[pc].kind, steps[pc].to
     if pc == last:
         return [first] if goes_on else []
     if kind in (RETURN, END):

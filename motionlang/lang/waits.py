@@ -50,6 +50,8 @@ class Wait:
     location: tuple[int, tuple[int, ...]] | None = None
     # True if no variable or memory of the program can end it.
     ignores_data = False
+    # Returns when axes will be at rest, negative once they are, if only that ends it: nothing is tested meanwhile.
+    end_of_moves: Callable[[], float] | None = None
 
     def __init__(
         self,

@@ -40,8 +40,6 @@ def run(
     nv: str | None = None,
     prove: bool = False,
     log_size: float | None = None,
-    cache: bool = True,
-    fast: bool | None = None,
 ) -> Run:
     """Run a program on the virtual controller and return its `Run`.
 
@@ -52,9 +50,7 @@ def run(
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
     events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
     each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run
-    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes. With
-    `cache=False` the program is compiled from scratch. With `fast=False` the run uses no accelerators; the result is
-    equal, but takes longer.
+    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes.
 
     Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
@@ -78,8 +74,6 @@ def run(
         nv=nv,
         prove=prove,
         log_size=log_size,
-        cache=cache,
-        fast=fast,
     )
 
 

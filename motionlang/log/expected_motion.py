@@ -118,12 +118,6 @@ class ExpectedMotion:
             if move is not None and not self.is_full:
                 self.begun[a.index].add(move.start_time)
 
-    def add_plain(self, a: Axis, line: int, speed: float) -> None:
-        """Record a move from rest to rest at a speed."""
-        self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
-        if not self.is_full:
-            self.begun[a.index].add(self._controller.clock.now)
-
     def _append(self, a: Axis, order: Order) -> None:
         """Append an order, sharing equal ones; if full, stop recording."""
         now, scales = self._controller.clock.now, self._scales[a.index]

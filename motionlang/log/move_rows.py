@@ -67,17 +67,10 @@ def _profile_index(a: Axis, move: Move) -> int | None:
     """Return the index of the track's profile that is the whole move, or None."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:
-        if _is_of(a.profiles[k], move.profile):
+        if a.profiles[k] is move.profile:
             return k + (0 if a.older is None else a.older.count)
         k -= 1
     return None
-
-
-def _is_of(profile: Profile, other: Profile | None) -> bool:
-    """True if the profiles are one object, or one comes from a fast-path move's row."""
-    return profile is other or (
-        other is not None and len(profile._recipe) > _ENDS and profile._recipe is other._recipe
-    )
 
 
 def _profile(a: Axis, number: int) -> Profile:

@@ -1,4 +1,4 @@
-"""The moves of a log: as objects, as rows before their first use, and packed."""
+"""The moves of a log: as objects, and packed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from marshal import dumps, loads
 
 from motionlang import log as record
 from motionlang.controller.move import Move
-from motionlang.log.plain_moves import move_of
 from motionlang.log.stream import Stream
 
 TYPE_CHECKING = False
@@ -17,7 +16,6 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.log.log import Log
     from motionlang.log.older_profiles import Profiles
-    from motionlang.log.plain_moves import Row
     from motionlang.log.stream import ChunkLocation, Store
     from motionlang.planners import Profile
 
@@ -34,6 +32,8 @@ class Moves(Stream[Move]):
 
     __slots__ = ("_left_out", "_store", "_waiting", "axes")
 
+    GROWING = (*Stream.GROWING, "_left_out")
+
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
@@ -44,28 +44,30 @@ class Moves(Stream[Move]):
         # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
 
-    def show(self, row: Row, move: Move) -> None:
-        """Replace the row of a fast-path move by the `Move` that a caller has read."""
-        index = self._tail_index(row)
-        if index >= 0:
-            self.tail[index] = move
-
-    def has(self, row: Row) -> bool:
-        """True if a fast-path move that begins now is in the log."""
-        return any(each is row for each in reversed(self.tail))  # type: ignore[comparison-overlap]
-
     def pack(self, count: int) -> None:
         """Pack the `count` oldest records of the tail."""
         self._live()  # checks all moves in progress
         super().pack(count)
 
+    def extent(self) -> Any:
+        """Return the number of moves, those left out of chunks, and those in progress by their numbers."""
+        live = self._live()
+        numbers = {self.packed + k: move for k, move in enumerate(self.tail) if id(move) in live}
+        return len(self), dict(self._left_out), numbers
+
+    def cut(self, extent: Any) -> None:
+        """Drop later moves; those that were in progress are in progress again, as the same objects."""
+        count, left_out, live = extent
+        self._cut(count, min(live, default=count))
+        self._left_out = dict(left_out)
+        for number, move in live.items():
+            self.tail[number - self.packed] = move
+
     def __iter__(self) -> Iterator[Move]:
         for number in range(len(self._chunks)):
             yield from self._chunks.chunk(number)
         self._live()
-        rows: list[Any] = self.tail[:]
-        for each in rows:  # one at a time, as a reader of many uses each once
-            yield move_of(each) if each.__class__ is tuple else each
+        yield from self.tail[:]
 
     def number(self, move: Move) -> int:
         """Return the log number of a move in progress."""
@@ -74,28 +76,18 @@ class Moves(Stream[Move]):
             return self.packed + index
         return next(number for number, each in self._left_out.items() if each is move)
 
-    def as_stored(self) -> Iterator[Move | Row]:
-        """Yield all moves; unpacked fast-path moves are yielded as rows."""
-        self._live()
-        return super().as_stored()
-
     def moved(self) -> set[int]:
         """Return the axes that have moved."""
         chunks = (self._chunks.chunk(number) for number in range(len(self._chunks)))
-        found = {move.axis for chunk in chunks for move in chunk}
-        rows: list[Any] = self.tail
-        return found | {each[0] if each.__class__ is tuple else each.axis for each in rows}
+        return {move.axis for chunk in (*chunks, self.tail) for move in chunk}
 
     def _newest(self, index: int) -> Move:
-        tail: list[Any] = self.tail
         self._live()
-        if tail[index].__class__ is tuple:
-            tail[index] = move_of(tail[index])
-        return tail[index]  # type: ignore[no-any-return]
+        return self.tail[index]
 
     def _typed(self, rows: list[Any]) -> list[Move]:
         self._live()
-        return [move_of(each) if each.__class__ is tuple else each for each in rows]
+        return list(rows)
 
     def split(self, move: Move, done: Profile, now: float, size: int) -> None:
         """Continue a move as another entry; the old one ends now, with the profile `done`.
@@ -115,7 +107,7 @@ class Moves(Stream[Move]):
             self.pack(len(self) - self.packed)
             self._waiting = 0
 
-    def _tail_index(self, record: Move | Row) -> int:
+    def _tail_index(self, record: Move) -> int:
         """Return the index of a record in the tail; -1 if it is not in it."""
         tail = self.tail
         for index in range(len(tail) - 1, -1, -1):

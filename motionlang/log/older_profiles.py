@@ -43,6 +43,16 @@ class Profiles(Chunks):
         if len(self._begins) < len(self):
             self._begins.append(self.start(self.firsts[-1]))
 
+    def cut_track(self, a: Axis, count: int) -> None:
+        """Cut the track of the axis to `count` profiles if these have all been packed."""
+        if count > self.count:
+            return
+        number = bisect_right(self.firsts, count - 1) - 1
+        rows = self.records(self.firsts[number], count)
+        a.starts[:], a.profiles[:] = [start for start, _ in rows], [unpacked(row) for _, row in rows]
+        self.cut(number)
+        del self._begins[number:]
+
     def __iter__(self) -> Iterator[tuple[float, Profile]]:
         for number in range(len(self)):
             for start, row in self.chunk(number):

@@ -19,8 +19,9 @@ such as moves, defines in `_rows` and `_records` how they become tuples and obje
 template of records that repeat (`repeated.py`) or that follow from a motion (`sampled.py`).
 
 Invariants.
-- Records are only appended, and packed ones never change. A record keeps its number when it is packed, and
-  when older ones are dropped (`forget`); `first` is then the oldest that is left.
+- Records are only appended, until `cut` goes back to an earlier time, and packed ones never change. A record
+  keeps its number when it is packed, and when older ones are dropped (`forget`); `first` is then the oldest
+  that is left.
 - Packed records read the same as others, but an object is created again when its chunk is unpacked again.
 - An interrupt at any time leaves the stream consistent. `Chunks.pack` sets `_total` while a chunk replaces
   records of the tail, and `finish_updates` completes that step or drops the chunk.
@@ -212,6 +213,14 @@ class Chunks:
             self._cached = first, rows
         return self._cached[1]
 
+    def cut(self, number: int) -> None:
+        """Drop the chunks from `number` on."""
+        for location in self._locations[number:]:
+            self._store.drop(location)
+        self.count = self.firsts[number]
+        del self._locations[number:], self.firsts[number:]
+        self.reread()
+
     def reread(self) -> None:
         """Discard the cached chunk, because one of its records has changed."""
         self._cached = -1, []
@@ -249,6 +258,9 @@ class Stream(_Of[T]):
     """
 
     __slots__ = ("_chunks", "_kind", "append", "tail")
+
+    # The attributes that `cut` restores.
+    GROWING: tuple[str, ...] = ("tail", "_chunks", "append")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
@@ -351,9 +363,27 @@ class Stream(_Of[T]):
             del self.tail[:dropped]
             self._chunks.count += dropped
 
+    def extent(self) -> Any:
+        """Return what `cut` needs to drop all records that are added from now on."""
+        return len(self)
+
+    def cut(self, extent: Any) -> None:
+        """Drop the records that have been added since `extent` was taken."""
+        self._cut(extent, extent)
+
+    def _cut(self, count: int, first: int) -> None:
+        """Drop all but the first `count` records; unpack those from number `first` on."""
+        chunks = self._chunks
+        if first < chunks.count:
+            number = max(bisect_right(chunks.firsts, first) - 1, 0)
+            rows: list[Any] = chunks.records(chunks.firsts[number], min(count, chunks.count))
+            self.tail[:0] = [tuple(row) if isinstance(row, tuple) else row for row in rows]  # type: ignore[misc]
+            chunks.cut(number)
+        del self.tail[count - chunks.count :]
+
     def pack(self, count: int) -> None:
         """Pack the `count` oldest records of the tail."""
-        while count > 0:
+        while count > 0 and self.tail:
             chunk = self.tail[: min(CHUNK_SIZE, count)]
             self._chunks.pack(self._rows(chunk, self._chunks.count), self.tail)
             count -= len(chunk)

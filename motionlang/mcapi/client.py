@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, Protocol, TypeVar
 
 import motionlang.mcapi.calls  # noqa: F401
-from motionlang.execution import accelerators, checked_settings
+from motionlang.execution import checked_settings
 from motionlang.files import replacing
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
@@ -320,4 +320,4 @@ def _machine(given: Machine | Mapping[str, object] | str | None) -> Machine:
     if isinstance(given, Machine):
         return given
     settings = read_machine(Source.read(given)) if isinstance(given, str) else checked_settings(given or {})
-    return Machine(settings, first_axis=1, accelerators=accelerators())
+    return Machine(settings, first_axis=1)

@@ -12,14 +12,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.dialect import Ranges
     from motionlang.lang.keyword import Keyword
-    from motionlang.lang.listing import Listing
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import Names
     from motionlang.lang.program import Program
+    from motionlang.lang.step_list import ListedUnit
     from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mccl.syntax.tree import Module
     from motionlang.source import Source
@@ -37,9 +36,7 @@ class Mccl(Dialect):
     comment = ";"
     jumps = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 
-    def compile(
-        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
-    ) -> Program:
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         """Compile a file; this never fails.
 
         A command that the board would answer with `?` runs and gets that answer.
@@ -53,24 +50,10 @@ class Mccl(Dialect):
 
         return MacroFile(source, debug=True)
 
-    def listing(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        overrides: Mapping[str, float | str],
-        ranges: Ranges | None = None,
-    ) -> Listing:
-        """Return the listing; raise ProgramError if there are invalid commands.
+    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+        from motionlang.mccl.runtime.listing import step_list
 
-        Invalid commands are errors here, as in `check`, although a run continues after them.
-        """
-        from motionlang.errors import ProgramError
-        from motionlang.mccl.resolve.listing import listing
-
-        mistakes = [each for each in self.check(source, settings) if each.severity == "error"]
-        if mistakes:
-            raise ProgramError(mistakes)
-        return listing(source)
+        return step_list(source, settings)
 
     def parse(self, source: Source) -> Module:
         """Return the lines of a text and their commands.

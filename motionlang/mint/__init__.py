@@ -9,13 +9,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.dialect import Interactive, Ranges
-    from motionlang.lang.listing import Listing
+    from motionlang.lang.dialect import Interactive
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
+    from motionlang.lang.step_list import ListedUnit
     from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
@@ -24,14 +24,13 @@ if TYPE_CHECKING:
 class Mint(Dialect):
     """The Mint dialect.
 
-    Axes count from 0. Every method imports what it needs, so a run from the cache does not load the compiler.
+    Axes count from 0. Every method imports what it needs.
     """
 
     name, title = "mint", "Mint"
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
     others = "another task or an Event"
-    cached = True
     comment = "'"
     constant = "Const {} = {}"
     declaring = frozenset(("const", "define", "dim", "nv"))
@@ -39,17 +38,15 @@ class Mint(Dialect):
     before_conditions = frozenset(("pause", "if", "elseif", "while", "until", "and", "or", "not"))
     counting = ("for", "to", "step")
 
-    def compile(
-        self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
-    ) -> Program:
-        from motionlang.mint.program import compile_source
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        from motionlang.mint.program import checked_program
 
-        return compile_source(source, settings, ranges=ranges)
+        return checked_program(source, settings)
 
     def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        from motionlang.mint.program import compile_source
+        from motionlang.mint.program import checked_program
 
-        return compile_source(source, settings, debug=True)
+        return checked_program(source, settings, is_debug=True)
 
     def parse(self, source: Source) -> Module:
         from motionlang.mint.syntax.parser import parse
@@ -57,34 +54,18 @@ class Mint(Dialect):
         return parse(source)
 
     def compile_given(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        values: Mapping[str, float | str],
-        ranges: Ranges | None = None,
+        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
     ) -> Program:
-        """Compile once, to run with many values of the program's own names."""
-        from motionlang.mint.program import compile_given
+        """Check once, to run with many values of the program's own names."""
+        from motionlang.mint.program import program_with
 
-        return compile_given(source, settings, values, ranges)
+        return program_with(source, settings, values)
 
-    def listing(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        overrides: Mapping[str, float | str],
-        ranges: Ranges | None = None,
-    ) -> Listing:
-        """Return the Python text of the program.
+    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+        from motionlang.mint.program import checked_program
+        from motionlang.mint.steps.listing import step_list
 
-        It is compiled again, because the cache does not store this text.
-        """
-        from motionlang.mint.compile.listing import listing
-        from motionlang.mint.program import compile_source
-
-        program = compile_source(source, settings, overrides, ranges=ranges)
-        assert program.outline is not None
-        return listing(program.code, program.outline[1])
+        return step_list(source, checked_program(source, settings).checked.names, settings)
 
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")
@@ -157,11 +138,6 @@ class Mint(Dialect):
         from motionlang.mint.runtime.wait_sources import driven_by
 
         return driven_by(why)
-
-    def load(self, payload: bytes) -> Program:
-        from motionlang.mint.program import load
-
-        return load(payload)
 
     def table(self) -> Vocabulary:
         from motionlang.mint.keywords import table

@@ -1,106 +1,62 @@
-"""A compiled Mint program, started on a machine or stored as bytes for later runs."""
+"""A checked Mint program, whose steps are written when it starts on a machine."""
 
 from __future__ import annotations
 
-from motionlang.errors import ProgramError
+from collections.abc import Mapping, Sequence
+
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.collector import CollectorOff
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.nesting import StackSpace
 from motionlang.lang.program import Program
-from motionlang.mint.runtime.code_units import FILE, given_name, loaded
+from motionlang.lang.task import Task
+from motionlang.mint.check.check import Checked, check_module
+from motionlang.mint.check.error_recovery import parsed
+from motionlang.mint.resolve.chosen_rates import chosen_rates
+from motionlang.mint.resolve.overrides import override
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
+from motionlang.mint.steps.places import Places
+from motionlang.mint.steps.program import ProgramWriter, stops
+from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.dialect import Ranges
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.program import Outline
-    from motionlang.lang.task import Task
-    from motionlang.mint.compile.stops import Stops
-    from motionlang.mint.runtime.code_units import Code
-    from motionlang.source import Source
-
-# The maximum number of programs with other values that are cached for further runs.
-MAX_STORED = 64
-# Larger numbers are written into the program, because the code assumes that given values are finite.
-LARGEST = 1e300
+# The maximum number of programs with other values that are kept for further runs.
+MAX_KEPT = 64
 
 
 class MintProgram(Program):
-    """A program with its source; `--set` changes constants, which are in the code.
+    """A program without errors, with its source.
 
-    The values of names in `given` are bound when the program starts instead. It maps each name to True if its value
-    is a string.
+    The values of the names in `given` are set when it starts. It maps each to True if its value is a text.
     """
 
     def __init__(
         self,
-        code: Code,
-        name: str,
-        text: str,
+        source: Source,
         settings: Mapping[str, object] | None,
-        warnings: Sequence[Diagnostic] = (),
+        checked: Checked,
+        remarks: Sequence[str],
         given: Mapping[str, bool] | None = None,
-        outline: bytes = b"",
-        stops: Stops | None = None,
+        is_debug: bool = False,
     ) -> None:
-        self.stops = stops  # the source offsets of statements and the variables, in a debug build
-        self._outline = outline  # packed, because it is rarely needed
-        self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
-        self.given = given or {}
+        self.source, self.settings, self.checked = source, dict(settings or {}), checked
+        self.given, self.is_debug = given or {}, is_debug
+        self._remarks = remarks
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
-        self._warnings = [(each.code, each.message, each.line, each.column, each.length, each.hint)
-                          for each in warnings]  # fmt: skip
-        self._remarks: Sequence[str] = ()
-
-    @property
-    def size(self) -> int:
-        """The number of compiled units, which grows while the program runs."""
-        return self.code.size
 
     @property
     def warnings(self) -> list[Diagnostic]:
         """Warnings about keywords that are not simulated and may end the run early."""
-        if not self._warnings:
-            return []
-        return [_warning(*each) for each in self._warnings]
+        return self.checked.problems.of_the_run()
 
     @property
     def remarks(self) -> Sequence[str]:
         """Chosen defaults that the motion depends on, a line each."""
         return self._remarks
 
-    def payload(self) -> bytes:
-        """Return the program as bytes, for `load`."""
-        from marshal import dumps
-
-        everything: Any = (
-            self.code.payload(),
-            self.name,
-            self.text,
-            self.settings,
-            self._warnings,
-            self._remarks,
-            self._outline,
-            self.stops,
-        )
-        return dumps(everything)
-
-    @property
-    def outline(self) -> Outline | None:
-        """Return the program's blocks, and the line of each source offset in its code."""
-        if not self._outline:
-            return None
-        from marshal import loads
-
-        blocks, lines = loads(self._outline)
-        return blocks, dict(zip(self.code.offsets, lines, strict=True))
-
     @property
     def offsets(self) -> Sequence[int]:
-        return () if self.stops is None else self.stops[0]
+        return stops(self.checked.names) if self.is_debug else ()
 
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`.
@@ -108,151 +64,91 @@ class MintProgram(Program):
         Raises ProgramError if an override names no name of the program.
         """
         overrides = machine.overrides
-        if self.given:
-            values = {
-                name: overrides[name]
-                for name, is_text in self.given.items()
-                if name in overrides and isinstance(overrides[name], str) is is_text
-                and (is_text or abs(overrides[name]) < LARGEST)  # type: ignore[arg-type]
-            }  # fmt: skip
-            if len(values) == len(overrides) == len(self.given):
-                return self.run(machine, values)
-            if len(values) == len(self.given):
-                others = {n: v for n, v in overrides.items() if n not in values}
-                return self._with(others, machine.accelerators.ranges).run(machine, values)
-        if overrides:
-            ranges = machine.accelerators.ranges
-            debug = self.stops is not None
-            return compile_source(self._source, self.settings, overrides, ranges=ranges, debug=debug).run(
-                machine
-            )
-        return self.run(machine)
+        values = {
+            name: overrides[name]
+            for name, is_text in self.given.items()
+            if name in overrides and isinstance(overrides[name], str) is is_text
+        }
+        others = {name: value for name, value in overrides.items() if name not in values}
+        if len(values) < len(self.given):
+            return checked_program(self.source, self.settings, overrides, is_debug=self.is_debug).run(machine)
+        return self._with(others).run(machine, values) if others else self.run(machine, values)
 
-    def _with(self, values: Mapping[str, float | str], ranges: Ranges | None) -> MintProgram:
-        """Return the program compiled with these values; the last few are cached."""
+    def _with(self, values: Mapping[str, float | str]) -> MintProgram:
+        """Return the program with these values in place of its own; the last few are kept."""
         key = tuple(sorted(values.items()))
         found = self._others.get(key)
         if found is None:
-            if len(self._others) >= MAX_STORED:
+            if len(self._others) >= MAX_KEPT:
                 self._others.clear()
-            found = compile_source(self._source, self.settings, values, self.given, ranges)
+            found = checked_program(self.source, self.settings, values, self.given, self.is_debug)
             self._others[key] = found
         return found
 
-    @property
-    def _source(self) -> Source:
-        from motionlang.source import Source
-
-        return Source(self.name, self.text)
-
-    def _line_of(self, offset: int) -> int:
-        """Return the line of a source offset.
-
-        The text is parsed again only for an offset that the code does not contain.
-        """
-        outline = self.outline
-        line = outline[1].get(offset) if outline is not None else None
-        if line is not None:
-            return line
-
-        return self._source.location(offset)[0]
-
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
-        """Return the parent task of the program as compiled.
-
-        `values` are the values of its given names.
-        """
-        environment = Environment(machine)
+        """Return the parent task of the program as it is, with the values of its given names."""
+        environment = Environment(machine, Places())
         environment.prepare()
-        code = self.code
-        environment.files[FILE] = code.offsets
-        environment.line_of = self._line_of
-        operations = environment.make_operations(code.specs)
-        namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
-        namespace.update(E=environment, P=environment.print_text, T=environment.operations.now)
-        if values:
-            namespace.update({given_name(name): value for name, value in values.items()})
-        hook = machine.hook
-        cells = code.link(namespace, environment.time_cells, () if hook is None else hook.cells)
-        environment.variables = lambda: [cell.cell_contents for cell in cells]
-        environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
-        if len(environment.blocks) > 1:
-            environment.listen()
-        if self.stops is not None:
-            from motionlang.mint.runtime.debugging import Inspection, stopper
 
-            assert hook is not None, "a debug build needs a machine with a hook"
-            namespace["B"] = stopper(hook, environment)
-            shared = dict(zip(code.shared, cells, strict=True))
-            hook.inspection = Inspection(environment, self.stops[1], shared)
-        task = environment.tasks[PARENT] = MintTask(PARENT, environment.blocks["main"], environment)
+        def line_of(offset: int) -> int:
+            return self.source.location(offset)[0]
+
+        environment.line_of = line_of
+        writer = ProgramWriter(self.checked.names, environment, line_of, values or {}, self.is_debug)
+        environment.take(writer)
+        if self.is_debug:
+            from motionlang.mint.steps.inspection import Inspection
+
+            assert machine.hook is not None, "a debug build needs a machine with a hook"
+            machine.hook.inspection = Inspection(environment, self.checked.names)
+        task = MintTask(PARENT, writer.unit(self.checked.names.main), environment)
         task.timer = environment.timer
+        environment.by_name[PARENT] = environment.task = task
         return task
 
 
-def compile_source(
+def checked_program(
     source: Source,
-    settings: dict[str, object] | None = None,
+    settings: Mapping[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
     given: Mapping[str, bool] | None = None,
-    ranges: Ranges | None = None,
-    debug: bool = False,
+    is_debug: bool = False,
 ) -> MintProgram:
-    """Compile a program, with `overrides` in place of its own values.
+    """Parse and check a program, with `overrides` in place of its own values; raise ProgramError with all errors.
 
-    With `debug` the program counts its statements. Raises ProgramError with all errors.
+    The values of the names in `given` are set when it starts; see `override`. With `is_debug` a debugger can stop it.
     """
-    from motionlang.mint.compile.compiler import compile_text
+    with CollectorOff(), StackSpace():
+        module = parsed(source, settings)
+        if overrides or given:
+            override(module, overrides or {}, given)
+        checked = check_module(module, settings)
+        return MintProgram(
+            source, settings, checked, chosen_rates(module, dict(settings or {})), given, is_debug
+        )
 
-    compiled = compile_text(source, settings, overrides, given, ranges, debug)
-    code, outline, warnings = compiled.code, compiled.outline, compiled.problems.of_the_run()
-    program = MintProgram(code, source.name, source.text, settings, warnings, given, outline, compiled.stops)
-    program._remarks = compiled.remarks
-    return program
 
-
-def compile_given(
-    source: Source,
-    settings: dict[str, object] | None,
-    values: Mapping[str, float | str],
-    ranges: Ranges | None = None,
+def program_with(
+    source: Source, settings: Mapping[str, object] | None, values: Mapping[str, float | str]
 ) -> MintProgram:
-    """Compile a text that will run with many values of some names, such as `values`.
+    """Check a text that will run with many values of some names, such as `values`.
 
-    Names whose value affects the code, such as the size of an array, are not part of `given`: the text is
-    compiled again for each of their values. Raises ProgramError with all errors of the text with `values`.
+    Names whose value the check needs, such as the size of an array, are not part of `given`: the text is checked again
+    for each of their values. Raises ProgramError with all errors of the text with `values`.
     """
-    compile_source(source, settings, values, None, ranges)
+    checked_program(source, settings, values)
     given = {name: isinstance(value, str) for name, value in values.items()}
     try:
-        return compile_source(source, settings, {}, given, ranges)
+        return checked_program(source, settings, {}, given)
     except ProgramError:
         given = {}
     for name, value in values.items():
         one = {name: isinstance(value, str)}
         others = {n: v for n, v in values.items() if n != name and n not in given}
         try:
-            compile_source(source, settings, others, given | one, ranges)
+            checked_program(source, settings, others, given | one)
         except ProgramError:
             continue
         given |= one
-    others = {n: v for n, v in values.items() if n not in given}
-    if not given:
-        others = {}
-    return compile_source(source, settings, others, given, ranges)
-
-
-def load(payload: bytes) -> MintProgram:
-    """Recreate the program from the result of `MintProgram.payload`."""
-    from marshal import loads
-
-    code, name, text, settings, warnings, remarks, outline, stops = loads(payload)
-    program = MintProgram(loaded(code), name, text, settings, outline=outline, stops=stops)
-    program._warnings, program._remarks = warnings, remarks
-    return program
-
-
-def _warning(code: str, message: str, line: int, column: int, length: int, hint: str) -> Diagnostic:
-    from motionlang.errors import Diagnostic
-
-    return Diagnostic(code, message, line, column, length=length, hint=hint, severity="warning")
+    others = {n: v for n, v in values.items() if n not in given} if given else {}
+    return checked_program(source, settings, others, given)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
-from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
+from motionlang.debug.debugger import Debugger, NotStopped, Stop
 from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import assignment, parse
 from motionlang.debug.values import shown
@@ -110,8 +110,6 @@ def _with(session: Session, work: Callable[[Debugging], str]) -> None:
         session.write(work(debugging))
     except NotStopped:
         _wrong(session, "no program is stopped in the debugger", ".debug FILE begins one")
-    except Interrupted:
-        session.write("-- interrupted; the program is where it was\n")
     except ValueError as error:
         message, _, hint = str(error).partition("; ")
         _wrong(session, message, hint)
@@ -231,7 +229,7 @@ def changed(session: Session, text: str) -> None:
         debugger = debugging.debugger
         path = debugger.state().path_of(text)
         stop = debugger.last_change(path)
-        return f"nothing has changed {path[-1]} yet\n" if stop is None else debugging.line(stop)
+        return f"{stop.text}\n" if stop is not None and stop.reason == "goto" else debugging.line(stop)
 
     _with(session, work)
 

@@ -13,7 +13,6 @@ from textwrap import wrap
 
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.execution import accelerators
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.foreign import AT_PROMPT, one_sentence
 from motionlang.lang.machine.machine import Machine
@@ -72,7 +71,6 @@ class Session:
             first_axis=self.dialect.first_axis,
             show=lambda text: self.write(harmless(text)),
             overrides=self._overrides,
-            accelerators=accelerators(),
         )
         machine.ask = lambda: self.ask(machine.terminal.begun)
         runner = Runner(self.dialect, machine, self.trouble, self._poll)

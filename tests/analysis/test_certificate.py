@@ -45,7 +45,7 @@ MOTIONS: dict[str, tuple[str, tuple[float, float, float, float, float]]] = {
 @pytest.mark.parametrize("motion", MOTIONS)
 def test_the_extremes_of_a_motion(motion: str) -> None:
     program, expected = MOTIONS[motion]
-    result = run(Source("m.mnt", SET + program), until=2.0, cache=False)
+    result = run(Source("m.mnt", SET + program), until=2.0)
     found = extremes(result.controller.axes[0], result.time)
     values = [found.lowest, found.highest, found.speed, found.acceleration, found.jerk]
     assert [each.value for each in values] == pytest.approx(list(expected), abs=3e-3), result.diagnostics
@@ -53,7 +53,7 @@ def test_the_extremes_of_a_motion(motion: str) -> None:
 
 
 def test_a_sinusoidal_ramp_has_its_crest_in_its_middle() -> None:
-    result = run(Source("s.mcl", "1MN,1PS,1SV100,1SA500,1DS500\n1MR1000,1WS0\n"), cache=False)
+    result = run(Source("s.mcl", "1MN,1PS,1SV100,1SA500,1DS500\n1MR1000,1WS0\n"))
     found = extremes(result.controller.axes[1], result.time)
     length = pi / 2 * 100 / 500  # of a sinusoidal ramp whose crest is the acceleration
     assert found.acceleration.value == pytest.approx(500)
@@ -72,7 +72,7 @@ def test_a_sinusoidal_ramp_has_its_crest_in_its_middle() -> None:
     ],
 )
 def test_nothing_that_is_sampled_lies_beyond(name: str) -> None:
-    result = run(SCRIPTS / name, cache=False)
+    result = run(SCRIPTS / name)
     lines = [
         Limit(a.index, "speed", "", 1.0, Extreme(0.0, 0.0), 0)
         for a in result.controller.axes.values()
@@ -84,9 +84,7 @@ def test_nothing_that_is_sampled_lies_beyond(name: str) -> None:
 
 def certified(limits: Mapping[str, object]) -> tuple[Run, list[Limit]]:
     settings = {f"axis.0.limits.{name}": value for name, value in limits.items()}
-    result = run(
-        Source("m.mnt", SET + "\nMOVEA(0) = 40\nGO(0) : PAUSE IDLE(0)"), machine=settings, cache=False
-    )
+    result = run(Source("m.mnt", SET + "\nMOVEA(0) = 40\nGO(0) : PAUSE IDLE(0)"), machine=settings)
     return result, certificate(result.controller, settings, result.time)
 
 
@@ -160,7 +158,7 @@ def test_the_second_check_takes_a_thousand_samples_a_second_but_not_more_than_10
         asked.append(arguments)
         return iter(())
 
-    axis = run(Source("m.mnt", SET), cache=False).controller.axes[0]
+    axis = run(Source("m.mnt", SET)).controller.axes[0]
     controller: Any = SimpleNamespace(axes={0: axis}, trace=SimpleNamespace(chunks=chunks))
     assert contradictions(controller, [Limit(0, "speed", "", 1.0, None, 0)], until) == []
     assert asked == [(rate, (0,), until, ("position", "velocity", "acceleration"))]

@@ -76,7 +76,7 @@ def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
 )
 def test_an_expectation_is_met_or_reported(entry: str, message: str) -> None:
     settings = read_machine(Source("m", f"{INPUT}[[expect]]\n{entry}\n"))
-    result = run(Source("stroke.mnt", STROKE), machine=settings, cache=False)
+    result = run(Source("stroke.mnt", STROKE), machine=settings)
     found = unmet(result, settings["expect"])  # type: ignore[arg-type]
     assert [each[: len(message)] for each in found] == ([message] if message else [])
 
@@ -84,7 +84,7 @@ def test_an_expectation_is_met_or_reported(entry: str, message: str) -> None:
 def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
     """At 50 uu/s, reached without a ramp, the switch at 20 is reached at about 0.4 s."""
     text = "LIMITMODE(0) = 4 : SPEED(0) = 50 : ACCEL(0) = 1e6 : DECEL(0) = 1e6\nMOVER(0) = 60 : GO(0) : PAUSE IDLE(0)\n"
-    made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]}, cache=False)
+    made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]})
 
     def problems(**entry: object) -> list[str]:
         return [each for each in unmet(made, [entry, {"status": made.status}]) if "event" in each]
@@ -96,7 +96,7 @@ def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
 
 
 def test_an_unexpected_error_is_reported() -> None:
-    result = run(Source("stroke.mnt", STROKE), machine={"controller.axes": 1}, cache=False)
+    result = run(Source("stroke.mnt", STROKE), machine={"controller.axes": 1})
     (found,) = unmet(result, [])
     assert found.startswith("the run had an unexpected error: line 2: ")
     assert found.endswith("[never]")

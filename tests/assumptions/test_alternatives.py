@@ -84,10 +84,10 @@ def test_a_question_of_its_own_is_answered_as_assumed(each: Assumption) -> None:
     assert each.probe is not None
     source = text_of(each)
     if each.probe.answers[0] == REFUSED:
-        result = run(source, machine=machine_of(each), cache=False)
+        result = run(source, machine=machine_of(each))
         assert (result.status, result.output) == ("fault", [])
         return
-    result = run(source, machine=machine_of(each), cache=False)
+    result = run(source, machine=machine_of(each))
     found = read("\n".join(result.output))
     assert [problem.message for problem in found.problems] == []
     assert {verdict.answer: verdict.status for verdict in found.verdicts} == {found.verdicts[0].answer: HOLDS}
@@ -103,9 +103,7 @@ def test_a_question_fits_any_distance_that_is_allowed(each: Assumption, distance
     """The virtual controller confirms its own assumption at any distance."""
     assert each.probe is not None
     name, axis = NAMES[each.probe.language]
-    result = run(
-        Source(name, alone(each, axis, Motion(axis, distance))), machine=machine_of(each), cache=False
-    )
+    result = run(Source(name, alone(each, axis, Motion(axis, distance))), machine=machine_of(each))
     (verdict,) = read("\n".join(result.output)).verdicts
     assert (verdict.assumption.name, verdict.status) == (each.name, HOLDS), verdict.answer
 
@@ -123,7 +121,7 @@ def switched() -> list[tuple[Assumption, object]]:
 @pytest.mark.parametrize(("each", "choice"), switched(), ids=lambda each: getattr(each, "name", each))
 def test_a_controller_that_differs_is_found_and_can_be_configured(each: Assumption, choice: object) -> None:
     machine = machine_of(each) | {each.key: choice}
-    (verdict,) = read("\n".join(run(text_of(each), machine=machine, cache=False).output)).verdicts
+    (verdict,) = read("\n".join(run(text_of(each), machine=machine).output)).verdicts
     assert (verdict.status, verdict.value) == (OTHER, choice)
 
 
@@ -140,7 +138,7 @@ def test_every_other_answer_names_its_alternative(each: Assumption) -> None:
     "each", [each for each in by_name() if each.probe and each.probe.motion], ids=lambda each: each.name
 )
 def test_what_moves_stays_within_the_distance_that_is_allowed(each: Assumption) -> None:
-    result = run(text_of(each), machine=machine_of(each), cache=False)
+    result = run(text_of(each), machine=machine_of(each))
     assert result.report["moves"]
     for move in result.report["moves"]:
         assert all(-1e-6 <= move[key] <= DISTANCE + 1e-6 for key in ("start", "end")), move

@@ -59,8 +59,8 @@ def test_the_short_page_is_short() -> None:
 def test_no_run_loads_the_evidence() -> None:
     text = (
         "import sys; from motionlang import run; from motionlang.source import Source; "
-        "run(Source('a.mnt', 'SPEED(0)=1\\nPRINT POS(0)\\n'), cache=False); "
-        "run(Source('a.mcl', '1TP\\n'), cache=False); "
+        "run(Source('a.mnt', 'SPEED(0)=1\\nPRINT POS(0)\\n')); "
+        "run(Source('a.mcl', '1TP\\n')); "
         "print([m for m in sys.modules if m.startswith('motionlang.assumptions') or m == 'tomllib'])"
     )
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)

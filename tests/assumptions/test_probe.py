@@ -37,7 +37,7 @@ def answers(
 ) -> list[str]:
     name, axis = LANGUAGES[language]
     axis += further
-    result = run(Source(name, written(language, axis, motion)), machine=settings, cache=False)
+    result = run(Source(name, written(language, axis, motion)), machine=settings)
     assert result.status == "ended"
     return result.output
 
@@ -121,11 +121,11 @@ def test_a_probe_moves_nothing_and_writes_nothing_unless_it_is_asked(language: s
     name, axis = LANGUAGES[language]
     text = written(language, axis)
     assert "moves nothing" in text
-    result = run(Source(name, text), cache=False)
+    result = run(Source(name, text))
     assert result.report["moves"] == []
     if language == "mint":
         assert re.findall(r"^(?!PRINT)\w+\(.*", text, re.MULTILINE) == []
-    moved = run(Source(name, written(language, axis, Motion(axis, 100.0))), cache=False)
+    moved = run(Source(name, written(language, axis, Motion(axis, 100.0))))
     moves: list[dict[str, Any]] = moved.report["moves"]  # type: ignore[assignment]
     assert {move["axis"] for move in moves} == {axis}
     assert all(-1e-9 <= move[key] <= 100.0 + 1e-9 for move in moves for key in ("start", "end"))

@@ -39,7 +39,7 @@ def answered(assumption: Assumption, machine: dict[str, object] | None = None) -
     """Return the output of a controller for one question."""
     assert assumption.probe is not None
     name, axis = NAMES[assumption.probe.language]
-    result = run(Source(name, alone(assumption, axis)), machine=machine or {}, cache=False)
+    result = run(Source(name, alone(assumption, axis)), machine=machine or {})
     assert result.status == "ended", assumption.name
     return "\n".join(result.output)
 

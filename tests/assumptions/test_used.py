@@ -63,7 +63,7 @@ def test_a_motor_brings_those_of_the_servo() -> None:
 
 
 def test_a_report_names_them() -> None:
-    report = run(Source("a.mnt", "PRINT HOMESPEED(0)\n"), cache=False).report
+    report = run(Source("a.mnt", "PRINT HOMESPEED(0)\n")).report
     assert report["assumptions"] == used("PRINT HOMESPEED(0)")
     assert all(name in assumptions() for name in used("PRINT HOMESPEED(0)"))
 

@@ -103,7 +103,7 @@ def test_a_fixed_program_means_the_same(path: Path, cell: Cell) -> None:
     new = written.read_text(encoding="utf-8")
     assert new != old
     assert "fixed" not in cell(*check).out
-    runs = [run(Source("old.mnt", text), until=60.0, cache=False) for text in (old, new)]
+    runs = [run(Source("old.mnt", text), until=60.0) for text in (old, new)]
     assert runs[1].report["diagnostics"] == runs[0].report["diagnostics"]
     assert [list(each.machine.log.prints) for each in runs[:1]] == [
         list(each.machine.log.prints) for each in runs[1:]

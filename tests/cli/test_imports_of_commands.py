@@ -21,7 +21,7 @@ OTHERS = {
 
 
 # Those of Lark.
-PARSING = {"hashlib", "lzma", "shutil"}
+PARSING = {"hashlib", "lzma", "pathlib", "shutil"}
 
 
 @pytest.mark.parametrize(

@@ -84,7 +84,7 @@ def test_old_sections_on_the_command_line(cell: Cell) -> None:
 
 def test_old_sections_in_python_are_a_warning() -> None:
     with pytest.warns(OldName, match=r"\[mint.readings\] is now \[mint.values\]"):
-        result = run(Source("volts.mnt", VOLTS), machine={"mint.readings.DRIVEBUSVOLTS": 325}, cache=False)
+        result = run(Source("volts.mnt", VOLTS), machine={"mint.readings.DRIVEBUSVOLTS": 325})
     assert result.output[0] == "325.0000"
 
 

@@ -59,7 +59,7 @@ def test_the_programs_make_the_move_that_was_planned(
     plan = document["move"]
     assert document["programs"].keys() == {"mint", "mccl"}
     for name, program in document["programs"].items():
-        ran = run(Source(f"plan.{name}", program), dialect=name, cache=False)
+        ran = run(Source(f"plan.{name}", program), dialect=name)
         assert not ran.diagnostics
         moves = ran.report["moves"]
         assert isinstance(moves, list)
@@ -128,7 +128,7 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
     )
     for name, program in document["programs"].items():
         assert "300" in program
-        ran = run(Source(f"plan.{name}", program), dialect=name, cache=False)
+        ran = run(Source(f"plan.{name}", program), dialect=name)
         (move,) = moves(ran)
         assert move["peak_speed"] == pytest.approx(141.4213562)
         assert move["duration"] == pytest.approx(0.1414213562)
@@ -144,7 +144,7 @@ def test_ramp_times_of_a_move_too_short_are_those_to_the_commanded_speed(cell: C
     line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --format json"
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
-    ran = run(Source("plan.mnt", document["programs"]["mint"]), cache=False)
+    ran = run(Source("plan.mnt", document["programs"]["mint"]))
     (move,) = moves(ran)
     assert move["peak_speed"] == pytest.approx(document["move"]["speed"])
     assert float(str(move["peak_speed"])) < 300

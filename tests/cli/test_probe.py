@@ -26,7 +26,7 @@ def test_from_the_probe_to_the_settings(tmp_path: Path, capsys: pytest.CaptureFi
     program.write_text(text, encoding="utf-8")
     machine = {"assumptions.mint.homespeed-default": 12.5, "assumptions.mint.float-zeros": "dropped"}
     log = tmp_path / "log.txt"
-    log.write_text("\r\n".join(run(str(program), machine=machine, cache=False).output), encoding="utf-8")
+    log.write_text("\r\n".join(run(str(program), machine=machine).output), encoding="utf-8")
     status, found, err = probe(tmp_path, capsys, "--answers", str(log))
     assert status == 0
     assert tomllib.loads(found) == {
@@ -96,7 +96,7 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
     program = tmp_path / "probe.mnt"
     program.write_text(text, encoding="utf-8")
     log = tmp_path / "log.txt"
-    log.write_text("\n".join(run(str(program), cache=False).output), encoding="utf-8")
+    log.write_text("\n".join(run(str(program)).output), encoding="utf-8")
     status, _, err = probe(tmp_path, capsys, "--answers", str(log))
     assert (status, err) == (0, "1 assumption confirmed:\n  mint.homespeed-scale\n")
 

@@ -330,12 +330,6 @@ def test_a_terminal_without_lines_gets_a_plain_table(cell: Cell, monkeypatch: py
     assert "      | accel " in text
 
 
-def test_the_cache_changes_nothing(cell: Cell) -> None:
-    first, second = cell("run", "ballscrew.mcl"), cell("run", "ballscrew.mcl")
-    uncached = cell("run", "ballscrew.mcl", "--no-cache")
-    assert first.out == second.out == uncached.out
-
-
 def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
     Path("cell").mkdir()
     Path("cell/x.mcl").write_text("XX\n")

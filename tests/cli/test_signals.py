@@ -27,7 +27,8 @@ from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
 MOVE = "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
-ENDLESS = "Dim i As Integer\nPRINT 1\nWhile 1\n i = i + 1\nWend\n"
+# Its iterations are never the same, and none can be skipped.
+ENDLESS = "Dim i As Integer\nPRINT 1\nWhile 1\n i = (i * 75 + 74) Mod 65537\nWend\n"
 SIGNALS = [
     pytest.param(signal.SIGINT, "from the keyboard", 130, id="SIGINT"),
     pytest.param(signal.SIGTERM, "by SIGTERM", 143, id="SIGTERM"),
@@ -73,7 +74,7 @@ def test_a_signal_at_any_stage(
         owner = import_module(owner)
     monkeypatch.setattr(owner, name, sending(number, getattr(owner, name)))
     cell.write("a.mnt", MOVE)
-    ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (status, outcome)
     messages = [each["message"] for each in report["diagnostics"]]
@@ -281,7 +282,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     monkeypatch.setattr(Scheduler, "settle", broken)
     cell.write("a.mnt", MOVE)
     cell.write("a.machine.toml", "[controller]\naxes = 2\n")
-    ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
+    ran = cell("run", "a.mnt", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["output"], len(report["moves"])) == (
         70,
@@ -296,7 +297,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     assert (folder / "a.machine.toml").read_text() == "[controller]\naxes = 2\n"
     text = (folder / "crash.txt").read_text()
     assert text.startswith("motionlang 0.1.0, Python ")
-    assert "options: run a.mnt --format json --no-cache\n" in text
+    assert "options: run a.mnt --format json\n" in text
     assert "AssertionError: it cannot be" in text
     assert "Traceback" not in ran.out + ran.err
 
@@ -338,10 +339,8 @@ def test_a_run_that_nothing_ends_stops_after_its_processor_time(cell: Cell) -> N
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["output"]) == (130, "interrupted", ["1"])
     (diagnostic,) = report["diagnostics"]
-    assert (diagnostic["message"], diagnostic["line"]) == (
-        "the run was ended after 0.05 s of processor time",
-        3,
-    )
+    assert diagnostic["message"] == "the run was ended after 0.05 s of processor time"
+    assert diagnostic["line"] in (3, 4)
     assert "--until S" in diagnostic["hint"]
     assert "--cpu S" in diagnostic["hint"]
     assert cell("run", "a.mnt", "--cpu", "0.001", "--until", "0.5").status == 0

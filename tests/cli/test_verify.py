@@ -221,9 +221,9 @@ def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_
 
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("bundles")))
 
-    def stumbles(program: str, cache: bool) -> Run:
+    def stumbles(program: str) -> Run:
         assert "ballscrew" not in program, "somebody has thought wrong"
-        return run(program, cache=cache)
+        return run(program)
 
     monkeypatch.setattr(verify, "run", stumbles)
     (cell.folder / "wrong.mcl").unlink()

@@ -42,9 +42,9 @@ class Absent:
 sys.meta_path.insert(0, Absent())
 """
 SAME = (
-    f"run {MINT} --no-cache",
-    f"run {MCCL} --no-cache --report json",
-    f"run {MINT} --no-cache --profile",
+    f"run {MINT}",
+    f"run {MCCL} --report json",
+    f"run {MINT} --profile",
     f"check {MINT}",
     "keywords SPEED",
     "plan --distance 20 --time 0.6 --rule third",

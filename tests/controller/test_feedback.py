@@ -147,3 +147,13 @@ def test_an_open_loop_that_is_closed_again_takes_over_the_position() -> None:
     assert (controller.target(0), controller.demand(0), feedback.closed) == (here, here, True)
     feedback.take_over(controller)
     assert len(feedback.changes) == count + 3
+
+
+def test_later_changes_of_a_loop_are_cut() -> None:
+    _, feedback = moving()
+    feedback.tune({"proportional": (0.01, "")})
+    extent, before = feedback.extent(), list(feedback.changes)
+    feedback.open(1.0)
+    assert len(feedback.changes) == extent + 1
+    feedback.cut(extent)
+    assert feedback.changes == before

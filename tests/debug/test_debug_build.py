@@ -8,7 +8,6 @@ import pytest
 
 from motionlang.execution import dialect_for, run
 from motionlang.lang.debugging import Hook
-from motionlang.mint.compile.compiler import compile_text
 from motionlang.source import Source
 from tests.cases import examples, one_in
 from tests.debug.whole import whole
@@ -33,8 +32,8 @@ def _nothing(*_: object) -> None:
 )
 def test_a_debug_build_of_the_gallery_does_the_same(program: Path) -> None:
     hook = Hook(_nothing)
-    debugged = run(program, cache=False, hook=hook)
-    assert whole(debugged) == whole(run(program, cache=False))
+    debugged = run(program, hook=hook)
+    assert whole(debugged) == whole(run(program))
     assert hook.count > 0
 
 
@@ -43,7 +42,7 @@ def test_a_debug_build_of_several_tasks_does_the_same() -> None:
     for seed in range(examples(40)):
         text, settings = tasks_of(seed)
         plain, debugged = (
-            run(Source("tasks.mnt", text), machine=settings, until=1.5, cache=False, hook=hook)
+            run(Source("tasks.mnt", text), machine=settings, until=1.5, hook=hook)
             for hook in (None, Hook(_nothing))
         )
         assert whole(debugged) == whole(plain), seed
@@ -52,14 +51,14 @@ def test_a_debug_build_of_several_tasks_does_the_same() -> None:
 def test_statements_are_counted_in_mint() -> None:
     """One For, three times the sum, and one Print."""
     hook = Hook(_nothing)
-    run(Source("a.mnt", SQUARES), cache=False, hook=hook)
+    run(Source("a.mnt", SQUARES), hook=hook)
     assert hook.count == 5
 
 
 def test_commands_are_counted_in_mccl() -> None:
     """AL, AA and TR."""
     hook = Hook(_nothing)
-    run(Source("a.mcl", "AL2\nAA1\nTR0\n"), cache=False, hook=hook)
+    run(Source("a.mcl", "AL2\nAA1\nTR0\n"), hook=hook)
     assert hook.count == 3
 
 
@@ -69,7 +68,7 @@ def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
     source = Source("a.mnt", SQUARES)
     hook = Hook(lambda task, time, offset: found.append((dialect.locate(source, offset)[0], time)), limit=0)
     dialect = dialect_for(source, None)
-    run(source, cache=False, hook=hook)
+    run(source, hook=hook)
     assert found == [
         (2, 0.0),
         (3, pytest.approx(1e-5)),
@@ -84,12 +83,12 @@ def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
 )
 def test_functions_without_statements_are_debug_builds_too(text: str) -> None:
     source = Source("a.mnt", text)
-    assert whole(run(source, cache=False, hook=Hook(_nothing))) == whole(run(source, cache=False))
+    assert whole(run(source, hook=Hook(_nothing))) == whole(run(source))
 
 
 @pytest.mark.parametrize("branch", ["done = done + 1", "Print TIME"])
 def test_a_call_in_a_condition_begins_at_the_same_time(branch: str) -> None:
-    """`If` takes its 10 µs after the call, or before it if its branch reads the time."""
+    """`If` takes its 10 µs after the call."""
     text = f"""\
 Dim done As Integer
 Repeat
@@ -107,31 +106,10 @@ Task Other
 End Task
 """
     source = Source("a.mnt", f"Run Other\n{text}")
-    assert whole(run(source, cache=False, hook=Hook(_nothing))) == whole(run(source, cache=False))
+    assert whole(run(source, hook=Hook(_nothing))) == whole(run(source))
 
 
 def test_an_empty_loop_can_be_stopped() -> None:
     hook = Hook(_nothing)
-    run(Source("a.mnt", "TIME = 0\nWhile TIME < 5\nEnd While\n"), cache=False, hook=hook)
+    run(Source("a.mnt", "TIME = 0\nWhile TIME < 5\nEnd While\n"), hook=hook)
     assert hook.count > 2
-
-
-@pytest.mark.parametrize(
-    "program", [each for each in PROGRAMS if each.suffix == ".mnt"][::8], ids=lambda path: path.stem
-)
-def test_without_debugging_the_text_has_no_hook(program: Path) -> None:
-    text = compile_text(Source.read(program), None, None).code.text
-    assert "B(t" not in text
-    assert "m_ = lambda" not in text
-
-
-def test_a_debug_build_has_its_own_cache_entry(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
-    monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
-    source = Source("squares.mnt", SQUARES)
-    for _ in range(2):  # the second time from the cache
-        run(source)
-        hook = Hook(_nothing)
-        run(source, hook=hook)
-        assert hook.count == 5
-    assert sum(1 for each in tmp_path.rglob("*") if each.is_file()) == 2

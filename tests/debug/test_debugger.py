@@ -299,7 +299,8 @@ def test_the_last_change_of_a_channel_or_an_axis(name: str, line: int | None) ->
     debugger.set_breakpoints([at(debugger, 5)])
     debugger.go_on()
     stop = debugger.last_change(debugger.state().path_of(name))
-    assert (stop.line if stop else None) == line
+    assert stop is not None
+    assert (stop.line if stop.reason == "change" else None) == line
 
 
 def test_an_axis_changes_again_when_it_is_given_a_target() -> None:
@@ -377,7 +378,7 @@ def test_a_value_that_a_type_does_not_allow_is_rejected(name: str, given: object
 
 def test_an_input_given_at_a_stop_is_replayed() -> None:
     text = "Dim n As Integer\nn = 1\nPAUSE INX(3)\nn = 2\nPrint TIME\n"
-    plain = run(Source("a.mnt", text), inputs="3=1@0.5", cache=False)
+    plain = run(Source("a.mnt", text), inputs="3=1@0.5")
     debugger = mint(text)
     debugger.start()
     debugger.enter(entries({}, inputs="3=1@0.5"))

@@ -40,7 +40,7 @@ CANCELLED = BACK + 0.3 + 0.002
 
 def made(until: float = inf) -> Run:
     settings = {"controller.instruction_time": 1e-3, "input": [{"channel": 5, "at": 0.25, "for": 0.5}]}
-    result = run(Source("moves.mnt", PROGRAM), machine=settings, cache=False, until=min(until, 5.0))
+    result = run(Source("moves.mnt", PROGRAM), machine=settings, until=min(until, 5.0))
     assert result.diagnostics == []
     return result
 
@@ -123,7 +123,7 @@ def test_a_motion_without_an_end_is_sampled_64_times_up_to_the_search() -> None:
     The ramp takes 1 ms, which is 0.5 ms longer than that distance at speed.
     """
     program = "SPEED(0) = 64 : ACCEL(0) = 64000\nWAIT = 10000\nJOG(0) = 64\nWAIT = 5000\n"
-    result = run(Source("jog.mnt", program), machine={}, cache=False, until=12.0)
+    result = run(Source("jog.mnt", program), machine={}, until=12.0)
     start = 10.00003  # three statements before
     (moment,) = found("position(0) > 4.95 And position(0) < 4.99", 9.0, start + 1.0, result)
     assert moment.time == pytest.approx(start + 0.5e-3 + 4.95 / 64, abs=1e-8)
@@ -131,7 +131,7 @@ def test_a_motion_without_an_end_is_sampled_64_times_up_to_the_search() -> None:
 
 def test_errors_that_did_not_end_the_program() -> None:
     """A command reports its error after its 10 µs; warnings are left out."""
-    machine = run(Source("a.mcl", "WA.001,99MR5\n99MR6\n"), machine={}, cache=False).machine
+    machine = run(Source("a.mcl", "WA.001,99MR5\n99MR6\n"), machine={}).machine
     warned = Diagnostic("never-waits", "it never waits", 1, severity="warning")
     warned.first = 0.00102
     machine.diagnostics.append(warned)
@@ -150,7 +150,7 @@ def test_errors_that_did_not_end_the_program() -> None:
 
 
 def test_a_run_without_motion_has_no_moments() -> None:
-    result = run(Source("none.mnt", "a = 1\n"), machine={}, cache=False)
+    result = run(Source("none.mnt", "a = 1\n"), machine={})
     for text in ("axis 0 stops", "axis 0 starts", "position(0) > 1"):
         assert found(text, result=result) == []
 
@@ -173,7 +173,7 @@ MOVER(0) = 10 : GO(0) : PAUSE IDLE(0)
 
 def test_limits_are_found_as_exceptions() -> None:
     """5 uu are 2 uu in 0.2 s, and 3 uu at 20 uu/s, after GO, the seventh statement."""
-    result = run(Source("limit.mnt", LIMITED), machine={}, cache=False)
+    result = run(Source("limit.mnt", LIMITED), machine={})
     limits, jumps = filtered(FILTERS["limit"][1]), filtered(["velocity jump"])
     (moment,) = limits(result.machine, 0.0, 9.0)
     assert moment.time == pytest.approx(6e-5 + 0.35)

@@ -7,8 +7,7 @@ import pytest
 from motionlang.debug import replay as module
 from motionlang.debug.breakpoints import Watched
 from motionlang.debug.journal import Assigned, Entered, Journal
-from motionlang.debug.replay import Output, Replay, Setup
-from motionlang.lang.dialect import dialect
+from motionlang.debug.replay import Output
 from motionlang.source import Source
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, at, mint, value
@@ -34,7 +33,6 @@ from tests.debug.walks import go_to_number
         # The output from a change on is shown again.
         ([("write", 0, "abc"), ("forget", 1), ("write", 0, "axy")], "abc|xy", 3),
         ([("write", 0, "abc"), ("forget", 5), ("write", 3, "d")], "abc|d", 4),
-        ([("hold",), ("write", 0, "abc"), ("revive", 7), ("write", 5, "xyz")], "z", 8),
     ],
 )  # fmt: skip
 def test_output_is_shown_once(work: list[tuple[object, ...]], shown: str, count: int) -> None:
@@ -42,7 +40,7 @@ def test_output_is_shown_once(work: list[tuple[object, ...]], shown: str, count:
     output = Output(texts.append)
     for name, *arguments in work:
         getattr(output, str(name))(*arguments)
-    assert ("|".join(texts), output.shown) == (shown, count)
+    assert ("|".join(texts), output._shown) == (shown, count)
 
 
 def test_the_journal_follows_one_run() -> None:
@@ -60,18 +58,6 @@ def test_the_journal_follows_one_run() -> None:
     assert [each.text for each in journal.answers] == ["a"]
     journal.answer(4, "c", 0)
     assert [each.text for each in journal.answers] == ["c"]
-
-
-def test_a_run_that_is_revived_is_stopped_without_a_pause() -> None:
-    source, language = Source("a.mnt", CALLS), dialect("mint")
-    setup = Setup(source, language, {}, {}, None, language.debug(source, {}))
-    run = Replay(setup, Journal(), Output(lambda text: None))
-    run.paused, run.ticks, run.problems = True, 7, ["there is no variable"]
-    run.revive()
-    assert (run.paused, run.ticks, run.problems, run.point) == (False, 0, [], None)
-    assert run.go(lambda point: point.number == 3, 0) is not None
-    assert run.paused is False
-    run.abandon()
 
 
 ASKS = 'Dim n As Integer\nINPUT "a", n\nPRINT n\nINPUT "b", n\nPRINT n\nINPUT "c", n\nPRINT n\n'

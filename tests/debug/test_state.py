@@ -1,14 +1,10 @@
 """The state at a stop.
 
-Axes, channels, variables and expressions, and the copies of a run.
+Axes, channels, variables and expressions, and the checkpoints of a run.
 """
 
 from __future__ import annotations
 
-import os
-import socket
-import sys
-from collections.abc import Iterable
 from types import SimpleNamespace
 from typing import cast
 
@@ -17,10 +13,11 @@ import pytest
 from motionlang.debug import checkpoints, scopes
 from motionlang.debug import debugger as module
 from motionlang.debug.breakpoints import Watched
-from motionlang.debug.checkpoints import Checkpoints, Ticks, can_fork, receive, send
+from motionlang.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import READINGS, WrongExpression
 from motionlang.debug.moments import search
+from motionlang.debug.snapshot import Snapshot
 from motionlang.debug.values import shown
 from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
@@ -156,7 +153,7 @@ def test_tasks_with_their_waits_and_calls() -> None:
     found.append(shown_tasks())
     blink = ("blink", "waits until INX(2)", False, [("Blink", 7)])
     assert found == [
-        [("ParentTask", "", False, [("main", 2)]), ("blink", "", False, [])],
+        [("ParentTask", "", False, [("main", 2)]), ("blink", "", False, [("Blink", 7)])],
         [("in", "", True, [("IN1", 11)]), ("ParentTask", "waits for 0.1 s", False, [("main", 2)]), blink],
         [("ParentTask", "", False, [("main", 3)]), blink],
         [blink],
@@ -294,10 +291,9 @@ Print n
 
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Search the log every 16 statements, and remember 8 statements before a stop."""
+    """Search the log every 16 statements, and take a snapshot 8 statements before a stop."""
     monkeypatch.setattr(module, "STRIDE", 16)
-    monkeypatch.setattr(module, "MEMORY", 8)
-    monkeypatch.setattr("motionlang.debug.replay.MEMORY", 8)
+    monkeypatch.setattr("motionlang.debug.replay.NEAR", 8)
 
 
 @pytest.mark.usefixtures("short")
@@ -357,110 +353,36 @@ def test_a_statement_by_its_number() -> None:
         assert line_of(debugger) == line
 
 
-# ------------------------------------------------------------------------------------------------------ copies
+# -------------------------------------------------------------------------------------------------- checkpoints
 
 
-class Front:
-    """The front of an engine: it has the channels of the copies."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(checkpoints, "_fork", lambda: 1)
-        self.stored: list[int] = []
-        self.dropped: list[int] = []
-        self.copies = Checkpoints(
-            lambda key, channel: self.stored.append(key), self.drop, lambda: None, lambda *_: None
-        )
-
-    def drop(self, keys: Iterable[int]) -> None:
-        self.dropped += keys
+def checkpoint(number: int) -> Checkpoint:
+    return Checkpoint(number, float(number), Snapshot(None), {}, 0, 0, 0)
 
 
-def test_the_copy_to_go_back_to(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The last one at or before a statement, and the last one before a time."""
-    front = Front(monkeypatch)
-    for number, time in ((50, 5.0), (10, 1.0), (30, 3.0)):
-        assert front.copies.take(number, time) is False
-    copies = front.copies
-    assert front.stored == [1, 2, 3]
-    assert [copies.before(number) for number in (9, 10, 29, 30, 49, 50, 99)] == [None, 2, 2, 3, 3, 1, 1]
-    assert [copies.before_time(time) for time in (1.0, 1.5, 3.0, 5.0, 5.5)] == [None, 2, 2, 3, 1]
-    copies.forget_from(30)
-    assert sorted(front.dropped) == [1, 3]
-    assert copies.before(99) == 2
-    copies.forget_from(11)
-    assert sorted(front.dropped) == [1, 3]
+def test_the_checkpoints_before_a_statement_and_a_time() -> None:
+    made = Checkpoints()
+    for number in (16, 32, 50):
+        made.add(checkpoint(number))
+    assert [[each.number for each in made.before(number)] for number in (16, 17, 50, 51)] == [
+        [], [16], [16, 32], [16, 32, 50],
+    ]  # fmt: skip
+    found = [made.before_time(time) for time in (16.0, 20.0, 32.0, 99.0)]
+    assert [each and each.number for each in found] == [None, 16, 16, 50]
+    assert made.due == 66
+    made.drop_after(made.before(33)[-1])
+    assert ([each.number for each in made.before(99)], made.due) == ([16, 32], 48)
+    made.drop_after(None)
+    assert (made.before(99), made.due) == ([], 16)
 
 
-def test_of_too_many_copies_every_second_one_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    front = Front(monkeypatch)
-    monkeypatch.setattr(checkpoints, "MAX_COPIES", 4)
-    for number in range(4):
-        front.copies.take(number, float(number))
-    assert front.dropped == []
-    front.copies.take(4, 4.0)
-    assert front.dropped == [2, 4]
-    assert [number for number, _, _ in front.copies.known] == [0, 2, 4]
-
-
-class Narrow:
-    """A channel on which at most 3 bytes arrive at a time."""
-
-    def __init__(self, data: bytes) -> None:
-        self._data = data
-
-    def recv(self, length: int) -> bytes:
-        found, self._data = self._data[: min(length, 3)], self._data[min(length, 3) :]
-        return found
-
-
-def test_bytes_that_arrive_in_several_packets() -> None:
-    channel = cast(socket.socket, Narrow(b"\0\0\0\0\0\0\0\5abcde\0\0\0\0\0\0\0\1fgh"))
-    assert [receive(channel) for _ in range(3)] == [b"abcde", b"f", None]
-
-
-def test_ticks_come_until_they_are_ended(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(checkpoints, "INTERVAL", 0.0)
-    times: list[int] = []
-
-    def action() -> None:
-        times.append(len(times))
-        if len(times) == 3:
-            ticks.end()
-
-    ticks = Ticks(action)
-    assert ticks.daemon
-    ticks.run()
-    assert times == [0, 1, 2]
-
-
-@pytest.mark.parametrize(("platform", "can"), [("linux", True), ("darwin", False), ("win32", False)])
-def test_processes_with_threads_are_forked_on_linux_alone(
-    platform: str, can: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys, "platform", platform)
-    assert can_fork() is can
-
-
-def test_bytes_go_through_a_channel_with_their_length() -> None:
-    near, far = socket.socketpair()
-    with near, far:
-        send(near, b"abc")
-        send(near, b"")
-        send(near, b"x" * 5000)
-        assert [receive(far) for _ in range(3)] == [b"abc", b"", b"x" * 5000]
-        near.sendall(b"\0\0\0\0\0\0\0\5ab")
-        near.shutdown(socket.SHUT_WR)
-        assert receive(far) is None
-        assert receive(far) is None
-
-
-def test_a_descriptor_that_is_closed_here_discards_what_is_written() -> None:
-    near, far = socket.socketpair()
-    with near, far:
-        checkpoints.close_here(far.fileno())
-        assert near.recv(1) == b""
-        assert os.write(far.fileno(), b"abc") == 3
-        assert os.read(far.fileno(), 10) == b""
+def test_of_too_many_checkpoints_every_second_one_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checkpoints, "MAX_CHECKPOINTS", 4)
+    made = Checkpoints()
+    while made.due < 500:
+        made.add(checkpoint(int(made.due)))
+    assert [each.number for each in made.before(999)] == [16, 144, 272, 400]
+    assert made.due == 528
 
 
 def test_a_search_backwards_prints_no_log_point() -> None:

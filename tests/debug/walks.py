@@ -63,7 +63,7 @@ def differences(
 ) -> Iterator[str]:
     """Yield each difference that a walk through a program causes."""
     shown_text: list[str] = []
-    plain = run(source, machine=settings, until=until, cache=False)
+    plain = run(source, machine=settings, until=until)
     if plain.program is None:
         return
     draw = Random(seed)
@@ -89,7 +89,7 @@ def differences(
     if whole(debugger.run) != whole(plain):
         yield "the report or the log differs"
     expected: list[str] = []
-    run(source, machine=settings, until=until, cache=False, show=expected.append)
+    run(source, machine=settings, until=until, show=expected.append)
     if "".join(shown_text) != "".join(expected):
         yield "the output differs"
     debugger.abandon()
@@ -118,7 +118,7 @@ def _move(debugger: Debugger, draw: Random, stop: Stop | None, output: list[str]
         names = [each.name for each in debugger.state().module() if each.set is not None]
         if not names:
             return stop
-        return debugger.last_change(("module", draw.choice(names))) or debugger.step_back()
+        return debugger.last_change(("module", draw.choice(names)))
     found: Stop | None = getattr(debugger, command)()
     return found
 

@@ -10,7 +10,7 @@ from typing import cast
 import pytest
 from lark import Lark, Token
 
-from motionlang import cache, execution
+from motionlang import execution
 from motionlang.editor.formatting import format
 from motionlang.editor.page import Page
 from motionlang.editor.times import Times, _fault, times
@@ -218,13 +218,6 @@ def test_each_task_without_an_end_has_the_line_at_which_the_run_was_cut() -> Non
     assert cut(f"RUN t\nJOG(0) = 1\n{task}").running == []
     assert cut("Loop\nEnd Loop\n").running == [1]
     assert cut("WAIT = 5\n").running == []
-
-
-def test_a_run_for_times_is_not_cached(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
-    monkeypatch.delenv(cache.OFF, raising=False)
-    assert times(page("WAIT = 5\n")).lines
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_run_that_crashes_has_no_times(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -108,7 +108,7 @@ class Endless(Exception):
 def ran(name: str) -> Run:
     """Return the run of a program, prepared for a proof."""
     machine = {"controller.instruction_time": 1e-9}
-    return run(Source(name, PROGRAMS[name]), machine=machine, cache=False, prove=True, until=60.0)
+    return run(Source(name, PROGRAMS[name]), machine=machine, prove=True, until=60.0)
 
 
 def motion(result: Run, times: list[float]) -> Motion:

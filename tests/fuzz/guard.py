@@ -50,7 +50,7 @@ def trouble(name: str, text: str) -> str:
                 dialect(name).check(source, {})
             except ProgramError:
                 pass
-            run(source, until=UNTIL, cache=False)
+            run(source, until=UNTIL)
     except Exception as error:
         frames = traceback.extract_tb(error.__traceback__)
         location = " < ".join(

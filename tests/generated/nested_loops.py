@@ -9,15 +9,12 @@ differ.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from random import Random
 
 from motionlang import report
 from motionlang.execution import run
-from motionlang.mint.runtime.loop_skipping import Site
 from motionlang.source import Source
-from tests.generated.compared import compare
+from tests.generated.compared import compare, is_equal_without_skipping
 
 MACHINE: dict[str, object] = {"input": [{"channel": 0, "at": 0.11, "for": 0.07, "every": 0.31}]}
 UNTIL = 1.0
@@ -114,29 +111,15 @@ class Program:
         )
 
 
-@contextmanager
-def nothing_skipped() -> Iterator[None]:
-    """Carry out every iteration within the context."""
-    skip = Site.skip
-    Site.skip = lambda *given: None  # type: ignore[method-assign]
-    try:
-        yield
-    finally:
-        Site.skip = skip  # type: ignore[method-assign]
-
-
-def shown(text: str, fast: bool) -> str:
+def shown(text: str) -> str:
     """Return the report of a run."""
-    source = Source("a.mnt", text)
-    return report.text(run(source, machine=MACHINE, until=UNTIL, cache=False, fast=fast), whole=False)
+    return report.text(run(Source("a.mnt", text), machine=MACHINE, until=UNTIL), whole=False)
 
 
 def is_equal(seed: int) -> bool:
     """True if skipping does not change the report of the program of a seed."""
     text = Program(Random(seed)).text
-    skipped = shown(text, fast=True)
-    with nothing_skipped():
-        return shown(text, fast=False) == skipped
+    return is_equal_without_skipping(lambda: shown(text))
 
 
 if __name__ == "__main__":

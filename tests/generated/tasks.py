@@ -11,14 +11,11 @@ differ.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from random import Random
 
 from motionlang import report, run
-from motionlang.mint.compile import polling
 from motionlang.source import Source
-from tests.generated.compared import compare
+from tests.generated.compared import compare, is_equal_without_skipping
 
 # The latest end of a run, machine seconds.
 UNTIL = 1.5
@@ -207,25 +204,13 @@ def _indented(lines: list[str]) -> list[str]:
 
 def document(text: str, machine: dict[str, object]) -> str:
     """Return the report of a run."""
-    return report.text(run(Source("a.mnt", text), machine=machine, cache=False, until=UNTIL))
-
-
-@contextmanager
-def every_iteration() -> Iterator[None]:
-    """Compile programs without loop skipping within the context."""
-    found = polling.left_behind
-    polling.left_behind = lambda *_: None
-    try:
-        yield
-    finally:
-        polling.left_behind = found
+    return report.text(run(Source("a.mnt", text), machine=machine, until=UNTIL))
 
 
 def is_equal(seed: int) -> bool:
     """True if a program has the same report with its loops skipped and without."""
-    skipped = document(*program(seed))
-    with every_iteration():
-        return document(*program(seed)) == skipped
+    given = program(seed)
+    return is_equal_without_skipping(lambda: document(*given))
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ PROGRAM = f'{MOVE}WAIT = 100\nPRINT "on its way"\nSPEED(0) = 40\nSTOP(0)\nPAUSE 
 
 
 def ran(program: str, until: float = 5.0) -> tuple[Run, dict[str, Any]]:
-    result = run(Source("move.mnt", program), machine={}, until=until, cache=False)
+    result = run(Source("move.mnt", program), machine={}, until=until)
     return result, json.loads(text(result))
 
 

@@ -1,11 +1,11 @@
-"""Range analysis omits only checks that never fail: random loops end alike."""
+"""Integers overflow in loops as if no iteration were skipped."""
 
 from __future__ import annotations
 
 import pytest
 
 from tests.cases import cases, examples
-from tests.generated.loops import Draw, outcome
+from tests.generated.loops import Draw, is_equal, outcome
 
 
 def test_an_overflow_in_a_loop_with_a_hole_is_found() -> None:
@@ -38,15 +38,13 @@ def test_an_overflow_is_found_whatever_the_range_of_a_counter(name: str) -> None
     assert [each[1] for each in found["diagnostics"]] == [f"{value} does not fit an Integer"]
 
 
-@cases("seed", range(examples(300)))
+@cases("seed", range(examples(100)))
 @pytest.mark.slow
-def test_loops_end_as_they_do_without_range_analysis(seed: int) -> None:
-    text = Draw(seed).program()
-    assert outcome(text) == outcome(text, analysed=False), text
+def test_loops_end_alike_without_skipping(seed: int) -> None:
+    assert is_equal(seed), Draw(seed).program()
 
 
 @pytest.mark.long
 @cases("seed", range(1000, 11_000))
-def test_ten_thousand_loops_end_as_they_do_without_range_analysis(seed: int) -> None:
-    text = Draw(seed).program()
-    assert outcome(text) == outcome(text, analysed=False), text
+def test_ten_thousand_loops_end_alike_without_skipping(seed: int) -> None:
+    assert is_equal(seed), Draw(seed).program()

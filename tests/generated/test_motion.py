@@ -54,9 +54,7 @@ def test_programs_are_grammatical_and_most_of_them_move() -> None:
     moved = 0
     for seed in range(60):
         program = generate(seed)
-        result: Run = run(
-            Source(program.name, program.text), machine=program.machine, until=UNTIL, cache=False
-        )
+        result: Run = run(Source(program.name, program.text), machine=program.machine, until=UNTIL)
         assert not [
             each for each in result.diagnostics if each.code in ("syntax", "unknown-word", "values", "type")
         ]

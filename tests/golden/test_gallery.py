@@ -26,8 +26,8 @@ PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(ROOT / "scripts").as_posix())
 def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     if request.config.getoption("--update"):
-        update(str(program), run(program, cache=False))
-    result = run(program, cache=False, prove=True)
+        update(str(program), run(program))
+    result = run(program, prove=True)
     assert differences(str(program), result) == []
     assert result.proof().violations == []
     assert_every_second_is_charged_once(result)

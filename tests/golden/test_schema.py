@@ -58,7 +58,7 @@ def runs() -> Iterator[Run]:
         ("1XX\n9MR5\n", "mccl"),
         ("", "mccl"),
     ):
-        yield run(Source("x", program), dialect=dialect, cache=False)
+        yield run(Source("x", program), dialect=dialect)
 
 
 def test_whatever_happens_a_report_keeps_to_the_schema() -> None:

@@ -7,7 +7,7 @@ import pytest
 from motionlang import run
 from motionlang.lang.ends import what_ends
 from motionlang.lang.machine.machine import Machine
-from motionlang.lang.task import GeneratorTask
+from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
 from motionlang.mint import DIALECT
 from motionlang.source import Source
@@ -18,7 +18,7 @@ from tests.cases import cases
 def machine() -> Machine:
     """Return a machine after 0.14 s, at which input 2 is on."""
     driven: dict[str, object] = {"input": [{"channel": 2, "at": 0.0}]}
-    return run(Source("a.mnt", "WAIT 140"), machine=driven, cache=False).machine
+    return run(Source("a.mnt", "WAIT 140"), machine=driven).machine
 
 
 @cases(
@@ -50,7 +50,7 @@ def test_the_option_that_ends_a_wait(
     machine: Machine, why: str, cause: str, what: tuple[int, ...], hint: str
 ) -> None:
     """Half a second from now is 0.64 s, about 0.6; a prompt counts from now."""
-    task = GeneratorTask("parent", lambda now, horizon: iter(()), "a.mnt", ())  # type: ignore[arg-type,return-value]
+    task = Task("parent")
     wait = Wait(0.0, bool, float, why, cause, what)
     found = what_ends(DIALECT, Source("a.mnt", ""), machine, task, wait)
     assert found == hint

@@ -60,7 +60,7 @@ def test_text_of_no_language_is_reported_unchanged() -> None:
     ],
 )
 def test_run_reports_the_language_and_runs_nothing(name: str, text: str, hint: str) -> None:
-    result = run(Source(name, text), cache=False)
+    result = run(Source(name, text))
     assert (result.status, result.output, [each.code for each in result.diagnostics]) == (
         "fault",
         [],

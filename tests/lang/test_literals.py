@@ -339,7 +339,7 @@ def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
     worker = Worker(job)
     for number, speed in enumerate(speeds):
         _, (time, prints, moves), problem = worker.result((number, (speed,)))
-        run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {speed} ")), cache=False)
+        run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {speed} ")))
         assert (time, prints, moves) == (run.time, "\n".join(run.output), len(run.machine.log.moves))
         errors = [each.message for each in run.diagnostics]
         assert ([] if problem is None else [problem["message"]]) == errors

@@ -22,14 +22,14 @@ def test_form_feeds_and_the_end_of_file_are_blanks(
 ) -> None:
     """They may be between words, at line ends, on a line of their own, or at the end."""
     (tmp_path / name).write_bytes(data)
-    made = run(tmp_path / name, cache=False)
+    made = run(tmp_path / name)
     assert (made.status, made.output, made.diagnostics) == ("ended", output, [])
     plain = data.replace(b"\x0c", b" ").replace(b"\x1a", b" ")
-    assert run(Source.from_bytes(name, plain), cache=False).report == made.report
+    assert run(Source.from_bytes(name, plain)).report == made.report
 
 
 def test_a_form_feed_in_a_string_is_sent() -> None:
-    assert run(Source("a.mnt", 'PRINT "page\x0c", "\x1a" \x0c\n'), cache=False).output == ["page\x0c\x1a"]
+    assert run(Source("a.mnt", 'PRINT "page\x0c", "\x1a" \x0c\n')).output == ["page\x0c\x1a"]
 
 
 def test_a_client_downloads_such_a_file() -> None:

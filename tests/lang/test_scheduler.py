@@ -1,4 +1,4 @@
-"""Tasks, waits and the end of a run, with hand-written generators as tasks."""
+"""Tasks, waits and the end of a run, with tasks that are generators of the test."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 from motionlang import execution, run
 from motionlang.controller.controller import Controller
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import GeneratorTask
+from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait, wait_idle, wait_until
 from motionlang.report import text as report_text
 from motionlang.source import Source
@@ -26,8 +26,29 @@ def controller() -> Controller:
     return c
 
 
-def task(make: Callable[[float, float], Steps]) -> GeneratorTask:
-    return GeneratorTask("parent", make, "<test>", (0,) * 500)
+class Written(Task):
+    """A task that is a generator: it yields the time that it has reached or a wait, and returns its end."""
+
+    def __init__(self, name: str, make: Callable[[float, float], Steps]) -> None:
+        super().__init__(name)
+        self._make = make
+        self._steps: Steps | None = None
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        try:
+            if self._steps is None:
+                self._steps = self._make(now, horizon)
+                found = next(self._steps)
+            else:
+                found = self._steps.send((now, horizon))
+        except StopIteration as end:
+            self.done = True
+            return float(end.value), None
+        return (found.since, found) if isinstance(found, Wait) else (found, None)
+
+
+def task(make: Callable[[float, float], Steps]) -> Written:
+    return Written("parent", make)
 
 
 def test_a_run_ends_when_the_program_has_ended_and_every_axis_is_at_rest() -> None:
@@ -99,7 +120,7 @@ WAITS = {
 def test_no_statement_begins_after_the_end_of_a_run(name: str, lines: int) -> None:
     file, text, begin = WAITS[name]
     until = (begin + lines - 0.5) * 1e-3
-    result = run(Source(file, text), machine={"controller.instruction_time": 1e-3}, cache=False, until=until)
+    result = run(Source(file, text), machine={"controller.instruction_time": 1e-3}, until=until)
     assert (result.status, len(result.output)) == ("until", lines)
 
 
@@ -187,19 +208,6 @@ def test_the_program_ends_with_its_parent() -> None:
     assert scheduler.run() == "ended"
 
 
-def test_task_knows_its_source_offset() -> None:
-    c = controller()
-
-    def program(t: float, h: float) -> Steps:
-        yield wait_until(c, t, 1.0)
-        return t
-
-    first = program.__code__.co_firstlineno
-    waiting = GeneratorTask("parent", program, program.__code__.co_filename, range(2000))
-    waiting.resume(0.0, 1.0)
-    assert waiting.at == first + 1
-
-
 def test_a_wait_that_is_always_due_and_never_over_cannot_hold_time() -> None:
     c = controller()
 
@@ -231,7 +239,7 @@ def slices(steps: dict[str, int], prepare: Callable[[Scheduler], None] = lambda 
 
         return program
 
-    made = [GeneratorTask(name, work(name, count), "<test>", (0,) * 500) for name, count in steps.items()]
+    made = [Written(name, work(name, count)) for name, count in steps.items()]
     scheduler = Scheduler(c, made[0])
     for each in made[1:]:
         scheduler.start(each)
@@ -262,30 +270,6 @@ def test_a_task_may_have_shorter_slices() -> None:
     assert begun == ["parent 0", "first 0.5", "parent 1.5", "first 2", "parent 2.5"]
 
 
-@pytest.mark.parametrize(
-    ("busy", "expected"),
-    [
-        ((5e-3, 3e-3), ["parent 0", "first 3", "parent 6", "first 7", "parent 8"]),
-        ((3e-3, 5e-3), ["parent 0", "first 3", "parent 6", "first 7", "parent 8"]),
-        ((2e-3, 2e-3), ["parent 0", "first 2", "parent 4", "first 5", "parent 6"]),
-        ((5e-3, 1.9e-3), ["parent 0", "first 1", "parent 2", "first 3", "parent 4"]),
-    ],
-)
-def test_tasks_that_compute_with_data_of_their_own_have_longer_slices(
-    busy: tuple[float, float], expected: list[str]
-) -> None:
-    """A round of slices takes the whole milliseconds for which both are busy.
-
-    Below two it takes one. A task states before each of its slices how long it is busy: here before the first.
-    """
-
-    def prepare(scheduler: Scheduler) -> None:
-        for each, seconds in zip(scheduler.tasks, busy, strict=True):
-            each.busy = seconds
-
-    assert slices({"parent": 30, "first": 20}, prepare)[: len(expected)] == expected
-
-
 def test_the_innermost_handler_is_stuck_first() -> None:
     """While a handler waits, no task continues; of the tasks the parent is reported."""
 
@@ -294,9 +278,7 @@ def test_the_innermost_handler_is_stuck_first() -> None:
         return t
 
     for handlers, name in (((), "parent"), (("outer",), "outer"), (("outer", "inner"), "inner")):
-        parent, first, *others = (
-            GeneratorTask(each, program, "<test>", (0,) * 500) for each in ("parent", "first", *handlers)
-        )
+        parent, first, *others = (Written(each, program) for each in ("parent", "first", *handlers))
         scheduler = Scheduler(controller(), parent)
         scheduler.start(first)
         for each in others:
@@ -333,7 +315,7 @@ def test_a_wait_passes_within_its_statement_only_if_the_task_is_alone() -> None:
 )
 def test_a_program_that_only_computes_is_paced(name: str, text: str) -> None:
     times = [0.0]
-    execution.run(Source(name, text), cache=False, until=0.5, pace=times.append)
+    execution.run(Source(name, text), until=0.5, pace=times.append)
     assert max(later - earlier for earlier, later in pairwise(times)) < 0.011
     assert times[-1] == pytest.approx(0.5, abs=1e-3)
 
@@ -346,20 +328,19 @@ def test_a_handler_runs_to_its_end_before_any_task() -> None:
     assert begun == ["handler 0", "handler 1", "parent 1.5", "first 2.5", "parent 3"]
 
 
-@pytest.mark.parametrize("fast", [True, False])
-def test_an_event_after_a_handler_or_a_task_is_located_at_the_line_of_the_parent(fast: bool) -> None:
+def test_an_event_after_a_handler_or_a_task_is_located_at_the_line_of_the_parent() -> None:
     """The handler runs every 10 ms and the task once; the parent waits in line 3."""
     text = (
         "TIMEREVENT = 10\nRun Brief\nWAIT(55)\nEnd\nEvent TIMER\nEnd Event\nTask Brief\n  n = 1\nEnd Task\n"
     )
-    report = json.loads(report_text(execution.run(Source("a.mnt", text), cache=False, fast=fast)))
+    report = json.loads(report_text(execution.run(Source("a.mnt", text))))
     assert [event["line"] for event in report["events"]] == [3] * 5
 
 
 def test_an_event_after_the_end_of_the_program_has_no_line() -> None:
     """The limit of 50 is reached after half a second, and nothing waits for it."""
     text = "SOFTLIMITFORWARD(0) = 50 : SOFTLIMITMODE(0) = 2\nSPEED(0) = 100\nJOG(0) = 100\n"
-    report = json.loads(report_text(execution.run(Source("a.mnt", text), cache=False, until=1.0)))
+    report = json.loads(report_text(execution.run(Source("a.mnt", text), until=1.0)))
     assert [(event["kind"], event["line"], event["commanded_by"]) for event in report["events"]] == [
         ("soft limit", 0, 3),
         ("velocity jump", 0, 3),

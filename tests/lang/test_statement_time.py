@@ -1,4 +1,4 @@
-"""Machine time in whole statements, repeated progress, and whole units."""
+"""Machine time in whole statements, progress that fits, and whole units."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from math import inf
 
 import pytest
 
-from motionlang.lang.statement_time import EXACT, UNITS, StatementTime, units
+from motionlang.lang.statement_time import UNITS, StatementTime, units
 
 
 def at_base(base: float, cost: float = 1.0) -> StatementTime:
@@ -31,9 +31,6 @@ def test_the_first_statement_at_a_time(base: float, cost: float) -> None:
             first = time.first(each)
             assert first in (count, count + 1.0)
             assert time.at(first - 1.0) < each <= time.at(first)
-            assert time.limit(each) == first
-            assert time.until == each
-            assert at_base(0.0, cost).go_on(base, each) == (0.0, first)
     assert time.first(inf) == inf
 
 
@@ -44,9 +41,10 @@ def test_a_task_that_goes_on_where_it_stopped_continues_its_count() -> None:
     """
     time = at_base(10.0)
     assert time.leave(4.0) == time.reached == 14.0
-    assert time.go_on(14.0, 20.0) == (4.0, 10.0)
-    assert time.go_on(15.0, 20.0) == (0.0, 5.0)
-    assert time.go_on(15.0, inf) == (0.0, inf)
+    assert time.go_on(14.0, 20.0) == 4.0
+    assert time.until == 20.0
+    assert time.go_on(15.0, inf) == 0.0
+    assert (time.base, time.until) == (15.0, inf)
 
 
 @pytest.mark.parametrize(
@@ -70,29 +68,8 @@ def test_how_often_progress_fits(
     assert at_base(now).periods(base, count, here, until) == times
 
 
-@pytest.mark.parametrize(
-    ("now", "base", "count", "times", "result"),
-    [
-        # From statement 2 to 5, four times more: at 17.
-        (0.0, 0.0, 2.0, 4.0, (17.0, 0.0, 17.0)),
-        (0.0, 0.0, 2.0, 0.0, (5.0, 0.0, 5.0)),
-        # 2 s from base to base, seven times more; the statement is the same, or one later each time.
-        (3.0, 1.0, 5.0, 7.0, (5.0, 17.0, 22.0)),
-        (3.0, 1.0, 4.0, 7.0, (12.0, 17.0, 29.0)),
-    ],
-)
-def test_repeated_progress(
-    now: float, base: float, count: float, times: float, result: tuple[float, float, float]
-) -> None:
-    """The task is at statement 5. The result is its statement, its base and its time."""
-    time = at_base(now)
-    time.leave(5.0)
-    assert (time.repeat(base, count, times), time.base, time.reached) == result
-    assert time.repeated == (base, count, 5.0)
-    time.repeat(base, count, 1.0)
-    assert time.repeated == (base, count, 5.0)
-
-
+# A number of units up to which each time is a float of its own.
+EXACT = 2.0**52
 # The rounded product of the seconds and `UNITS` is 1 too small for the first three and 1 too large for the next.
 ROUNDED = (3801323441225423, 3496238381354765, 3839428020161331, 3505751284149323, 3932526872744635)
 

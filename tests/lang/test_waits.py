@@ -188,7 +188,7 @@ def test_the_longest_collection_of_readings_is_shared() -> None:
 def test_the_record_of_a_wait() -> None:
     """A wait for a time needs no description: its line and its length say all."""
     driven: dict[str, object] = {"input": [{"channel": 2, "at": 1.0}]}
-    found = run(Source("a.mcl", "WA0.005,1MN,1MR10,1WS,WN2"), machine=driven, cache=False)
+    found = run(Source("a.mcl", "WA0.005,1MN,1MR10,1WS,WN2"), machine=driven)
     assert [(each.cause, each.what, each.why) for each in found.machine.log.waits] == [
         ("time", (), ""),
         ("axis", (1,), "for axis 1 to be idle"),

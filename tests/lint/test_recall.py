@@ -145,13 +145,13 @@ def test_a_line_in_a_message_moves_with_its_sub() -> None:
 
 
 def test_only_the_function_that_has_changed_is_checked_again() -> None:
-    """The two stages are compiling and linting."""
+    """The two stages are checking and linting."""
     known: dict[object, object] = {}
     check(Source("a.mnt", PROGRAM), {}, known)
     before = dict(known)
     check(Source("a.mnt", PROGRAM.replace("level = 1", "level = 1 + 1")), {}, known)
     stages = [key[0] for key in known.keys() - before.keys()]  # type: ignore[index]
-    assert sorted(stages) == ["compile", "lint"]
+    assert sorted(stages) == ["check", "lint"]
     assert len(known) == len(before) == 8
     assert len([key for key, entry in before.items() if known.get(key) is entry]) == 6
 

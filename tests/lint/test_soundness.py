@@ -81,7 +81,7 @@ def programs(draw: st.DrawFn) -> str:
 
 
 def ran(text: str) -> Run:
-    return run(Source("random.mnt", text), dialect="mint", cache=False, until=60.0)
+    return run(Source("random.mnt", text), dialect="mint", until=60.0)
 
 
 def warned(text: str, code: str) -> list[Diagnostic]:

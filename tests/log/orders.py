@@ -16,7 +16,7 @@ USUAL = {"speed": inf, "rates": ENDLESS, "jerks": ENDLESS}
 def recorded(program: str, name: str = "orders.mnt", **machine: object) -> ExpectedMotion:
     """Run a program whose statements take next to no time; return its orders."""
     settings = {"controller.instruction_time": 1e-9, **machine}
-    result = run(Source(name, program), machine=settings, cache=False, prove=True)
+    result = run(Source(name, program), machine=settings, prove=True)
     assert result.diagnostics == []
     assert result.expected_motion is not None
     assert result.proof().violations == []

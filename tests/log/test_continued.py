@@ -38,7 +38,7 @@ def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: p
 
     monkeypatch.setattr(moves, "MAX_WAITING", 2500)
     monkeypatch.setattr(moves.Moves, "split", read_first)
-    log = run(Source("found.mnt", PROGRAM), cache=False).controller.log.moves
+    log = run(Source("found.mnt", PROGRAM)).controller.log.moves
     for axis in (0, 1):
         entries = [each for each in log if each.axis == axis]
         assert [each.ended for each in entries] == ["continued"] * (len(entries) - 1) + [""]

@@ -36,7 +36,7 @@ def test_lines_and_arcs_that_join_have_no_infinite_acceleration(axis: int) -> No
 
 
 def test_a_cancel_has() -> None:
-    made = run(Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n"), cache=False)
+    made = run(Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n"))
     assert extremes(made.controller.axes[0], made.time).acceleration.value == inf
 
 

@@ -50,12 +50,11 @@ LOCATIONS = {
 }
 
 
-# The functions that write plain moves to a track and the log, and that pack them.
+# The functions that write moves to a track and the log, and that pack them.
 STEPS = {
-    "/motionlang/fast/moves.py": {"start_loaded", "arrive", "_write", "_go_on_writing", "written"},
     "/motionlang/log/log.py": {"make_room", "pack"},
     "/motionlang/log/stream.py": {"pack"},
-    "/motionlang/log/moves.py": {"pack", "show"},
+    "/motionlang/log/moves.py": {"pack"},
     "/motionlang/log/older_profiles.py": {"take_from"},
 }
 # Moves that are read, one in motion and one completed, and others that are not read until they are packed.
@@ -136,7 +135,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
 
     with monkeypatch.context() as m:
         m.setattr(execution, "_execute", watched)
-        return run(source, cache=False, prove=True)
+        return run(source, prove=True)
 
 
 @pytest.mark.parametrize("count", [15, pytest.param(1000, marks=pytest.mark.long)])
@@ -172,7 +171,7 @@ def test_ctrl_c_has_the_position_of_the_wait(name: str, text: str) -> None:
         if time > 0.25:
             raise KeyboardInterrupt
 
-    (found,) = execution.run(Source(name, text), cache=False, pace=pace).diagnostics
+    (found,) = execution.run(Source(name, text), pace=pace).diagnostics
     assert (found.code, found.line, found.column) == ("interrupted", 3, 1)
 
 
@@ -200,7 +199,7 @@ def test_the_locations_exist() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)], ids=["some", "every"])
 def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Interrupt each line that starts, records or packs a fast-path move.
+    """Interrupt each line that records or packs a plain move.
 
     The run up to then is complete, with no duplicates. Each line is interrupted at its first and, every third, at
     its last execution. Of the other executions 5 are interrupted, or all with `long`.

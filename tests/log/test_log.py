@@ -75,7 +75,7 @@ STILL = """
 import motionlang
 from motionlang.source import Source
 for source in (Source("a.mnt", "Dim n As Integer"), Source("a.mcl", "CN0\\n")):
-    log = motionlang.run(source, cache=False).machine.log
+    log = motionlang.run(source).machine.log
     streams = (log.moves, log.dropped, log.waits, log.slices, log.events, log.outputs)
     print([(len(each), list(each), each[:], list(reversed(each)), bool(each)) for each in streams])
 """
@@ -130,7 +130,7 @@ def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: py
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
     monkeypatch.setattr(stream, "CHUNK_SIZE", 200)
     before = living_moves()  # of runs that earlier tests keep
-    result = run(Source("shuttle.mnt", SHUTTLE), cache=False)
+    result = run(Source("shuttle.mnt", SHUTTLE))
     log = result.controller.log
     assert len(log.moves) == 1000
     assert log.moves.packed > 700
@@ -162,9 +162,9 @@ def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytes
     """
     machine = {"axis.0.plant.load_inertia": 4e-5, "axis.0.plant.load_torque": 0.002}
     source = Source("followed.mnt", FOLLOWED)
-    expected = figures(run(source, machine=machine, cache=False))
+    expected = figures(run(source, machine=machine))
     request.getfixturevalue("small")
-    result = run(source, machine=machine, cache=False)
+    result = run(source, machine=machine)
     a = result.controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
@@ -173,7 +173,7 @@ def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytes
 
 
 def test_what_a_program_waited_for_is_in_the_log() -> None:
-    log = run(Source("shuttle.mnt", SHUTTLE), cache=False).controller.log
+    log = run(Source("shuttle.mnt", SHUTTLE)).controller.log
     waits = list(log.waits)
     assert len(waits) == 1500
     assert [each.cause for each in waits[:3]] == ["condition", "condition", "time"]
@@ -196,7 +196,7 @@ Task Counting
   For k = 1 To 5000 : Next
 End Task
 """
-    slices = list(run(Source("two.mnt", program), cache=False).controller.log.slices)
+    slices = list(run(Source("two.mnt", program)).controller.log.slices)
     assert [each.tasks for each in slices] == [(), ("ParentTask", "counting"), ("counting",)]
     for each in slices[1:]:
         assert fsum(each.seconds) == pytest.approx(each.until - each.time)
@@ -204,7 +204,7 @@ End Task
 
 @pytest.mark.usefixtures("small")
 def test_a_track_is_read_as_one_list() -> None:
-    axis = run(Source("shuttle.mnt", SHUTTLE), cache=False).controller.axes[0]
+    axis = run(Source("shuttle.mnt", SHUTTLE)).controller.axes[0]
     track = WholeTrack(axis)
     starts, profiles = list(track.starts), list(track.profiles)
     assert len(starts) == len(track.starts) == 2001
@@ -231,9 +231,9 @@ For n = 1 To 600
 Next
 PRINT ENCODER(0) - POS(0)
 """
-    whole = run(Source("play.mnt", program), cache=False)
+    whole = run(Source("play.mnt", program))
     request.getfixturevalue("small")
-    packed = run(Source("play.mnt", program), cache=False)
+    packed = run(Source("play.mnt", program))
     assert (whole.controller.axes[0].older is None, packed.controller.axes[0].older is None) == (True, False)
     assert packed.output == whole.output
     assert float(packed.output[0]) == pytest.approx(2.0 * 600 * 2.0 * (0.01 / 1000.0) ** 0.5 / 20.0, rel=1e-4)
@@ -275,7 +275,7 @@ For n = 1 To 1200
 Next
 STOP(0)
 """
-    result = run(Source("live.mnt", program), cache=False, prove=True)
+    result = run(Source("live.mnt", program), prove=True)
     rows: list[dict[str, Any]] = list(report.moves(result))
     first, last = rows[0], rows[-1]
     assert [row.get("ended") for row in rows] == ["continued"] * (len(rows) - 1) + ["stop"]
@@ -290,7 +290,7 @@ STOP(0)
 
 def test_a_setting_is_in_the_log_where_it_changes() -> None:
     program = "SPEED(0) = 50\nSPEED(0) = 50\nJOG(0) = 20\nWAIT(100)\nACCEL(0) = 900\nSPEED(1) = 60\n"
-    log = run(Source("set.mnt", program), cache=False, until=1.0).controller.log
+    log = run(Source("set.mnt", program), until=1.0).controller.log
     found = [(each.axis, each.name, each.value) for each in log.settings if each.time > 0.0]
     assert found == [(0, "accel", 900.0), (1, "speed", 60.0)]
     assert [each.value for each in log.settings if each.name == "speed" and not each.axis] == [50.0]
@@ -299,7 +299,7 @@ def test_a_setting_is_in_the_log_where_it_changes() -> None:
 def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
     mccl = "1MN,1MR1000,1WS0.1,WN3,WA0.5,1MA0,1WP500,1WT\n"
     world = {"input": [{"channel": 3, "at": 2.0}]}
-    log = run(Source("waits.mcl", mccl), cache=False, machine=world).controller.log
+    log = run(Source("waits.mcl", mccl), machine=world).controller.log
     assert [(each.cause, each.what) for each in log.waits] == [
         ("axis", (1,)),
         ("time", ()),
@@ -314,7 +314,7 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
 def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """The result does not depend on packing, on the number of chunks, or on caching."""
     plant = {"axis.0.plant.load_inertia": 4e-5}
-    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
+    a = run(Source("followed.mnt", FOLLOWED), machine=plant).controller.axes[0]
     assert a.older is not None
     assert a.older.count > 80
     count = len(Followed(a).starts)

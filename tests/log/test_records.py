@@ -17,7 +17,6 @@ from motionlang.log.log import Log
 from motionlang.log.move_rows import move_of, row, sealed
 from motionlang.log.moves import Moves
 from motionlang.log.order import Order, PathOrder, Tie
-from motionlang.log.plain_moves import move_of as plain_move_of
 from motionlang.log.records import RepeatedWaits, TimeSlices, Waited
 from motionlang.log.stream import Store
 from motionlang.log.time_slices import TimeSliceStream
@@ -285,37 +284,6 @@ def test_an_overlaid_move_is_one_when_it_is_read() -> None:
 
     again = move_of(row(Overlaid(0, "OFFSET", 3, 10.0), None), {})
     assert (again.overlaid, again.command) == (True, "OFFSET")
-
-
-def test_a_plain_move_as_a_row() -> None:
-    recipe = (0.0, 1.0, 0.0, 10.0, 1.0, 0.0, 0.0)
-    made = plain_move_of((1, 2.0, 3.0, 13.0, 2.0, recipe, 10.0, 5.0, 4.0, (99.0, 3.0, "MOVER", 7, 8.0, 6)))
-    assert (made.axis, made.start_time, made.target, made.base, made.command) == (1, 2.0, 13.0, 3.0, "MOVER")
-    assert (made.line, made.speed, made.id, made.commanded_speed) == (7, 8.0, 6, 10.0)
-    assert (made.scale, made.zero, made.released, made.ended, made.offset) == (5.0, 4.0, True, "", 0.0)
-    assert made.profile is not None
-    assert (made.profile.start, made.profile.end, made.profile.duration) == (3.0, 13.0, 2.0)
-    assert made.profile._recipe is recipe
-
-
-PLAIN: Any = (1, 2.0, 3.0, 13.0, 2.0, (0.0, 1.0, 0.0), 10.0, 5.0, 4.0, (99.0, 3.0, "MOVER", 7, 8.0, 6))
-
-
-def test_a_row_becomes_the_move_that_was_read() -> None:
-    rows: list[Any] = [(*PLAIN[:1], float(k), *PLAIN[2:]) for k in range(3)]
-    for index in range(3):
-        moves = Moves(Store())
-        moves.tail += rows
-        assert [moves.has(each) for each in rows] == [True, True, True]
-        assert moves.moved() == {1}
-        read = filled(axis=4)
-        moves.show(rows[index], read)
-        assert moves.tail[index] is read
-        assert moves.number(read) == index
-        assert [moves.has(each) for each in rows] == [k != index for k in range(3)]
-        assert moves.moved() == {1, 4}
-        moves.show(rows[index], filled())  # it is no longer in the log
-        assert moves.tail[index] is read
 
 
 @pytest.mark.parametrize("index", range(3))

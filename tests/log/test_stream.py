@@ -200,3 +200,43 @@ def test_between_two_chunks_there_is_nothing_to_complete(sizes: tuple[int, ...])
     tail = [7, 8, 9]
     made.finish_updates(tail)
     assert (len(made), tail) == (len(sizes), [7, 8, 9])
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("count", range(10))
+@pytest.mark.parametrize("added", [0, 1, 4, 20])
+def test_a_stream_is_cut_to_an_earlier_extent_and_goes_on(count: int, added: int) -> None:
+    found = numbers(count)
+    extent = found.extent()
+    found.extend([(-k,) for k in range(added)])
+    found.cut(extent)
+    assert (list(found), len(found)) == (rows(count), count)
+    found.extend(rows(count + 9)[count:])
+    assert list(found) == rows(count + 9)
+    assert [found[k] for k in range(count + 9)] == rows(count + 9)
+
+
+@pytest.mark.usefixtures("small")
+def test_a_cut_drops_repeated_records_and_their_bytes() -> None:
+    found = numbers(5)
+    extent = found.extent()
+    found.repeat(([(0, (0.0,), (7,))], 1000, 1, 0.0), (0.0, 0, 1e-3, 0.0))
+    assert len(found) == 1005
+    found.cut(extent)
+    assert list(found) == rows(5)
+    found.pack(5)
+    other = numbers(5)
+    other.pack(5)
+    assert found._chunks._store.in_memory == other._chunks._store.in_memory
+
+
+def test_records_with_names_are_cut_to_plain_rows(small: None) -> None:
+    found: Stream[Any] = Stream(Store(), "Printed")
+    for k in range(9):
+        found.add((float(k), str(k)))
+        if k == 4:
+            extent, expected = found.extent(), list(found)
+    found.cut(extent)
+    assert list(found) == expected
+    found.pack(5)
+    assert list(found) == expected

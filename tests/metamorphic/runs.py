@@ -13,7 +13,7 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
     There may be no diagnostics. A statement takes `fine` seconds.
     """
     machine = {"controller.instruction_time": fine}
-    result = run(Source(name, text), machine=machine, until=until, cache=False, prove=True)
+    result = run(Source(name, text), machine=machine, until=until, prove=True)
     messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
     assert messages == [], text
     return result

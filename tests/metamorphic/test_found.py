@@ -15,7 +15,7 @@ END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"
 
 def proved(program: str) -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("found.mnt", program), machine=machine, cache=False, prove=True, until=100.0)
+    result = run(Source("found.mnt", program), machine=machine, prove=True, until=100.0)
     assert [each.message for each in result.diagnostics] == []
     assert [each.message for each in result.proof().violations] == []
     return result

@@ -28,6 +28,6 @@ def test_random_jobs_keep_every_bound_and_end(kind: str) -> None:
     for seed in range(COUNT):
         machine = {"controller.instruction_time": 1e-9}
         job = KINDS[kind](seed)
-        result = run(Source("job.mnt", job.text), machine=machine, cache=False, prove=True, until=2000.0)
+        result = run(Source("job.mnt", job.text), machine=machine, prove=True, until=2000.0)
         messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
         assert (result.status, messages) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"

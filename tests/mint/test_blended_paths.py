@@ -50,7 +50,7 @@ ENDS = {
 
 def proved(text: str, until: float = 100.0) -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("blend.mnt", text), machine=machine, cache=False, prove=True, until=until)
+    result = run(Source("blend.mnt", text), machine=machine, prove=True, until=until)
     assert [each.message for each in result.proof().violations] == []
     return result
 
@@ -84,7 +84,7 @@ def test_end_of_a_blend_is_reported_for_both_paths(end: str, how: str) -> None:
 
 def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
     """The second path moves only axis 1, whatever rounding does to the sum on axis 0."""
-    result = run(Source("blend.mnt", PATHS.format(how="R", x=0) + "CANCEL(0)"), machine={}, cache=False)
+    result = run(Source("blend.mnt", PATHS.format(how="R", x=0) + "CANCEL(0)"), machine={})
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     assert [move["end"] - move["start"] for move in moves if move["axis"] == 0][1:] == [0.0]
     assert [move["distance"] for move in moves if move["axis"] == 0][1:] == [0.0]

@@ -16,7 +16,7 @@ HANDLER = "\nEnd\nEvent ONERROR\nEnd Event"
 
 
 def mint(text: str, machine: dict[str, object] | None = None) -> Run:
-    return run(Source("t.mnt", HEAD + text + HANDLER), machine=machine or {}, until=20.0, cache=False)
+    return run(Source("t.mnt", HEAD + text + HANDLER), machine=machine or {}, until=20.0)
 
 
 FOLLOWING = "MASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nWAIT = 1000\n"

@@ -19,7 +19,7 @@ TRAVEL: dict[str, object] = {"axis.0.travel": [LOW, HIGH]}
 
 
 def ran(text: str, machine: dict[str, object] | None = None) -> Run:
-    return run(Source("a.mnt", text + HANDLER), machine=machine, cache=False, until=60.0)
+    return run(Source("a.mnt", text + HANDLER), machine=machine, until=60.0)
 
 
 @pytest.mark.parametrize("counts", [1.0, 3.0, 1000.0, 13653.0])
@@ -61,5 +61,5 @@ def test_a_stop_at_errordecel(first: float, limit: float) -> None:
 def test_mccl_limits() -> None:
     """1HL sets the high limit, LM2 stops at once, LN4 and 8 enable software limits."""
     text = "1MN,1SV9700,1HL7300,1LL-4100,1LM2,1LN12,1MR33,1WS,1MR20000,1WS"
-    result = run(Source("a.mccl", text), cache=False)
+    result = run(Source("a.mccl", text))
     assert result.controller.demand(1) == 7300.0

@@ -108,7 +108,7 @@ def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> sub
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     command += ["--prove"] * prove
-    given = {"MOTIONLANG_NO_CACHE": "1", "PYTHONPATH": str(tree), **environment}
+    given = {"PYTHONPATH": str(tree), **environment}
     # The active mutant is known by its number, not by the code: all processes share the bytecode of the copy.
     inherited = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     with open(tree / "pytest.log", "ab") as log:

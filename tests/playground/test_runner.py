@@ -80,7 +80,7 @@ def test_output_and_table_are_those_of_the_command_line(path: Path, monkeypatch:
     found = messages(path.read_text(encoding="utf-8"), machine=machine, name=path.name)
     monkeypatch.setattr(sys, "stdin", io.StringIO(""))
     outputs = [printed(found), of_type(found, "result")["table"]]
-    assert "\n".join(filter(None, outputs)) == command("run", str(path), "--no-cache")
+    assert "\n".join(filter(None, outputs)) == command("run", str(path))
 
 
 def test_input_asks_until_it_has_every_answer() -> None:

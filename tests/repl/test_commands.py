@@ -303,7 +303,7 @@ PRINT n
 
 
 def test_another_task_is_shown_by_what_it_waits_for(tmp_path: Path) -> None:
-    """At the end there is no task of the stop, and no module."""
+    """At the end there is no task of the stop."""
     path = tmp_path / "a.mnt"
     path.write_text(TASKS)
     session = Session(dialect("mint"))
@@ -311,7 +311,7 @@ def test_another_task_is_shown_by_what_it_waits_for(tmp_path: Path) -> None:
     assert session.feed(".goto line 10") == "0.01003 s  line 10: PRINT n\n"
     assert session.feed(".vars") == "task t waits for 0.5 s\nn = 2\n"
     assert session.feed(".go") == "2\nended after 0.01004 s\n"
-    assert session.feed(".vars") == "task t waits for 0.5 s\n"
+    assert session.feed(".vars") == "task t waits for 0.5 s\nn = 2\n"
 
 
 def test_nothing_is_executed_after_quit() -> None:

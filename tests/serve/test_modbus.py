@@ -62,7 +62,7 @@ class Served:
 
     def _run(self, text: str, settings: dict[str, object]) -> None:
         source = Source("served.mnt", text)
-        self.result = run(source, machine=settings, until=float("inf"), outside=self.outside, cache=False)
+        self.result = run(source, machine=settings, until=float("inf"), outside=self.outside)
 
     def read(self, register: int, count: int) -> list[int]:
         answer = self.client.read_holding_registers(register, count=count)

@@ -44,7 +44,7 @@ def served(
     )
     server.start()
     source = Source("served.mnt", PROGRAM)
-    thread = Thread(target=lambda: run(source, until=float("inf"), outside=outside, cache=False))
+    thread = Thread(target=lambda: run(source, until=float("inf"), outside=outside))
     thread.start()
     try:
         yield server

@@ -20,7 +20,7 @@ from motionlang.servo.speculative_points import SpeculativeGenerator
 from motionlang.servo.steps import COLUMNS, initial_state
 from motionlang.servo.stretch import MARKED, run_steps
 from tests.cases import cases, examples
-from tests.fast.test_closed_form import track
+from tests.servo.test_closed_form import track
 from tests.servo.test_oracle import LOOPS, PLANTS, WHOLE
 
 ALL = LOOPS | WHOLE

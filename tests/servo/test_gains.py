@@ -84,7 +84,7 @@ def test_kintmode(mode: int, name: str) -> None:
 )
 def test_gain_mode_has_no_gain_but_the_proportional(commands: str, gains_in_force: tuple[float, ...]) -> None:
     text = f"1SG0.04,1SI0.001,1SD0.9,1VG0.003,1SQ7,1MN,1MR10,WA0.1\n{commands}"
-    result = run(Source("a.mcl", text), machine={"axis.1.plant.load_inertia": 4e-5}, cache=False)
+    result = run(Source("a.mcl", text), machine={"axis.1.plant.load_inertia": 4e-5})
     feedback = result.controller.axes[1].feedback
     assert feedback is not None
     assert feedback.chosen is not None

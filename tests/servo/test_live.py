@@ -38,7 +38,7 @@ def run(text: str, plant: dict[str, object], dialect: str = "mint", **sections: 
     machine = {f"axis.{axis}.plant.{name}": value for name, value in plant.items()}
     machine |= {f"axis.{axis}.servo.{name}": value for name, value in servo.items()}
     machine |= {name.replace("__", "."): value for name, value in sections.items()}
-    return motionlang.run(Source("x", text), dialect=dialect, machine=machine, cache=False)
+    return motionlang.run(Source("x", text), dialect=dialect, machine=machine)
 
 
 def printed(
@@ -196,7 +196,7 @@ def test_position_lags_behind_the_demand() -> None:
 
 def test_without_a_motor_feedback_equals_demand() -> None:
     result = motionlang.run(
-        Source("x", MOVE + "WAIT = 50\nPRINT POS(0) - POSDEMAND(0), FOLERROR(0)"), dialect="mint", cache=False
+        Source("x", MOVE + "WAIT = 50\nPRINT POS(0) - POSDEMAND(0), FOLERROR(0)"), dialect="mint"
     )
     assert result.output == ["0.00000.0000"]
     assert result.report["axes"][0]["feedback"] == "demand"
@@ -323,7 +323,6 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
         Source("x", "JOG(0) = 5000 : PAUSE IDLE(0)"),
         dialect="mint",
         machine={"axis.0.travel": [-1000.0, 1000.0]},
-        cache=False,
     )
     real = run(
         "JOG(0) = 5000 : PAUSE IDLE(0)", MOTOR, servo={"proportional": 0.02, "derivative": 0.5}, **machine
@@ -380,7 +379,7 @@ def test_torque_turns_the_motor_until_it_is_cancelled() -> None:
 
 
 def test_torque_needs_a_motor() -> None:
-    result = motionlang.run(Source("x", "TORQUE(0) = 10"), dialect="mint", cache=False)
+    result = motionlang.run(Source("x", "TORQUE(0) = 10"), dialect="mint")
     assert result.diagnostics[0].code == "not-simulated"
     assert "[axis.0.plant]" in result.diagnostics[0].hint
 
@@ -461,7 +460,7 @@ def test_new_gains_act_at_once() -> None:
 
 
 def test_keywords_without_a_motor_are_stored_and_named() -> None:
-    result = motionlang.run(Source("x", "KPROP(0) = 2\nPRINT KPROP(0)"), dialect="mint", cache=False)
+    result = motionlang.run(Source("x", "KPROP(0) = 2\nPRINT KPROP(0)"), dialect="mint")
     assert result.output == ["2.0000"]
     assert "KPROP" in result.notes[0]
 

@@ -117,7 +117,7 @@ def test_a_run_without_a_plant_imports_neither_numpy_nor_the_servo(key: str, che
     script = (
         "import sys, motionlang\nfrom motionlang.source import Source\n"
         f"run = motionlang.run(Source('x', 'KPROP(0) = 2\\nMOVER(0) = 5 : GO(0)\\nPAUSE IDLE(0)\\nPRINT POS(0)'), "
-        f"dialect='mint', machine={machine!r}, cache=False)\n"
+        f"dialect='mint', machine={machine!r})\n"
         "assert run.output == ['5.0000'], run.output\n"
         "print(*sorted(name for name in sys.modules if name == 'numpy' or 'servo' in name or 'feedback' in name))"
     )

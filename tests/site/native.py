@@ -30,7 +30,7 @@ def printed(path: Path) -> str:
     out = io.BytesIO()
     text = io.TextIOWrapper(out, encoding="utf-8", newline="", write_through=True)
     with contextlib.redirect_stdout(text), contextlib.redirect_stderr(io.StringIO()):
-        main(["run", str(path), "--no-cache"])
+        main(["run", str(path)])
     return out.getvalue().decode()
 
 
@@ -46,13 +46,12 @@ def kinds_of(path: Path) -> dict[str, Any]:
 
 
 def shift() -> dict[str, Any]:
-    """Return the shift of `benchmarks/shift.py` and its best time of three runs."""
-    sys.path.insert(0, str(ROOT / "benchmarks"))
-    program: str = importlib.import_module("shift").PROGRAM
+    """Return the shift of `benchmarks/programs.py` and its best time of three runs."""
+    program: str = importlib.import_module("benchmarks.programs").SHIFT
     times = []
     for _ in range(3):
         began = time.perf_counter()
-        render(run(Source("program.mnt", program), cache=False), width=160)
+        render(run(Source("program.mnt", program)), width=160)
         times.append(time.perf_counter() - began)
     return {"program": program, "seconds": min(times)}
 

@@ -135,7 +135,7 @@ def found(case: Case) -> Found:
     if case.is_only_checked:
         result.diagnostics = [(False, each.line, each) for each in language.check(source, settings)]
         return result
-    ran = run(source, machine=settings, cache=False, prove=True)
+    ran = run(source, machine=settings, prove=True)
     if ran.expected_motion is not None:
         assert ran.proof().violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]

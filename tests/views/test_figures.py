@@ -32,14 +32,14 @@ def test_panels_fill_a_figure_from_its_head_to_its_foot() -> None:
 
 @pytest.mark.parametrize(("axes", "titles"), [((0,), [""]), ((0, 1), ["axis 0", "axis 1"])])
 def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str]) -> None:
-    made = run(Source("a.mnt", "".join(f"MOVER({axis}) = 1 : GO({axis})\n" for axis in axes)), cache=False)
+    made = run(Source("a.mnt", "".join(f"MOVER({axis}) = 1 : GO({axis})\n" for axis in axes)))
     figure = plot._figure(made, {}, Window())
     named = [each.get_title(loc="left") for each in figure.axes]
     assert [title for title in named if title] == [title for title in titles if title]
 
 
 def test_the_legend_of_the_shades_lies_within_the_picture() -> None:
-    made = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"), cache=False)
+    made = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"))
     figure = plot._figure(made, {}, Window())
     (legend,) = figure.legends
     figure.draw_without_rendering()

@@ -42,8 +42,6 @@ def test_nothing_is_left_out(path: Path) -> None:
 
 
 def test_a_run_in_a_notebook() -> None:
-    shown = run(
-        Source("a.mnt", 'PRINT "<b>"\nMOVER(0) = 5\nGO(0)\nMOVER(0) = 5\n'), cache=False
-    )._repr_html_()
+    shown = run(Source("a.mnt", 'PRINT "<b>"\nMOVER(0) = 5\nGO(0)\nMOVER(0) = 5\n'))._repr_html_()
     assert shown.startswith("<pre>&lt;b&gt;</pre>\n<pre>warning[never-started]")
     assert "MOVER" in shown.rpartition("<pre>")[2]

@@ -60,7 +60,7 @@ def test_equal_diagnostics_of_a_run_are_one() -> None:
     program = Source(
         "home.mnt", "Dim i As Integer\nFor i = 1 To 50\n HOME(0) = 0\n CANCEL(0)\n WAIT = 100\nNext\n"
     )
-    ran = motionlang.run(program, machine={"controller.axes": 1}, until=10.0, cache=False)
+    ran = motionlang.run(program, machine={"controller.axes": 1}, until=10.0)
     (diagnostic,) = [each for each in ran.diagnostics if each.code == "never"]
     assert (diagnostic.count, diagnostic.line) == (50, 3)
     assert 0.0 < diagnostic.first < 0.001

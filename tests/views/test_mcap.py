@@ -60,7 +60,7 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
 
 def test_events_are_a_topic(tmp_path: Path) -> None:
     jumping = Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n")
-    write_trace(run(jumping, cache=False).trace, str(tmp_path / "x.mcap"), 10.0)
+    write_trace(run(jumping).trace, str(tmp_path / "x.mcap"), 10.0)
     found = messages(tmp_path / "x.mcap")["/events"]
     assert [(row["kind"], row["axis"], row["value"]) for _, row in found][-1] == (
         "velocity jump",

@@ -57,7 +57,6 @@ def test_a_move_of_a_notebook_has_its_own_times() -> None:
         Source(
             "a.mnt", "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nWAIT = 1000\nMOVER(0) = 100 : GO(0)\n"
         ),
-        cache=False,
     )
     (move,) = made.moves
     drawing = move._repr_html_()
@@ -74,7 +73,7 @@ def test_a_table_of_moves_has_a_largest_length() -> None:
         (MOST_MOVES + 2, "<p>… 2 more moves</p>"),
     ):
         text = f"Dim k As Integer\nFor k = 1 To {count}\nMOVER(0) = 1 : GO(0) : PAUSE IDLE(0)\nNext\n"
-        found = run(Source("a.mnt", text), cache=False).moves._repr_html_()
+        found = run(Source("a.mnt", text)).moves._repr_html_()
         assert found.count("<tr>") == MOST_MOVES + 1
         assert ("<p>" in found) == bool(more)
         assert more in found
@@ -83,9 +82,7 @@ def test_a_table_of_moves_has_a_largest_length() -> None:
 @pytest.mark.parametrize("count", [MAX_LINES, MAX_LINES + 1])
 def test_output_of_many_lines_is_shortened_in_the_middle(count: int) -> None:
     text = f"Dim k As Integer\nFor k = 1 To {count}\nPrint k\nNext\n"
-    lines = (
-        html(run(Source("a.mnt", text), cache=False)).partition("</pre>")[0].removeprefix("<pre>").split("\n")
-    )
+    lines = html(run(Source("a.mnt", text))).partition("</pre>")[0].removeprefix("<pre>").split("\n")
     half = MAX_LINES // 2
     if count == MAX_LINES:
         assert len(lines) == MAX_LINES

@@ -30,7 +30,7 @@ MOVER(0) = 40 : GO(0) : PAUSE IDLE(0)
 
 @pytest.fixture(scope="module")
 def twice() -> Run:
-    return run(Source("a.mnt", TWICE), cache=False)
+    return run(Source("a.mnt", TWICE))
 
 
 def labels(axes: Axes) -> list[tuple[str, tuple[float, float]]]:
@@ -88,7 +88,7 @@ def test_a_window_names_the_lines_in_it(begin: float, end: float, names: list[st
 
 def test_a_line_is_named_once_and_forty_of_them_at_most(monkeypatch: pytest.MonkeyPatch, twice: Run) -> None:
     loop = "SPEED(0) = 100\nDim i\nFor i = 1 To 3\nMOVER(0) = 10 : GO(0) : PAUSE IDLE(0)\nMOVER(1) = 5 : GO(1)\nNext\n"
-    made = run(Source("a.mnt", loop), cache=False)
+    made = run(Source("a.mnt", loop))
     axes = path_figure(made, (0, 1), Window(path=(0, 1))).axes[0]
     assert [name for name, _ in labels(axes)] == ["line 4"]
     monkeypatch.setattr(path_plot, "MAX_NAMED", 2)
@@ -97,9 +97,7 @@ def test_a_line_is_named_once_and_forty_of_them_at_most(monkeypatch: pytest.Monk
 
 
 def test_a_path_in_space_has_three_axes_and_no_names(twice: Run) -> None:
-    axes = path_figure(
-        run(Source("a.mnt", TWICE + "MOVER(2) = 7 : GO(2)\n"), cache=False), (0, 1, 2), Window()
-    ).axes[0]
+    axes = path_figure(run(Source("a.mnt", TWICE + "MOVER(2) = 7 : GO(2)\n")), (0, 1, 2), Window()).axes[0]
     assert axes.name == "3d"
     assert axes.get_zlabel() == "axis 2 (uu)"  # type: ignore[attr-defined]
     assert labels(axes) == []

@@ -194,5 +194,5 @@ def test_a_path_is_drawn_in_the_colour_of_its_speed(tmp_path: Path, axes: tuple[
 @pytest.mark.usefixtures("texts")
 def test_a_velocity_jump_is_marked(tmp_path: Path, of_pick: list[str]) -> None:
     jumping = Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\nWAIT(500)\n")
-    assert any("velocity jump" in text for text in drawn(run(jumping, cache=False), tmp_path))
+    assert any("velocity jump" in text for text in drawn(run(jumping), tmp_path))
     assert not any("velocity jump" in text for text in of_pick)

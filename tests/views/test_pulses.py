@@ -48,7 +48,7 @@ BARS = {"out1": 10, "out2": 5 + 1 + 10}
 
 @cache
 def pulses() -> Run:
-    return run(Source("pulses.mnt", PULSES), cache=False)
+    return run(Source("pulses.mnt", PULSES))
 
 
 SPANS: dict[str, tuple[list[Span], list[Span]]] = {

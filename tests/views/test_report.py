@@ -160,7 +160,7 @@ CUT = "MOVER(0) = 1 : GO(0)\nMOVER(0) = 2 : MOVER(0) = 3 : CANCEL(0)\nWAIT = 5\n
 
 def test_a_report_has_dropped_moves_and_events() -> None:
     """CANCEL comes 30 µs after GO: at 100 000 uu/s² the axis has 3 uu/s then."""
-    report = build(run(Source("a.mnt", CUT), cache=False))
+    report = build(run(Source("a.mnt", CUT)))
     assert report["dropped"] == [{"axis": 0, "command": "MOVER", "line": 2, "reason": "cancel"}] * 2
     peak = {"time": pytest.approx(4e-5), "axis": 0, "value": pytest.approx(3.0), "line": 2, "commanded_by": 1}
     assert report["events"] == [
@@ -170,13 +170,13 @@ def test_a_report_has_dropped_moves_and_events() -> None:
 
 
 def test_an_empty_list_is_one_line() -> None:
-    document = text(run(Source("a.mnt", "PRINT 1\n"), cache=False))
+    document = text(run(Source("a.mnt", "PRINT 1\n")))
     assert '"output": ["1"],\n "moves": [],\n "events": [],\n "axes": [],\n' in document
 
 
 def test_an_event_has_the_line_of_its_offset() -> None:
     """The second PRINT is behind a line of 8 characters."""
-    result = run(Source("a.mnt", "PRINT 1\nPRINT 2\n"), cache=False)
+    result = run(Source("a.mnt", "PRINT 1\nPRINT 2\n"))
     for at in (0, 8, -1):
         result.machine.log.events.add((0.5, "wait", None, None, None, at, 0, ""))
     result.machine.log.events.add((0.5, "wait", 0, 0.0, 0.0, 8, 2, "why"))
@@ -186,7 +186,7 @@ def test_an_event_has_the_line_of_its_offset() -> None:
 
 
 @pytest.mark.parametrize("at_once", [1, 3, 7, 1000])
-@pytest.mark.parametrize("make", [lambda: shift(7), lambda: run(Source("a.mnt", CUT), cache=False)])
+@pytest.mark.parametrize("make", [lambda: shift(7), lambda: run(Source("a.mnt", CUT))])
 def test_a_document_is_the_same_in_any_chunks(
     make: Callable[[], Run], at_once: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -218,7 +218,7 @@ End
 
 
 def test_lines_of_similar_moves_are_those_of_each() -> None:
-    result = run(Source("a.mnt", SIMILAR_MOVES), cache=False, until=30.0)
+    result = run(Source("a.mnt", SIMILAR_MOVES), until=30.0)
     lines = [json.dumps(row) for row in build(result)["moves"]]
     assert len(lines) > 12
     written = text(result)
@@ -232,7 +232,7 @@ MOTOR = "SERVOC(0) = 1\n"
 
 @pytest.mark.parametrize("in_full", [0, 3, 1000])
 def test_a_brief_row_is_a_subset_of_the_full_one(in_full: int) -> None:
-    result = run(Source("a.mnt", SIMILAR_MOVES), cache=False, until=30.0)
+    result = run(Source("a.mnt", SIMILAR_MOVES), until=30.0)
     whole, brief = list(moves(result)), list(moves(result, in_full))
     assert [len(row) == 6 for row in brief] == [number >= in_full for number in range(len(whole))]
     assert all(row.items() >= short.items() for row, short in zip(whole, brief, strict=True))
@@ -240,7 +240,7 @@ def test_a_brief_row_is_a_subset_of_the_full_one(in_full: int) -> None:
 
 def test_rows_of_moves_of_a_motor_are_whole() -> None:
     text = "SCALEFACTOR(0, 1) = 100, 100\nMOVER(0, 1) = 5, 7 : GO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nEnd"
-    result = run(Source("a.mnt", text), machine={"axis.0.plant.load_inertia": 4e-5}, cache=False)
+    result = run(Source("a.mnt", text), machine={"axis.0.plant.load_inertia": 4e-5})
     of_motor, other = moves(result, 0)
     assert (of_motor, "motor" in of_motor) == (next(moves(result)), True)
     assert set(other) == {"axis", "command", "line", "duration", "distance", "peak_speed"}

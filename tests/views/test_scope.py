@@ -162,7 +162,7 @@ def test_a_servo_is_in_it() -> None:
 
 
 def test_the_program_s_lines_come_with_their_moves_and_end_no_script() -> None:
-    text = page(run(Source("<b>.mnt", PROGRAM), dialect="mint", cache=False))
+    text = page(run(Source("<b>.mnt", PROGRAM), dialect="mint"))
     assert data_of(text)["source"]["2"] == "MOVER(0) = 100 ' </script><script>alert(1)"
     assert text.count("</script>") == 2
     assert "<title>&lt;b>.mnt</title>" in text

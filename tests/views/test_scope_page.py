@@ -56,7 +56,7 @@ def browser(started: Browser, folder: Path) -> Iterator[Browser]:
     """
     path = folder / "two.html"
     if not path.exists():
-        write_scope(run(Source("two.mnt", TWO_AXES), dialect="mint", cache=False), str(path))
+        write_scope(run(Source("two.mnt", TWO_AXES), dialect="mint"), str(path))
     started.open(path)
     started.requests(), started.complaints()
     started.open(path)
@@ -213,7 +213,7 @@ def test_the_window_can_be_taken_away(browser: Browser, folder: Path, kind: str)
 
 def test_events_are_a_lane_and_a_list(started: Browser, folder: Path) -> None:
     text = "SPEED(0) = 50\nJOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n"
-    write_scope(run(Source("jump.mnt", text), dialect="mint", cache=False), str(folder / "jump.html"))
+    write_scope(run(Source("jump.mnt", text), dialect="mint"), str(folder / "jump.html"))
     started.open(folder / "jump.html")
     assert started.js("document.querySelectorAll('#scope .event').length") >= 1
     rows = [
@@ -226,8 +226,8 @@ def test_events_are_a_lane_and_a_list(started: Browser, folder: Path) -> None:
 
 
 def test_a_second_run_lies_behind_the_first(started: Browser, folder: Path) -> None:
-    slower = run(Source("slow.mnt", TWO_AXES.replace("= 50;", "= 40;")), dialect="mint", cache=False)
-    made = run(Source("two.mnt", TWO_AXES), dialect="mint", cache=False)
+    slower = run(Source("slow.mnt", TWO_AXES.replace("= 50;", "= 40;")), dialect="mint")
+    made = run(Source("two.mnt", TWO_AXES), dialect="mint")
     (folder / "both.html").write_text(page(made, against=slower), encoding="utf-8")
     started.open(folder / "both.html")
     assert "against slow.mnt" in started.find("#against").text

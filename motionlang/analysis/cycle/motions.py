@@ -13,7 +13,7 @@ from motionlang.planners.ramps import named_ramps
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
     from motionlang.controller.move import Move
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
 OTHER = "in motion"
 MOVING = (*PHASES.values(), OTHER)
-# Of a plain move as stored: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
+# Of a row: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
 _AXIS, _BEGIN, _DURATION, _ENTRY, _LINE = map(itemgetter, (0, 1, 4, 9, 3))
 
 
@@ -39,18 +39,15 @@ class Motions:
     """Every motion of a run, in columns, by its end (at most the end of the run).
 
     A shift has tens of thousands of motions. `ends` are in order of time. `order[n]` is the number of the
-    n-th motion to end; `begins`, `lines` and `rows` are indexed by that number. A fast-path move is read as
-    stored in the log, any other move is converted to an equal tuple.
+    n-th motion to end; `begins`, `lines` and `rows` are indexed by that number. A row has the
+    required fields of a move.
     """
 
     def __init__(self, run: Run) -> None:
         over = run.time
         self.alone: dict[int, tuple[int, ...]] = {axis: (axis,) for axis in run.controller.axes}
-        log: Iterable[Any] = run.controller.log.moves.as_stored()
         self.rows: list[tuple[Any, ...]] = [
-            row if row.__class__ is tuple else _stored_row(row)
-            for row in log
-            if row.__class__ is tuple or row.profile is not None
+            _row_of(move) for move in run.controller.log.moves if move.profile is not None
         ]
         self.begins: list[float] = list(map(_BEGIN, self.rows))
         ends: list[float] = list(map(add, self.begins, map(_DURATION, self.rows)))
@@ -220,8 +217,8 @@ def _cuts(begins: list[float]) -> Sequence[int]:
     return [0, *compress(range(1, len(begins)), map(ne, begins, islice(begins, 1, None))), len(begins)]
 
 
-def _stored_row(move: Move) -> tuple[Any, ...]:
-    """Return the required fields of a move in the form of a stored fast-path move."""
+def _row_of(move: Move) -> tuple[Any, ...]:
+    """Return the required fields of a move."""
     profile = move.profile
     assert profile is not None
     shape = profile._recipe if profile.pieced and len(profile._recipe) > 2 else profile

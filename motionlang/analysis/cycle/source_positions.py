@@ -25,9 +25,8 @@ class SourcePositions:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        # From the compiled program, which has already been parsed, or parsed again.
-        outline = None if run.program is None else run.program.outline
-        self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
+        self._blocks = run.dialect.blocks(run.source)
+        self._lines: dict[int, int] = {}
         self._called: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}
         self._at_lines: dict[int, SourcePosition] = {}
         self._known: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}

@@ -335,9 +335,7 @@ def guessed(
     guesses.guard(reads)
     compiled: Program | None = None
     for _ in range(MAX_ROUNDS):
-        result = run(
-            source, dialect=language, machine=guesses.settings(until), cache=False, compiled=compiled
-        )
+        result = run(source, dialect=language, machine=guesses.settings(until), compiled=compiled)
         if result.status == "fault" and not result.machine.scheduler:
             break
         if result.status == "interrupted":

@@ -9,7 +9,7 @@ from hashlib import sha256
 
 from motionlang.analysis.quantities import quantity
 from motionlang.errors import Diagnostic, ProgramError, missing
-from motionlang.execution import accelerators, run
+from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.lang.literals import Literal, bound, edited, has_address, literals
 from motionlang.source import Source
@@ -156,7 +156,6 @@ class Worker:
             machine=settings,
             until=self.job.until,
             overrides=overrides,
-            cache=False,
             keep_crash=True,
             prove=self.job.prove,
             compiled=compiled,
@@ -179,9 +178,7 @@ class Worker:
         if found is None:
             if len(self._programs) >= MAX_PROGRAMS:
                 self._programs.clear()
-            found = self._programs[key] = self._dialect.compile_given(
-                source, settings, overrides, accelerators().ranges
-            )
+            found = self._programs[key] = self._dialect.compile_given(source, settings, overrides)
         return found
 
     @staticmethod

@@ -6,6 +6,8 @@ become counts with the scale that the program sets, and are converted again when
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.io.encoder import AUXILIARY
@@ -128,7 +130,7 @@ class World:
         start = f"axis.{axis}.servo."
         servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
         a, bit = self._controller.axes[axis], FOLLOWING_ERROR
-        a.feedback = Feedback(a, self._controller.clock, plant, servo, self._controller.accelerators.servo)
+        a.feedback = Feedback(a, self._controller.clock, plant, servo)
         a.feedback.tripped = lambda: self._controller.fault(axis, bit, self.actions.get((axis, bit), "off"))
 
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
@@ -189,18 +191,16 @@ class World:
         """
         channel, value = int(_number(entry, "channel")), entry.get("value", 1)
         every, length, first = _number(entry, "every"), _number(entry, "for"), _number(entry, "at", 0.0)
-        inputs, count = self._controller.inputs, 0
+        inputs = self._controller.inputs
         self.driven.add(channel)
         begin = self._controller.clock.now + first
 
-        def rise() -> None:
-            nonlocal count
+        def rise(count: int) -> None:
             inputs[channel] = value  # type: ignore[assignment]
             self._at(begin + count * every + length, lambda: inputs.__setitem__(channel, 0))
-            count += 1
-            self._at(begin + count * every, rise)
+            self._at(begin + (count + 1) * every, partial(rise, count + 1))
 
-        self._at(begin, rise)
+        self._at(begin, partial(rise, 0))
 
     def _wire_output(self, entry: Entry) -> None:
         """Wire an `[[input]]` that follows an output after a delay.

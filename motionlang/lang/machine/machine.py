@@ -5,7 +5,6 @@ The machine file describes the world.
 
 from __future__ import annotations
 
-from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.clock import Clock, WatchedClock
 from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
@@ -50,10 +49,8 @@ class Machine:
         first_axis: int = 0,
         show: Callable[[str], object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
-        accelerators: Accelerators = NO_ACCELERATORS,
         hook: Hook | None = None,
     ) -> None:
-        self.accelerators = accelerators
         self.settings = dict(settings or {})
         get = self.settings.get
         # Called before statements of a debug build.
@@ -126,9 +123,7 @@ class Machine:
         if self._controller is None:
             from motionlang.controller.controller import Controller
 
-            self._controller = Controller(
-                self._axes, self._first_axis, self.clock, self.log, self.accelerators
-            )
+            self._controller = Controller(self._axes, self._first_axis, self.clock, self.log)
             self._world = _world(self._controller, self.settings)
             for call in self._power_up:
                 call(self._controller)

@@ -19,13 +19,18 @@ from typing import Any
 import lark
 from lark import Lark, Token, Transformer
 
-from motionlang.cache import GRAMMARS, path_of
+from motionlang.cache import path_of
 from motionlang.files import replacing
 
 BAD = "BAD"  # the kind of a token that fits no terminal of the language
 SUFFIX = ".table"
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 END = "$END"  # Lark's name for the end of the text
+# The grammars: inside an installed package, or next to it in a checkout.
+_PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+GRAMMARS = os.path.join(_PACKAGE, "grammars")
+if not os.path.isdir(GRAMMARS):
+    GRAMMARS = os.path.join(os.path.dirname(_PACKAGE), "grammars")
 
 
 class Terminals:

@@ -11,6 +11,7 @@ from motionlang.errors import Diagnostic
 from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.loops import Loops
 from motionlang.lang.machine.machine import MAX_DIAGNOSTICS
+from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import AxisState
@@ -81,6 +82,7 @@ class Board:
         self.effects = self.stores = self.rewrites = 0
         self.lacks = of_families(self.model.lacks)
         self.dependencies = Dependencies(self.controller.clock)
+        self.has_slices, self.switched = False, 0
         self.loops = Loops(machine, machine.statements, self)
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}
@@ -300,6 +302,19 @@ class Board:
         """Return counters of all that a loop could wait for."""
         return *self.changes(), self.stores, self.rewrites
 
+    def levels(self) -> tuple[object, ...]:
+        """Return the levels of outputs; a switch counts as an effect instead."""
+        return ()
+
+    def stands_still(self) -> Wait:
+        """Return the wait of a loop that repeats until something else acts."""
+        acted, now = self.acted(), self.controller.clock.now
+        return Wait(now, lambda: self.acted() != acted, lambda: INFINITY, "for its loop to end")
+
+    def end_of_wait(self, base: float, count: float, seconds: float) -> float:
+        """Return when a wait ends that began at statement `count` from `base`."""
+        return base + count * self.machine.statements.cost + seconds
+
     def written(self, line: Line) -> LineSteps:
         """Return the steps of a line on this board."""
         return LineWriter(line, self).steps
@@ -340,8 +355,6 @@ class Board:
             return False
         task.abandon()
         task.end()
-        if self.machine.scheduler is not None:
-            self.machine.scheduler.invalidate_waits()
         return True
 
     def ended(self, task: CommandTask) -> None:

@@ -96,16 +96,17 @@ class CommandTask(StepTask):
     def others_ready(self) -> bool:
         return len(self.board.tasks) > 1 and self.board.is_shared(self)
 
-    def recover(self, error: Exception) -> None:
+    def recover(self, error: BaseException) -> bool:
         """Answer a refused command; go on with the next one, or leave the line and its macros."""
         if self.done:
-            return  # it has ended itself
+            return False  # it has ended itself
         if isinstance(error, Abandoned) or self.refused(error):  # type: ignore[arg-type]
             if not self.calls:
                 self.pc += 1
             self.abandon()
         elif isinstance(self.steps, LineSteps):
             self.pc = self.steps.after(self.pc)
+        return False
 
     def too_deep(self) -> Fault:
         """Return the fault of macros that are nested too deeply."""
@@ -314,11 +315,6 @@ class CommandTask(StepTask):
                 dependencies.note(crossing_time, board, axis, address, level)
 
     # ------------------------------------------------------------------------------------------- for the report
-
-    @property
-    def is_futile(self) -> bool:
-        """True if only an event, or another task, can change its loop, and neither has acted."""
-        return self.futile_since is not None and self.futile_after == self.board.acted()
 
     def watched(self) -> list[str]:
         """Return what a futile loop polls: channels, and other commands that read."""

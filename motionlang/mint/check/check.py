@@ -1,20 +1,54 @@
-"""Check a program: resolve its names, report its mistakes, and annotate its expressions."""
+"""Check a program: resolve its names, report its mistakes, and annotate its expressions.
+
+    x = 3 + POS(0)      x: Float    3: Integer, 3    POS: Float    0: Integer, 0    3 + POS(0): Float
+
+Problem. A program may be wrong in ways that its grammar does not exclude: a text where a number is needed, an axis that
+the controller does not have, an Exit outside a loop. All mistakes are reported at once. What a later stage would have
+to find again, such as the type of an expression, is recorded in the tree.
+
+Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. `VALUES` and
+`STATEMENTS` map each class of node to the function that checks it. A wrong expression is reported where it is found,
+and has a harmless value from then on.
+
+Data. `Program` is what the functions of a program share, `Body` is the function that is being checked. A `Value` is the
+type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and `const`.
+
+Invariants.
+- An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a
+  Define at each of its uses, and each `Link` of a chain. What names a variable, an array or a task is no expression: a
+  variable has the type of its declaration, a task has none.
+- A function that the editor's `Recall` has is not walked. Its findings are reported again, and it is not annotated.
+- Nothing here knows how the program will be run. Every diagnostic of a program that can be parsed comes from here or
+  from name resolution; warnings about programs without errors come from `mint/lint`.
+
+Cost. One visit of each node, without recursion over statements in a row.
+"""
 
 from __future__ import annotations
 
 from motionlang.lang.nesting import StackSpace
+from motionlang.mint.check.body import Body, Program
+from motionlang.mint.check.expressions import VALUES
+from motionlang.mint.check.labels import check_labels
+from motionlang.mint.check.line_triggers import mark
+from motionlang.mint.check.misspellings import warn_of_misspellings
+from motionlang.mint.check.statements import STATEMENTS
 from motionlang.mint.keywords import table
+from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.aliases import rename_old_words
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.resolve.short_ramps import warn_of_short_ramps
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.mint.resolve.recall import Recall
-    from motionlang.mint.resolve.symbols import Scope
+    from motionlang.mint.resolve.symbols import Function, Scope
     from motionlang.mint.syntax.nodes import Module
+
+DEFAULT_AXES = 8
 
 
 class Checked:
@@ -26,30 +60,87 @@ class Checked:
         self.names, self.problems = names, problems
 
 
-def check_module(module: Module, settings: Mapping[str, object], recall: Recall | None = None) -> Checked:
+def check_module(
+    module: Module, settings: Mapping[str, object] | None = None, recall: Recall | None = None
+) -> Checked:
     """Check a program; raise ProgramError with all errors.
 
-    With `recall` the functions that it already has are not checked again, so they have no types.
+    With `recall` the functions that it already has are not checked again, so their expressions have no types.
     """
+    settings = settings or {}
     rename_old_words(module, settings)
-    return _checked(module, settings, Problems(module), None)
+    problems = Problems(module)
+    mark(module, settings, problems)
+    program = _declared(module, settings, problems, None)
+    if recall is None:
+        for function in program.names.functions:
+            _check_function(program, function)
+    else:
+        _recalled(program, recall)
+    warn_of_misspellings(program)
+    warn_of_short_ramps(module, problems)
+    problems.raise_errors()
+    return Checked(program.names, problems)
 
 
 def check_line(
-    module: Module, settings: Mapping[str, object], scope: Scope, of_program: bool = False
+    module: Module, settings: Mapping[str, object] | None, scope: Scope, of_program: bool = False
 ) -> Checked:
     """Check a line typed at a prompt, with the names of `scope`; raise ProgramError with all errors.
 
     With `of_program` it is a whole program, whose lines may trigger faults of the machine file.
     """
+    settings = settings or {}
+    problems = Problems(module)
+    if of_program:
+        mark(module, settings, problems)
     with StackSpace():
-        return _checked(module, settings, Problems(module), scope)
+        program = _declared(module, settings, problems, scope)
+        for function in program.names.functions:
+            _check_function(program, function)
+    problems.raise_errors()
+    return Checked(program.names, problems)
 
 
-def _checked(
+def _declared(
     module: Module, settings: Mapping[str, object], problems: Problems, scope: Scope | None
-) -> Checked:
+) -> Program:
+    """Declare the names of a module and return the data that its functions share."""
     names = Names(table(), problems, scope)
     names.declare_module(module)
-    problems.raise_errors()
-    return Checked(names, problems)
+    axes = settings.get("controller.axes", DEFAULT_AXES)
+    return Program(
+        table(),
+        names,
+        problems,
+        range(axes if isinstance(axes, int) else DEFAULT_AXES),
+        words(settings),
+        VALUES,
+        STATEMENTS,
+    )
+
+
+def _check_function(program: Program, function: Function) -> None:
+    b = Body(program, function)
+    check_labels(b)
+    b.statements(function.body)
+
+
+def _recalled(program: Program, recall: Recall) -> None:
+    """Check the functions that are not recalled; report the problems of all functions."""
+    names, problems = program.names, program.problems
+    interfaces, bank = recall.resolve(names), names.default_bank
+    facts = (
+        program.axes, program.supplied, names.uses_axes, None if bank is None else bank.name, interfaces.types
+    )  # fmt: skip
+    problems.recorder = recall.recorder
+    for function in names.functions:
+        key = recall.key("check", function, facts)
+        known = recall.find(key)
+        if known is not None:
+            recall.repeat(known, function, problems.add)
+            continue
+        recall.recorder.begin()
+        _check_function(program, function)
+        recall.store(key, function)
+    problems.recorder = None

@@ -20,7 +20,6 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Mapping
 
-from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.clock import INFINITY
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.machine.machine import Machine
@@ -60,10 +59,9 @@ class MintConsole:
         settings: Mapping[str, object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
         *,
-        accelerators: Accelerators = NO_ACCELERATORS,
         complain: Callable[[list[Diagnostic], Source], None] = lambda diagnostics, source: None,
     ) -> None:
-        self.machine = Machine(settings, show=self._show, overrides=overrides, accelerators=accelerators)
+        self.machine = Machine(settings, show=self._show, overrides=overrides)
         self.machine.terminal.repeats = True
         self.texts = Texts()
         self.ports: list[MintPort] = []

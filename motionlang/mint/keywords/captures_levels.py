@@ -27,6 +27,13 @@ _KINDS = {
 }
 
 
+class _Side:
+    """The side of its level on which a watched quantity was last."""
+
+    def __init__(self, side: int = 0) -> None:
+        self.side = side
+
+
 def watch(
     environment: Environment, quantity: int, where: int, level: float, absolute: bool, on_edge: EdgeListener
 ) -> Callable[[], None]:
@@ -82,15 +89,14 @@ def _watch_motion(
     if source.period:
         edges = [edges[0] % source.period]
     forward = source.per_unit > 0
-    last: int
+    last = _Side()
 
     def changed(index: int) -> None:
-        nonlocal last
-        before, last = last, index
+        before, last.side = last.side, index
         on_edge(index != 1 if both else (index > before) is forward)
 
     cells = Cells(environment.controller, source.track, edges, changed, source.period, source.physical, view)
-    last = cells.index
+    last.side = cells.index
     return cells.remove
 
 
@@ -105,13 +111,12 @@ def _watch_analogue(
         value = analogue.read(where) if is_input else float(channels[where])
         return (abs(value) if absolute else value) >= level
 
-    above = is_above()
+    last = _Side(is_above())
 
     def changed(channel: int, value: float) -> None:
-        nonlocal above
-        before, above = above, is_above()
-        if channel == where and above is not before:
-            on_edge(above)
+        before, last.side = last.side, is_above()
+        if channel == where and last.side != before:
+            on_edge(bool(last.side))
 
     channels.listen(changed)
     return lambda: channels.listeners.remove(changed)

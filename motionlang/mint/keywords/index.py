@@ -85,8 +85,7 @@ taskpriority taskquantum taskstatus tasksuspend taskresume timerevent eventactiv
 errcode errline errstring errdata errorpresent errorreadnext errorreadcode errorclear errorstring
 """,
     "terminal": """
-terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep (terminal) (question) (answer)
-(printer) (row)
+terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep (terminal) (printer) (row)
 """,
     "camboxes": """
 cambox camboxdata

@@ -24,7 +24,6 @@ def write_bank(environment: Environment, row: Keyword) -> Operation:
     outputs = environment.controller.outputs
 
     def write(bank: int, bits: int) -> bool:
-        environment.switches += 1
         return outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
 
     return write
@@ -43,7 +42,6 @@ def write_bit(environment: Environment, row: Keyword) -> Operation:
     def write(channel: int, value: float) -> bool:
         if not 0 <= channel <= LAST_CHANNEL:
             checked(channel, LAST_CHANNEL, "output")
-        environment.switches += 1
         return set_output(channel, 1 if value != 0 else 0)
 
     return write

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import ByNumber, axis_of, no_axis, on_axes, on_every_axis, scale_of
+from motionlang.mint.runtime.binding import no_axis, on_axes, on_every_axis, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
     from motionlang.mint.runtime.binding import Maker, Operation
     from motionlang.mint.runtime.environment import Environment
 
@@ -37,19 +35,9 @@ def load_move(relative: bool) -> Maker:
                 environment.loaded(axis)
             return False
 
-        load.plain = _plain(environment, relative, name)  # type: ignore[attr-defined]
         return load
 
     return made
-
-
-def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
-    """Return the fast-path loaders of moves, by axis.
-
-    A loader returns False if a move needs the general path.
-    """
-    loader = environment.controller.loader
-    return ByNumber(lambda axis: loader(axis_of(environment, axis), relative, name))
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:

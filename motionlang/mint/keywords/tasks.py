@@ -12,19 +12,19 @@ from motionlang.mint.runtime.events import Events
 def write_priority(environment: Environment, name: str, value: int) -> None:
     """TASKPRIORITY: set the priority of a task, whether it runs yet or not."""
     environment.priorities[name] = value
-    if name in environment.tasks:
-        environment.tasks[name].priority = value
+    if name in environment.by_name:
+        environment.by_name[name].priority = value
 
 
 def write_quantum(environment: Environment, name: str, value: int) -> None:
     """TASKQUANTUM: set the quantum of a task, whether it runs yet or not."""
     environment.quanta[name] = value
-    if name in environment.tasks:
-        environment.tasks[name].set_time_slice()
+    if name in environment.by_name:
+        environment.by_name[name].set_time_slice()
 
 
 def read_status(environment: Environment, name: str) -> int:
-    task = environment.tasks.get(name)
+    task = environment.by_name.get(name)
     return 0 if task is None or task.done else 2 if task.suspended else 1
 
 
@@ -39,13 +39,10 @@ def suspend(environment: Environment, name: str, hold: bool = True) -> None:
 
     A task that suspends itself stops at its next time slice.
     """
-    task = environment.tasks.get(name)
+    task = environment.by_name.get(name)
     if task is None or task.done or task.suspended is hold:
         return
     task.suspended = hold
-    scheduler = environment.machine.scheduler
-    if scheduler is not None:
-        scheduler.invalidate_waits()
     if hold and task is environment.task:
         environment.clock.at(environment.clock.now, lambda: None)  # all tasks check again
     elif hold:

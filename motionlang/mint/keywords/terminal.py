@@ -9,11 +9,9 @@ from __future__ import annotations
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.lang.machine.machine import CONSOLE
-from motionlang.lang.waits import Wait
 from motionlang.mint.runtime.binding import Maker, Operation, of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-from motionlang.mint.runtime.input_values import take, wait_for_answer
 
 # All possible terminals, and the value that stands for those of TERMINAL.
 ALL = 255
@@ -108,12 +106,6 @@ def read_key(environment: Environment, row: Keyword) -> Operation:
     return read
 
 
-def ask(environment: Environment, count: float, number: int) -> Wait:
-    """Return the wait for an answer at a terminal."""
-    environment.acts += 1
-    return wait_for_answer(environment, environment.statements.leave(count), number)
-
-
 def read_held_key(environment: Environment, row: Keyword) -> Operation:
     """READKEY: make an operation that reads the key held down."""
     return environment.machine.operator.held_key
@@ -167,8 +159,6 @@ def _hidden(name: str, help: str, read: Maker) -> Keyword:
 
 HIDDEN = (
     _hidden("(terminal)", "The terminal that INPUT reads from.", of(Terminals, Terminals.one)),
-    _hidden("(question)", "The wait for the answer to an INPUT.", of(Environment, ask)),
-    _hidden("(answer)", "The answer to an INPUT.", of(Environment, take)),
     _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
             of(Terminals, Terminals.write)),
     _hidden("(row)", "Print a text on a row of the screens of TERMINAL.", of(Terminals, Terminals.write_on_row)),

@@ -1,6 +1,6 @@
-"""The Mint linter: warnings about programs that compile but are probably wrong.
+"""The Mint linter: warnings about programs without errors that are probably wrong.
 
-`check` returns the errors of a program. If it compiles, the warnings are added: those of the compiler and those
+`check` returns the errors of a program. If it has none, the warnings are added: those of `mint/check` and those
 of the checks in this package. A comment in the program can silence a warning.
 """
 
@@ -13,8 +13,8 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.collector import CollectorOff
 from motionlang.lang.lint import has_host, silence
 from motionlang.lang.nesting import StackSpace
-from motionlang.mint.compile.compiler import compile_module
-from motionlang.mint.compile.error_recovery import with_other_lines
+from motionlang.mint.check.check import check_module
+from motionlang.mint.check.error_recovery import with_other_lines
 from motionlang.mint.keywords import table
 from motionlang.mint.lint.blends import check_blends
 from motionlang.mint.lint.busy_loops import check_busy_loops
@@ -38,7 +38,7 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 def check(
     source: Source, settings: Mapping[str, object] | None = None, known: Known | None = None
 ) -> list[Diagnostic]:
-    """Return all errors of a program and, if it compiles, all warnings.
+    """Return all errors of a program and, if it has none, all warnings.
 
     `known` is a dict that passes from one check to the next. With it, functions that have not changed are not checked
     again.
@@ -56,13 +56,13 @@ def _check(source: Source, settings: dict[str, object], known: Known | None) -> 
         return with_other_lines(source, settings, error, known).diagnostics
     recall = None if known is None else Recall(module, known)
     try:
-        compiled = compile_module(module, dict(settings), recall=recall)
+        checked = check_module(module, settings, recall)
     except ProgramError as error:
         found = list(error.diagnostics)
     else:
-        found = list(compiled.problems.found.values())
+        found = list(checked.problems.found.values())
         reported = {(each.code, each.line, each.column) for each in found}
-        warnings = lint(module, compiled.names, settings, recall)
+        warnings = lint(module, checked.names, settings, recall)
         found += [each for each in warnings if (each.code, each.line, each.column) not in reported]
         if recall is not None:
             recall.finish()
@@ -85,7 +85,7 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
 def lint(
     module: Module, names: Names, settings: Mapping[str, object], recall: Recall | None = None
 ) -> list[Diagnostic]:
-    """Return the warnings of a program that compiles, in no particular order."""
+    """Return the warnings of a program without errors, in no particular order."""
     facts = Facts(names, table(), has_host(module.source, COMMENT))
     found = Findings(module, None if recall is None else recall.recorder)
     FunctionChecks(facts, settings, module, found, recall).check()

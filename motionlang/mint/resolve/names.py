@@ -25,7 +25,7 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` us
 Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
 dict that links to its enclosing scope: from a sub to its task, if any, and then to the module. A `Function` becomes one
 Python function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`, the
-expression. An unknown name gets none of these; the compiler reports it with a suggestion.
+expression. An unknown name gets none of these; the check reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short

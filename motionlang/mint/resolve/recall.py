@@ -3,7 +3,7 @@
 Problem. An editor checks a program after each pause. One sub has changed, and checking all others again takes
 fifteen times as long as parsing.
 
-Idea. A stage of the check, such as compiling, finds the same in a function if three things are equal: the text
+Idea. A stage, such as `mint/check`, finds the same in a function if three things are equal: the text
 of the function, what its names refer to, and the facts about the program that the stage uses. These three form its
 key. The findings under a key are stored with positions relative to the function, and repeated at its present
 position.

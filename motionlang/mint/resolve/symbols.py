@@ -146,6 +146,12 @@ class Function:
         self.observes = self.loops = self.jumps = self.exits = self.plain = self.counted = self.gosubs = False
         self._graph: Graph | None = None
 
+    def result_named(self, node: nodes.Name) -> Symbol | None:
+        """Return the result so far, if that is what a name means: that of a function, without brackets, in itself."""
+        result = self.result
+        named = result is not None and node.args is None and result.name.lower() == node.name.lower()
+        return result if named else None
+
     @property
     def graph(self) -> Graph:
         """The flow graph, built on first use, when the body is final."""

@@ -1,4 +1,4 @@
-"""The environment of a running Mint program: tasks, waits, and the objects `kN`."""
+"""The environment of a running Mint program: its tasks, variables and waits, and what its keywords share."""
 
 from __future__ import annotations
 
@@ -7,29 +7,27 @@ from math import ceil, floor
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.dependencies import Dependencies
-from motionlang.lang.nesting import MAX_DEPTH
+from motionlang.lang.loops import Loops
+from motionlang.lang.statement_time import UNITS, units
+from motionlang.lang.steps import Steps
 from motionlang.lang.waits import Wait
-from motionlang.mint.runtime.loop_log import looped, thrown
-from motionlang.mint.runtime.operations import Operations
-from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
+from motionlang.mint.runtime.task import MintTask, until_free
 from motionlang.mint.runtime.waits import Waits
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import TypeVar
+    from collections.abc import Callable
+    from typing import Any, TypeVar
 
     from motionlang.controller.controller import Controller
-    from motionlang.lang.keyword import Keyword
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Steps
+    from motionlang.mint.resolve.symbols import Function
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
-    from motionlang.mint.runtime.loop_log import Begun
-    from motionlang.mint.runtime.operations import PutOff
     from motionlang.mint.runtime.power_up import PowerUp
+    from motionlang.mint.steps.places import Places
+    from motionlang.mint.steps.program import ProgramWriter, Unit
 
-    Make = Callable[[], Steps]
     Component = TypeVar("Component")
 
 # Rounding of a time in seconds must not cost a millisecond.
@@ -61,20 +59,20 @@ class Environment(Waits):
     """One program on one machine.
 
     `task` is the running task; each task has its own TIME. `blocks` holds the tasks and event handlers by names such as
-    "task blink" and "event timer". `files` holds the source offsets of the lines, for each unit of generated code.
+    "task blink" and "event timer".
     """
 
-    def __init__(self, machine: Machine) -> None:
+    def __init__(self, machine: Machine, places: Places) -> None:
         self.machine = machine
         self.clock = machine.clock
         self._controller: Controller | None = None
         # The operator's future answers to INPUT; None until the first one.
         self.answers: list[str] | None = None
-        self.files: dict[str, Sequence[int]] = {}
         # Returns the line of a source offset, if the text is available.
         self.line_of: Callable[[int], int] | None = None
-        self.blocks: dict[str, Make] = {}
-        self.tasks: dict[str, MintTask] = {}
+        self.blocks: dict[str, Unit] = {}
+        # The tasks by name, and the handlers that run.
+        self.by_name: dict[str, MintTask] = {}
         # Priorities set for tasks, including tasks that do not run yet.
         self.priorities: dict[str, int] = {}
         self.quanta: dict[str, int] = {}
@@ -86,47 +84,26 @@ class Environment(Waits):
         # Called with the axis after each load into its buffer, if a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
-        # The times of its statements, and the dependencies that its readings record.
+        # Where its variables are, and the steps of its functions.
+        self.places = places
+        self.steps: dict[Function, Steps] = {}
+        # True if the program goes on after an error.
+        self.is_guarded = False
+        # The times of its statements, the dependencies that its readings record, and the rule for its loops.
         self.statements = machine.statements
         self.dependencies = Dependencies(machine.clock)
-        self._waited = machine.log.waits.add
-        self._ends = {}
-        self._rests = None
+        self.has_slices = True
+        self.loops: Loops = Loops(machine, machine.statements, self)
         # The start of the parent task's TIME, which event handlers share.
         self.timer = [self.clock.now]
         # Counts the actions of the program. A polling loop performs none.
         self.acts = 0
-        # Counts the actions among them that did no more than write outputs.
-        self.switches = 0
-        # The number of other actions as the running task was resumed.
-        self.acts_before = 0
-        # The counters of handlers by their events: variables that decide nothing except by comparison with the
-        # constants given. The first flag is true if a loop that may poll uses the variable, too, the second one
-        # if the handler also sets it.
-        self.handler_counters: dict[str, dict[str, tuple[tuple[float, ...], tuple[bool, bool]]]] = {}
-        # The readings that alone decide its course, with their indices and the constants that they are compared with;
-        # None if there may be others.
-        self.outcomes: tuple[tuple[str, int, float | None], ...] | None = None
-        # Counts writes to host memory that are no actions, and writes that changed nothing.
-        self.copies = self.repeats = 0
-        # Counts calls of subs that may wait, made with part of an expression evaluated.
-        self.midways = 0
-        # The values of the variables that functions of the program share.
-        self.variables: Callable[[], list[object]] = list
-        # The number of times that a task has run after another one, the one that ran last, and the clock's
-        # counts then.
-        self.resumed = 0
-        self.ran: MintTask | None = None
-        self.fired = self.leaps = 0
-        # The wait of a WAIT or PAUSE that is more than time that passes.
-        self.wait: Wait
+        # Counts switches of outputs that nothing hears, and changes of the memory that only hosts read.
+        self.switched = self.copies = 0
+        # True if the program reads the memory that hosts read.
+        self.reads_host_memory = False
         # The machine file's power-up values of settings, if it has any.
         self.power_up: PowerUp | None = None
-        # The operation that was put off by the task giving way.
-        self.put_off: PutOff | None = None
-        self.operations = Operations(self)
-        # The cells in which its functions count time, and the function that sets them.
-        self.time_cells, self.set_time = self.operations.cells, self.operations.set_time
         self._components: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -157,26 +134,11 @@ class Environment(Waits):
             found = self._components[kind] = kind(self)  # type: ignore[call-arg]
         return found  # type: ignore[return-value]
 
-    @property
-    def midway(self) -> None:
-        """Count a call within a partly evaluated expression, of a sub that may wait."""
-        self.midways += 1
-
-    def acted(self) -> tuple[int, int]:
-        """Return the counters of what all tasks have done."""
-        return self.acts + self.copies, self.midways
-
-    def state(self, alive: dict[int, object]) -> bytes:
-        """Return the variables that tasks share, as comparable bytes."""
-        from motionlang.mint.runtime.task_state import of_values
-
-        return of_values(self.variables(), alive)
-
     def forget_program(self) -> None:
         """Discard the tasks and handlers of a program that has ended; keep its settings."""
-        for task in self.tasks.values():
+        for task in self.by_name.values():
             task.done = True
-        self.tasks.clear()
+        self.by_name.clear()
         self.blocks.clear()
         self.priorities.clear()
         self.quanta.clear()
@@ -205,87 +167,64 @@ class Environment(Waits):
             self._errors = self.component(Errors)
         return self._errors
 
-    def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
-        """Return the object for each `kN` of the generated code."""
-        self.outcomes = None  # a line typed at a prompt may read anything
-        return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
+    def steps_of(self, function: Function) -> Steps:
+        """Return the steps of a function, which its writer fills."""
+        found = self.steps.get(function)
+        if found is None:
+            found = self.steps[function] = Steps()
+        return found
 
-    def _operation(self, how: str, *details: object) -> object:
-        if how == "loop":
-            from motionlang.mint.runtime.loop_skipping import Site
+    def forget(self, function: Function) -> None:
+        """Discard the steps of a function that never runs again."""
+        self.steps.pop(function, None)
+        self.places.forget(function)
 
-            return Site(self, *details[:5])  # type: ignore[arg-type]
-        if how == "counters":
-            handler, names, levels, facts = details
-            counters = zip(names, zip(levels, facts, strict=True), strict=True)  # type: ignore[call-overload]
-            return self.handler_counters.setdefault(str(handler), dict(counters))
-        if how == "outcomes":
-            (self.outcomes,) = details  # type: ignore[assignment]
-            return None
-        if how == "env":
-            return getattr(self, str(details[0]))
-        if how == "wait":
-            return self.rest_at(*details)  # type: ignore[arg-type]
-        if how == "fn":
-            from motionlang.mint.runtime import functions
+    def take(self, writer: ProgramWriter) -> None:
+        """Take over the tasks and handlers of a program, or of a line typed at a prompt."""
+        self.is_guarded = self.is_guarded or writer.is_guarded
+        self.blocks |= writer.blocks
+        if writer.blocks:
+            from motionlang.mint.runtime.events import listen
 
-            if details[0] == "shown" and self.machine.assumptions:
-                return functions.shown_by(self.machine)
-            return getattr(functions, str(details[0]))
-        if how == "show":
-            from motionlang.mint.runtime import printing
+            listen(self)
 
-            return printing.show_integer if details[0] != "float" else printing.shows_float(self.machine)
-        if how == "using":
-            from motionlang.mint.runtime import formats
+    # ---------------------------------------------------------------------------------- for the rule of loops
 
-            return formats.USING[str(details[0])]
-        from motionlang.mint.runtime import binding
+    @property
+    def tasks(self) -> list[MintTask]:
+        """All tasks that may run, those that wait included: while there is a handler, only that."""
+        scheduler = self.machine.scheduler
+        if scheduler is None:
+            return [self.task]
+        tasks = scheduler.interrupts[-1:] or scheduler.tasks
+        return [each for each in tasks if isinstance(each, MintTask)]
 
-        row = binding.row_of(str(details[0]))
-        repeated = how in ("rewrite", "redo")
-        how = how.removeprefix("re") if repeated else how
-        repeated = repeated and binding.is_repeatable(how, row)
-        if len(details) > 1:
-            return self._on_axes(how, row, details[1], repeated)
-        if how == "copy":
-            return self.operations.copied(binding.bind(self, "write", row))
-        operation = binding.bind(self, how, row)
-        if how == "load":
-            return self.operations.loading(operation, getattr(operation, "plain", None))
-        if repeated and binding.is_reported(how, row):
-            return self.operations.reported(operation)
-        if repeated:
-            return self.operations.repeated(operation, binding.replaced(self, row))
-        return operation if how == "read" else self.operations.timed(operation)
+    @property
+    def shared(self) -> list[Any]:
+        """The variables that the functions of the program share."""
+        return self.places.shared
 
-    def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
-        """Return the operation of a keyword on an axis.
+    def changes(self) -> tuple[int, int]:
+        """Return counters of the actions whose effects cannot be compared, and of events."""
+        return self.acts, self.clock.fired
 
-        If `axis` is `EACH`, return all operations by axis; each is bound when the program first names its axis.
-        """
-        from motionlang.mint.runtime import binding
-        from motionlang.mint.runtime.binding import with_first
+    def acted(self) -> object:
+        """Return counters of all that a loop could wait for."""
+        return self.acts, self.clock.fired, self.switched, self.copies
 
-        if how == "load":
-            load = binding.bind(self, how, row)
-            return self.operations.loading(with_first(load, axis), getattr(load, "plain", None), axis)
-        if isinstance(axis, tuple):
-            do = with_first(binding.bind(self, how, row), axis)
-            return (
-                self.operations.repeated(do, with_first(binding.replaced(self, row), axis))
-                if repeated
-                else self.operations.timed(do)
-            )
-        if how == "read":
-            bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
-        elif repeated:
-            write, replaced = binding.bind_to_axis(self, how, row), binding.replaced_by_axis(self, row)
-            bound = lambda axis: self.operations.repeated(write(axis), replaced(axis))  # noqa: E731
-        else:
-            write = binding.bind_to_axis(self, how, row)
-            bound = lambda axis: self.operations.timed(write(axis))  # noqa: E731
-        return bound(axis) if isinstance(axis, int) else binding.ByNumber(bound)
+    def levels(self) -> tuple[object, ...]:
+        """Return the levels of the outputs that nothing hears."""
+        return self.controller.outputs.values if self.switched else ()
+
+    def stands_still(self) -> None:
+        """Let a loop that repeats until something else acts run on to the end of the run; it must have one."""
+        scheduler = self.machine.scheduler
+        if scheduler is not None and scheduler.until == INFINITY:
+            raise Rejected("never", "the loop polls for something that can no longer happen", "")
+
+    def end_of_wait(self, base: float, count: float, seconds: float) -> float:
+        """Return when a wait ends that began at a statement: a whole number of units, so that waits add up."""
+        return (units(base) + round((count * self.statements.cost + seconds) * UNITS)) / UNITS
 
     # ---------------------------------------------------------------------------------------------- time
 
@@ -335,10 +274,6 @@ class Environment(Waits):
         self.acts += 1
         return self._random()
 
-    def copy(self, record: list[object]) -> list[object]:
-        """Return a copy of a value of a user type, including its arrays and nested values."""
-        return [self.copy(each) if each.__class__ is list else each for each in record]
-
     def wrapped_position(self, axis: int, counts: float) -> float:
         """Return a position in user units, within its wrap, as POS shows it."""
         position, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
@@ -360,39 +295,16 @@ class Environment(Waits):
         """`Dim nv`: set a variable to the value it had in the previous run."""
         self.machine.nonvolatile.restore(name, variable)
 
-    def looped(self, t: float, begun: Begun, at: int, called: tuple[int, ...] = ()) -> None:
-        """Log a loop that has ended at statement `t`, or a sub that was `called`."""
-        looped(self.machine.log, self.statements, self.task, t, begun, at, called)
-
-    def thrown(self, t: float, jump: Exception) -> None:
-        """Log the loops that a jump has left at statement `t`."""
-        thrown(self.machine.log, self.statements, self.task, jump, t)
-
-    # --------------------------------------------------------------------------------------------- waits
-
-    def input(self, t: float) -> Wait:
-        """INPUT: return the wait for the operator's answer."""
-        self.acts += 1
-        from motionlang.mint.runtime.input_values import wait_for_answer
-
-        return wait_for_answer(self, self.statements.leave(t))
-
-    def typed(self, as_text: bool) -> object:
-        """Return the operator's answer."""
-        from motionlang.mint.runtime.input_values import take
-
-        return take(self, as_text)
-
     # ----------------------------------------------------------------------------------------- semaphores
 
-    def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
+    def take_semaphore(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take or release a semaphore; return False while another task holds it."""
         self.acts += 1
         return self.task.take(semaphore, wanted)
 
-    def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
+    def wait_for_semaphore(self, semaphore: list[MintTask | None]) -> Wait:
         """Return the wait until no task holds a semaphore."""
-        return until_free(self.statements.leave(t), semaphore)
+        return until_free(self.clock.now, semaphore)
 
     # ---------------------------------------------------------------------------------------------- axes
 
@@ -433,89 +345,39 @@ class Environment(Waits):
 
     # --------------------------------------------------------------------------------------------- tasks
 
-    def start_task(self, name: str, make: Make) -> None:
+    def start_task(self, name: str, unit: Unit) -> None:
         """`Run`: start a task; no-op if it is running."""
-        task = self.tasks.get(name)
+        task = self.by_name.get(name)
         if task is not None and not task.done:
             return
         scheduler = self.machine.scheduler
         assert scheduler is not None
         self.acts += 1
-        task = self.tasks[name] = MintTask(name, make, self)
-        task.priority = self.priorities.get(name, 0)
+        task = self.by_name[name] = MintTask(name, unit, self)
         scheduler.start(task)
 
     def end_task(self, name: str) -> None:
         """`End name`: end a task."""
-        task = self.tasks.get(name)
+        task = self.by_name.get(name)
         if task is None or task.done:
             return
-        if task is self.task:
-            raise TaskEnd(self.clock.now)
         self.acts += 1
         task.done = True
         scheduler = self.machine.scheduler
-        if scheduler is not None:
+        if task is not self.task and scheduler is not None:
             scheduler.end(task)
 
-    def end_this(self, t: float) -> None:
-        """End the running task."""
-        raise TaskEnd(self.statements.leave(t))
-
-    def end_main(self, t: float) -> None:
+    def end_program(self) -> None:
         """`End`: end the parent task, and with it the program."""
         scheduler = self.machine.scheduler
         if scheduler is not None:
             scheduler.parent.done = True
-        raise TaskEnd(self.statements.leave(t))
 
-    # -------------------------------------------------------------------------------------------- events
-
-    def listen(self) -> None:
-        """Register the handlers of the program."""
-        from motionlang.mint.runtime.events import listen
-
-        listen(self)
-
-    @property
-    def Jump(self) -> type[Exception]:  # noqa: N802 - a name of generated code
-        """The exception with which a Goto leaves loops."""
-        return Jump
-
-    @property
-    def TROUBLE(self) -> tuple[type[Exception], ...]:  # noqa: N802 - a name of generated code
-        """The exceptions that a guarded statement may raise."""
-        from motionlang.mint.runtime.errors import TROUBLE
-
-        return TROUBLE
-
-    @property
-    def stack(self) -> tuple[object, ...]:
-        """The stack depth of a task as nested tuples, one for each call that it allows.
-
-        A call passes on the inner tuple, which is faster than counting down a number.
-        """
-        depth: tuple[object, ...] = ()
-        for _ in range(MAX_DEPTH + 1):
-            depth = (depth,)
-        return depth
-
-    def too_deep(self) -> tuple[object, ...]:
-        """Raise Rejected for a call that exceeds the stack depth."""
-        words = f"calls are nested more than {MAX_DEPTH} deep"
-        raise Rejected("recursion", words, "a sub, a function or a Gosub calls itself endlessly")
-
-    def failed(self, trouble: Exception, t: float, line: int) -> float:
-        """Handle the failure of a guarded statement.
-
-        Returns the statement at which the program continues.
-        """
+    def failed(self, trouble: BaseException, line: int) -> None:
+        """Handle the failure of a guarded statement; the program goes on after it, one statement later."""
         self.acts += 1
         self.errors.failed(trouble, line)
-        if self.clock.now > self.statements.at(t):
-            t = self.statements.start(self.clock.now)
-        return t + 1.0
-
-
-class Jump(Exception):
-    """A Goto out of loops."""
+        statements = self.statements
+        if self.clock.now > statements.at(statements.count):
+            statements.count = statements.start(self.clock.now)
+        statements.count += 1.0

@@ -16,7 +16,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.clock import Event as ClockEvent
     from motionlang.lang.waits import Wait
-    from motionlang.mint.runtime.environment import Environment, Make
+    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.steps.program import Unit
 
 
 # The maximum number of handlers in a row, each raised by a statement of a handler before it, until a task
@@ -47,17 +48,17 @@ class Events:
         self._raised_here: set[tuple[int, int]] = set()
         self._rounds = self._in_row = 0
         self._row_began = 0.0
-        self._handlers: dict[tuple[str, int], Make] = {}
+        self._handlers: dict[tuple[str, int], Unit] = {}
 
-    def handle(self, kind: str, number: int, make: Make) -> None:
-        """Register `make` as the handler of an event; number -1 means all of its kind."""
-        self._handlers[kind, number] = make
+    def handle(self, kind: str, number: int, unit: Unit) -> None:
+        """Register `unit` as the handler of an event; number -1 means all of its kind."""
+        self._handlers[kind, number] = unit
 
     def handles(self, kind: str, number: int = 0) -> bool:
         """True if the program has a handler for an event."""
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
 
-    def handler(self, kind: str, number: int = 0) -> Make:
+    def handler(self, kind: str, number: int = 0) -> Unit:
         """Return the handler of an event; there must be one."""
         return self._handlers.get((kind, number)) or self._handlers[kind, -1]
 
@@ -107,10 +108,10 @@ class Events:
                 self._rounds += 1
             if rank == 0:
                 self.environment.errors.call()
-            make = self.handler(KINDS[rank], number)
+            unit = self.handler(KINDS[rank], number)
             scheduler = self.environment.machine.scheduler
             assert scheduler is not None
-            scheduler.interrupt(EventTask(KINDS[rank], make, self.environment))
+            scheduler.interrupt(EventTask(KINDS[rank], unit, self.environment))
             return
 
     def done(self) -> None:
@@ -159,8 +160,6 @@ class Events:
             self.started = clock.now
             self.ticks = 0 if machine.assumptions.get("mint.timerevent") == "at once" else 1
             self.tick_event = clock.at(self.tick_time(self.ticks), self._tick)
-            if machine.scheduler is not None:
-                machine.scheduler.timer_set(self)
 
     def tick_time(self, number: int) -> float:
         """Return the time of a tick by multiplication, so rounding does not accumulate."""
@@ -191,10 +190,8 @@ def _never_ends(entry: tuple[int, int]) -> Rejected:
 class EventTask(MintTask):
     """A task that runs an active handler."""
 
-    __slots__ = ()
-
-    def __init__(self, name: str, make: Make, environment: Environment) -> None:
-        super().__init__(name, make, environment)
+    def __init__(self, name: str, unit: Unit, environment: Environment) -> None:
+        super().__init__(name, unit, environment)
         self.timer = environment.timer
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
@@ -208,11 +205,11 @@ def listen(environment: Environment) -> None:
     """Register the handlers of a program, and subscribe to their events."""
     events = environment.events
     kinds: set[str] = set()
-    for key, make in environment.blocks.items():
+    for key, unit in environment.blocks.items():
         what, _, name = key.partition(" ")
         found = kind_and_number(name) if what == "event" else None
         if found is not None:
-            events.handle(*found, make)
+            events.handle(*found, unit)
             kinds.add(found[0])
     controller = environment.controller
     kinds -= events.listening

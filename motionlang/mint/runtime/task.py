@@ -1,212 +1,116 @@
-"""A task of a Mint program: a generator with default axes, TIME and suspension."""
+"""A task of a Mint program: steps with default axes, TIME and suspension."""
 
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import MIN_STATEMENTS, GeneratorTask
+from motionlang.lang.nesting import MAX_DEPTH
+from motionlang.lang.step_task import StepTask
 from motionlang.lang.waits import Wait
-from motionlang.mint.runtime.loop_log import open_loops
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+from motionlang.mint.syntax.unparse import shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from types import FrameType
-    from typing import Any
+    from motionlang.lang.loops import Loops
+    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.steps.program import Unit
 
-    from motionlang.lang.dependencies import Note
-    from motionlang.lang.waits import Delay
-    from motionlang.mint.runtime.environment import Environment, Make
-    from motionlang.mint.runtime.loop_log import Open
-    from motionlang.mint.runtime.operations import PutOff
-    from motionlang.mint.runtime.waits import Waits
-
-
-class TaskEnd(Exception):
-    """Raised to end the running task."""
-
-    def __init__(self, time: float) -> None:
-        super().__init__()
-        self.time = time
-
-
+# A note names so many readings of a loop.
+MAX_NAMED = 3
 # The name of the parent task. No other task has it, because names of tasks are stored in lower case.
 PARENT = "ParentTask"
 
 
-class MintTask(GeneratorTask):
+class MintTask(StepTask):
     """A task of a Mint program; `timer` holds the start time of its TIME."""
 
-    __slots__ = (
-        "_acts",
-        "_count",
-        "_put_off",
-        "axes",
-        "delay",
-        "environment",
-        "frame",
-        "futile",
-        "notes",
-        "suspended",
-        "suspended_wait",
-        "timer",
-    )
+    max_depth = MAX_DEPTH - 1
 
-    def __init__(self, name: str, make: Make, environment: Environment) -> None:
-        file = make.__code__.co_filename
-        super().__init__(name, make, file, environment.files[file])  # type: ignore[arg-type]
-        self.environment = environment
-        # Its innermost code when no sub is called.
-        self.frame: FrameType | None = None
-        # The wait of its WAIT statements; one at a time is active.
-        self.delay: Delay | None = None
+    def __init__(self, name: str, unit: Unit, environment: Environment) -> None:
+        values = environment.places.new_values(unit.function)
+        loops: Loops = environment.loops
+        super().__init__(name, unit.steps, values, loops)
+        self.pc, self.environment, self.unit = unit.entry, environment, unit
+        self.at_statement = unit.steps[unit.entry].at
+        self.hook = environment.machine.hook
         self.timer = [environment.clock.now]
         self.axes: tuple[int, ...] = (0,)
-        # Its recent readings that change by themselves, while dependencies are recorded.
-        self.notes: list[Note] | None = None
-        # The number of actions at its last check, if only another action could change what it polls.
-        self.futile: int | None = None
         self.suspended = False
         self.suspended_wait: Wait | None = None
-        # The operation that it put off when it gave way, carried out when it resumes.
-        self._put_off: PutOff | None = None
-        self._acts = False  # True while that operation is carried out
-        self._count = environment.time_cells[0]
+        self.priority = environment.priorities.get(name, 0)
+        self._is_running = False
+        if environment.is_guarded:
+            from motionlang.mint.runtime.errors import TROUBLE
+
+            self.recovers = TROUBLE
         self.set_time_slice()
 
     @property
-    def polls_in_vain(self) -> bool:
-        """True if it polls, and only another task or an event can change what it reads."""
-        environment = self.environment
-        return environment.acts == self.futile and environment.fired == environment.clock.fired
+    def at(self) -> int:
+        """The position of its statement; of the call of a sub that was typed in an earlier line at a prompt."""
+        origin = self.unit.steps.origin
+        if self.steps.origin is origin:
+            return max(self.at_statement, 0)
+        calls = (call for call in reversed(self.calls) if call.steps.origin is origin)
+        return next((call.steps[call.pc - 1].at for call in calls), 0)
+
+    @property
+    def polled(self) -> str:
+        """The first few readings in its loop, joined by "and"."""
+        steps, _, last = self.last_loop
+        node = steps.loops.get(last)
+        return "" if node is None else readings(node)
+
+    def context(self) -> object:
+        callers = tuple([(id(call.steps), call.pc, *map(_known, call.values)) for call in self.calls])
+        return self.axes, self.suspended, callers
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Resume like any task, and detect whether others ran in the meantime."""
-        environment, generator = self.environment, self._generator
-        environment.task = self
-        clock, dependencies, statements = environment.clock, environment.dependencies, environment.statements
-        if environment.fired != clock.fired:  # as in `noticed`
-            environment.fired = clock.fired
-            environment.acts += 1
-            self.poll_check = None
-        if environment.ran is not self or environment.leaps != clock.leaps:
-            environment.resumed += 1
-            environment.leaps = clock.leaps
-        acts = environment.acts
-        environment.acts_before = acts - environment.switches
-        notes = self.notes
-        dependencies.notes = [] if notes is None and dependencies.read is not None else notes
-        self.busy = 0.0
-        reached = statements.go_on(now, horizon)
-        environment.set_time(reached)
-        out: Any
+        """Run until `horizon`, as the task of the environment."""
+        self.environment.task = self
+        self._is_running = True
         try:
-            if self._put_off is not None:
-                out = self._carry_out(*reached)
-            elif generator is not None:
-                out = generator.send(reached)
-            else:
-                self._generator = generator = self._make()  # type: ignore[call-arg]
-                self.frame = generator.gi_frame  # type: ignore[attr-defined]
-                out = next(generator)
-        except StopIteration:
-            self.done = True
-            time, wait = statements.leave(self._count.cell_contents), None
-        except TaskEnd as end:
-            self.done = True
-            for at, since, callers in self.loops_of(end, "lr")[::-1]:
-                environment.machine.log.loops.add((self.name, at, since, end.time, callers))
-            return end.time, None
-        except Rejected as rejected:
-            from motionlang.mint.runtime.errors import with_number
-
-            with_number(rejected)
-            raise
-        else:
-            kind = out.__class__
-            if out is None:
-                count, put_off = self._count.cell_contents, environment.put_off
-                if put_off is None:
-                    time, wait = statements.leave(count), None
-                else:
-                    self._put_off, environment.put_off = put_off, None
-                    _, _, full = put_off
-                    wait = None if full is None else environment.space_wait(count, full)
-                    time = statements.leave(count)
-            elif kind is float:
-                time, wait = statements.leave(out), None
-            elif kind is tuple:
-                count, busy = out
-                time, wait, self.busy = statements.leave(count), None, busy * statements.cost
-            else:
-                time, wait = out.since, out
-        self.notes = dependencies.notes
-        environment.ran = self
-        if environment.acts != acts:  # it has acted, unless that was before its last check
-            self.poll_check = None
+            time, wait = super().resume(now, horizon)
+        finally:
+            self._is_running = False
         if self.suspended:
             self.suspended_wait, wait = wait, self.never()
         return time, wait
 
-    def _carry_out(self, count: float, horizon: float) -> object:
-        """Carry out the operation that was put off, then continue.
-
-        A failure is raised at its statement. If a move still finds no space, it is put off again.
-        """
-        environment, generator = self.environment, self._generator
-        assert self._put_off is not None
-        assert generator is not None
-        (operation, arguments, _), self._put_off = self._put_off, None
-        if horizon <= count:  # everything due now has had its chance
-            environment.set_time((count, count + 0.5))
-        self._acts = True
-        try:
-            if operation(0.0, *arguments):
-                return None
-        except Exception as error:
-            return generator.throw(error)
-        finally:
-            self._acts = False
-        return generator.send((count, environment.time_cells[1].cell_contents))
-
-    @property
-    def shared(self) -> Environment:
-        return self.environment
-
-    def state(self, alive: dict[int, object], since: float = -INFINITY) -> bytes | None:
-        """Return the state that decides its future, as `Task.state`."""
-        from motionlang.mint.runtime.task_state import of_task
-
-        base, cost = self.environment.statements.base, self.environment.statements.cost
-        count = self.environment.statements.count
-
-        def is_old(began: tuple[float, float]) -> bool:
-            is_logged = began[1] != base or count - began[0] > MIN_STATEMENTS
-            return is_logged and began[1] + began[0] * cost <= since
-
-        return of_task(self._generator, self._put_off, alive, is_old)
-
     @property
     def running(self) -> bool:
-        return self._acts or super().running
+        return self._is_running
 
-    @property
-    def loops(self) -> list[Open]:
-        frames, inner = [], self._generator
-        while (frame := getattr(inner, "gi_frame", None)) is not None:
-            frames.append((frame, frame.f_lineno))
-            inner = getattr(inner, "gi_yieldfrom", None)
-        return open_loops(frames, self._file, self._offsets, self.environment.statements)
+    def _passes(self, wait: Wait) -> bool:
+        # Errors that occur meanwhile belong to no waiting statement.
+        return not self.environment.has_errors and super()._passes(wait)
 
-    def loops_of(self, error: Exception, kinds: str = "l") -> list[Open]:
-        """Return the loops in the frames that an exception came through, outermost first.
+    def failed(self, error: BaseException, pc: int, t: float) -> None:
+        """Record the failure of a statement; raise it again if the program does not handle it."""
+        self.at_statement = self.steps[pc].at if pc < len(self.steps) else self.at_statement
+        self.pc, self.time.count = pc, t
+        if isinstance(error, self.recovers) and pc in self.steps.behind:
+            return
+        if isinstance(error, Rejected):
+            from motionlang.mint.runtime.errors import with_number
 
-        For `kinds` see `open_loops`.
-        """
-        frames, traceback = [], error.__traceback__
-        while traceback is not None:
-            frames.append((traceback.tb_frame, traceback.tb_lineno))
-            traceback = traceback.tb_next
-        return open_loops(frames, self._file, self._offsets, self.environment.statements, kinds)
+            with_number(error)
+        raise error
+
+    def recover(self, error: BaseException) -> bool:
+        """Go on after the statement that has failed; ONERROR runs before that."""
+        environment = self.environment
+        line_of = environment.line_of
+        self.pc = self.steps.behind[self.pc]
+        environment.failed(error, 0 if line_of is None else line_of(self.at_statement))
+        return True
+
+    def too_deep(self) -> Rejected:
+        """Return the error of calls that are nested too deeply."""
+        words = f"calls are nested more than {MAX_DEPTH} deep"
+        return Rejected("recursion", words, "a sub, a function or a Gosub calls itself endlessly")
 
     def set_time_slice(self) -> None:
         """Apply TASKQUANTUM, reduced by half a statement.
@@ -217,12 +121,6 @@ class MintTask(GeneratorTask):
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
             self.max_slice = (quantum - 0.5) * environment.machine.instruction_time
-
-    def noticed(self, environment: Waits) -> None:
-        """Record that events have fired, so anything the program polled may have changed."""
-        environment.fired = environment.clock.fired
-        environment.acts += 1
-        self.poll_check = None
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take or release a semaphore; return False while another task holds it."""
@@ -238,13 +136,29 @@ class MintTask(GeneratorTask):
         return True
 
     def time_at_error(self, error: BaseException) -> float:
-        reached = super().time_at_error(error)
-        return self.environment.statements.at(reached) if reached else 0.0
+        return self.now
 
     def never(self) -> Wait:
         """Return the endless wait of a suspended task."""
         now = self.environment.clock.now
         return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})", "task")
+
+
+def readings(loop: nodes.Node) -> str:
+    """Return the first few readings in a loop, as its author would write them."""
+    written = {id(each.target) for each in walk([loop]) if isinstance(each, nodes.Assign)}
+    found = [
+        shown(each)
+        for each in sorted(walk([loop]), key=lambda each: each.start)
+        if isinstance(each, nodes.Name) and each.row is not None and id(each) not in written
+        and each.row.kind in ("reading", "setting") and each.row.verb != "wait"
+    ]  # fmt: skip
+    return " and ".join([*dict.fromkeys(found)][:MAX_NAMED])
+
+
+def _known(content: object) -> object:
+    """Return a number or a text, and what tells another content from all others that exist."""
+    return content if isinstance(content, (int, float, str)) else id(content)
 
 
 def until_free(since: float, semaphore: list[MintTask | None]) -> Wait:
@@ -256,6 +170,3 @@ def until_free(since: float, semaphore: list[MintTask | None]) -> Wait:
         "for a semaphore",
         "task",
     )
-
-
-MintTask.resumes = MintTask.resume.__code__

@@ -559,7 +559,7 @@ class Builder(Transformer[lark.Token, Module]):
     def more_values(self, variables: list[Variable], _comma: object, value: Expr) -> list[Variable]:
         """Handle a `,` after an initial value: extend an array or begin a variable.
 
-        A second value for a simple variable is stored with it. The compiler counts the values and reports the error.
+        A second value for a simple variable is stored with it. The check counts the values and reports the error.
         """
         last = variables[-1]
         if isinstance(value, Name) and not last.dimensions and not value.axes:

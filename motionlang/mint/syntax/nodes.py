@@ -1,10 +1,10 @@
-"""The abstract syntax of Mint, which the parser builds and the compiler reads.
+"""The abstract syntax of Mint, which the parser builds and the later stages read.
 
 Every node extends from the character at `start` to the one before `end` of the text, and so does every name, which is
 a `Word`. `Module.line(start)` and `Module.column(start)` turn an offset into a position.
 
 The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `Assign` to a `Name`, and `GO(0)` is a
-`Call` of a `Name`. The compiler finds their meaning in the keyword table.
+`Call` of a `Name`. Name resolution finds their meaning in the keyword table.
 """
 
 from __future__ import annotations

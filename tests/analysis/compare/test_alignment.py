@@ -52,7 +52,7 @@ X = Mapped("position.0", "x", None)
 
 @cache
 def simulated() -> Run:
-    return run(Source("stroke.mnt", PROGRAM), cache=False)
+    return run(Source("stroke.mnt", PROGRAM))
 
 
 def travelled(t: Array) -> Array:

@@ -36,7 +36,7 @@ X = Mapped("position.0", "x", None)
 
 @cache
 def simulated() -> Run:
-    return run(Source("two.mnt", PROGRAM), dialect="mint", cache=False)
+    return run(Source("two.mnt", PROGRAM), dialect="mint")
 
 
 def recorded(values: Callable[[np.ndarray], Sequence[np.ndarray]], rate: float = 1000.0) -> Source:
@@ -195,7 +195,7 @@ def test_what_cannot_be_compared_is_answered(
 def slow() -> Run:
     """Return a run that moves 8 uu at 4 uu/s in 2.5 s, and then waits 2 s."""
     text = "SPEED(0) = 4 : ACCEL(0) = 8 : DECEL(0) = 8\nMOVER(0) = 8 : GO(0) : PAUSE IDLE(0)\nWAIT = 2000\n"
-    return run(Source("a.mnt", text), machine={"controller.instruction_time": 1e-9}, cache=False)
+    return run(Source("a.mnt", text), machine={"controller.instruction_time": 1e-9})
 
 
 def rounded(value: object) -> object:
@@ -377,7 +377,7 @@ def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() ->
     """
     text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
     text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"
-    many = run(Source("many.mnt", text), dialect="mint", cache=False)
+    many = run(Source("many.mnt", text), dialect="mint")
     end = many.controller.log.moves[38].start_time - 0.005
     times = np.arange(int(end * 1000.0)) / 1000.0
     rows = [

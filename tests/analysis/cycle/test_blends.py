@@ -22,7 +22,7 @@ def links(program: str) -> list[tuple[str, int, float]]:
     Statements take practically no time here, and nothing but motion is charged.
     """
     machine = {"controller.instruction_time": 1e-9}
-    made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine, cache=False))
+    made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine))
     found = [(link.cause, link.position.line, link.duration) for link in made.links if link.duration > 1e-6]
     assert sum(seconds for *_, seconds in found) == pytest.approx(made.run.time, abs=1e-6)
     return found

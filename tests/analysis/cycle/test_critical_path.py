@@ -186,7 +186,7 @@ PROGRAMS: dict[str, tuple[str, list[tuple[object, ...]]]] = {
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_every_link_of_a_critical_path(name: str) -> None:
     text, expected = PROGRAMS[name]
-    made = TimeProfile(run(Source("path.mnt", RATES + text), machine=WORLD, cache=False))
+    made = TimeProfile(run(Source("path.mnt", RATES + text), machine=WORLD))
     found = [
         (round(end, 6), cause, at.line, waited, axes, at.callers, *([task] if task != "ParentTask" else []))
         for _, end, (cause, at, task, axes, waited) in made.spans()

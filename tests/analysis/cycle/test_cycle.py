@@ -47,7 +47,7 @@ WORLD = {"input": [{"channel": 3, "at": 3.0, "value": 1}]}
 
 
 def profiled(text: str, name: str = "cycle.mnt", **options: object) -> TimeProfile:
-    return TimeProfile(run(Source(name, text), cache=False, **options))  # type: ignore[arg-type]
+    return TimeProfile(run(Source(name, text), **options))  # type: ignore[arg-type]
 
 
 def by_name(shares: list[Share]) -> dict[str, float]:

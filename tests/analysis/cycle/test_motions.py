@@ -33,12 +33,18 @@ LAST = (8.0, 6.0, 5, (3,), MOVED)
 
 
 def motions(moves: Any = MOVES, time: float = 8.0) -> Motions:
-    """Return the motions of a run with fast-path moves."""
-    rows = [
-        (axis, begin, None, None, duration, shape, None, None, None, (None, None, "MOVER", line))
+    """Return the motions of a run with moves of ramps."""
+    made_of = [
+        SimpleNamespace(
+            axis=axis,
+            start_time=begin,
+            command="MOVER",
+            line=line,
+            profile=SimpleNamespace(pieced=True, _recipe=shape, duration=duration),
+        )
         for axis, begin, duration, line, shape in moves
     ]
-    log = SimpleNamespace(moves=SimpleNamespace(as_stored=lambda: rows))
+    log = SimpleNamespace(moves=made_of)
     made: Any = SimpleNamespace(time=time, controller=SimpleNamespace(axes=dict.fromkeys(range(4)), log=log))
     return Motions(made)
 

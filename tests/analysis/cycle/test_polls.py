@@ -11,9 +11,9 @@ from motionlang.analysis.cycle.budget import over_budget
 from motionlang.analysis.cycle.profile import Share, TimeProfile
 from motionlang.analysis.diff.charged import charged
 from motionlang.execution import run
-from motionlang.mint.compile import polling
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.generated.compared import every_iteration
 
 # 200 at 100 with 1000 either way takes 200 / 100 + 100 / 1000 = 2.1 s.
 MOVE = "SPEED(0) = 100\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 200 : GO(0)\n"
@@ -57,7 +57,7 @@ def machine_of(form: str) -> dict[str, object]:
 
 
 def ran(text: str, name: str = "poll.mnt", **options: object) -> Run:
-    return run(Source(name, text), cache=False, **options)  # type: ignore[arg-type]
+    return run(Source(name, text), **options)  # type: ignore[arg-type]
 
 
 def by_name(shares: list[Share]) -> dict[str, float]:
@@ -88,8 +88,8 @@ def test_loops_that_are_skipped_are_charged_as_those_that_are_not(
 ) -> None:
     text = MOVE + WAITS[form][0] + "\n"
     skipped = TimeProfile(ran(text, machine=machine_of(form)))
-    monkeypatch.setattr(polling, "left_behind", lambda *_: None)
-    plain = TimeProfile(ran(text, machine=machine_of(form)))
+    with every_iteration():
+        plain = TimeProfile(ran(text, machine=machine_of(form)))
     assert plain.report() == skipped.report()
 
 

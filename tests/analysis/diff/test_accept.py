@@ -33,7 +33,7 @@ EDITS = {
 
 
 def report(program: str) -> dict[str, object]:
-    found: dict[str, object] = json.loads(text(run(Source("c.mnt", program), cache=False), whole=False))
+    found: dict[str, object] = json.loads(text(run(Source("c.mnt", program)), whole=False))
     return found
 
 
@@ -96,7 +96,7 @@ def kinds(found: object) -> list[str]:
 
 
 def test_a_report_that_is_there_as_data_is_written_in_the_same_form() -> None:
-    ran = run(Source("c.mnt", CYCLE), cache=False)
+    ran = run(Source("c.mnt", CYCLE))
     for whole in (True, False):
         assert rendered(json.loads(text(ran, whole=whole))) == text(ran, whole=whole)
 

@@ -26,7 +26,7 @@ WAIT(100)
 
 
 def ran(text: str) -> Run:
-    return run(Source("press.mnt", text), cache=False)
+    return run(Source("press.mnt", text))
 
 
 def charges(text: str) -> list[tuple[int | None, int | None, float]]:

@@ -25,14 +25,12 @@ PROGRAMS: dict[str, tuple[str, str, list[tuple[str, str | None, str, str]]]] = {
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_numbers_are_compared_by_what_they_are_assigned_to(name: str) -> None:
     old, new, expected = PROGRAMS[name]
-    runs = [run(Source("a.mnt", text), cache=False) for text in (old, new)]
+    runs = [run(Source("a.mnt", text)) for text in (old, new)]
     found = changed_literals(*runs)
     assert [(each.address, each.old_address, each.old, each.new) for each in found] == expected
 
 
 def test_programs_of_two_languages_have_no_numbers_in_common() -> None:
     """The variable WA of Mint and the wait of MCCL are both called WA@1."""
-    mint, mccl = (
-        run(Source(file, text), cache=False) for file, text in (("a.mnt", "WA = 5\n"), ("a.mcl", "WA6\n"))
-    )
+    mint, mccl = (run(Source(file, text)) for file, text in (("a.mnt", "WA = 5\n"), ("a.mcl", "WA6\n")))
     assert changed_literals(mint, mccl) == changed_literals(mccl, mint) == []

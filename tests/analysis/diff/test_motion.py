@@ -51,7 +51,7 @@ def pair(name: str) -> tuple[Run, Run]:
     assert was in source.text
     settings = settings_next_to(path)
     return tuple(  # type: ignore[return-value]
-        run(Source(source.name, text), cache=False, machine=settings, until=60.0)
+        run(Source(source.name, text), machine=settings, until=60.0)
         for text in (source.text, source.text.replace(was, is_))
     )
 
@@ -81,7 +81,7 @@ def test_it_is_what_looking_everywhere_finds(
 
 def waiting(milliseconds: int, axis: int = 0) -> Run:
     text = f"SPEED({axis}) = 100 : ACCEL({axis}) = 1000 : DECEL({axis}) = 1000\nWAIT({milliseconds})\n"
-    return run(Source("a.mnt", f"{text}MOVER({axis}) = 100 : GO({axis}) : PAUSE IDLE({axis})\n"), cache=False)
+    return run(Source("a.mnt", f"{text}MOVER({axis}) = 100 : GO({axis}) : PAUSE IDLE({axis})\n"))
 
 
 @pytest.mark.parametrize("together", [1, 50_000])

@@ -31,7 +31,7 @@ Next
 
 
 def ran(text: str) -> Run:
-    return run(Source("cycle.mnt", text), cache=False)
+    return run(Source("cycle.mnt", text))
 
 
 def changed(

@@ -37,7 +37,7 @@ def old() -> dict[str, Any]:
 
 
 def new() -> dict[str, Any]:
-    result = run(Source("press.mnt", PRESS), machine=LIMITS, cache=False)
+    result = run(Source("press.mnt", PRESS), machine=LIMITS)
     result.certificate = certificate(result.controller, result.machine.settings, result.time)
     result.diagnostics += violations(result.controller, result.certificate, result.time)
     return build(result)

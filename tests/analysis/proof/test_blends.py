@@ -20,7 +20,7 @@ BLEND = (
 
 def proved() -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("blend.mnt", BLEND), machine=machine, cache=False, prove=True)
+    result = run(Source("blend.mnt", BLEND), machine=machine, prove=True)
     assert result.diagnostics == []
     return result
 

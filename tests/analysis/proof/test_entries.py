@@ -16,7 +16,7 @@ MOVE = SETTINGS + "MOVER(0) = 100 : GO(0)\nPAUSE IDLE(0)\n"
 
 def proved(program: str, until: float | None = None) -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    return run(Source("ends.mnt", program), machine=machine, cache=False, prove=True, until=until)
+    return run(Source("ends.mnt", program), machine=machine, prove=True, until=until)
 
 
 def found(result: Run) -> list[str]:

@@ -53,7 +53,7 @@ PAUSE IDLE(0)
 
 
 def proved(text: str) -> Run:
-    return run(Source("long.mnt", text), cache=False, prove=True)
+    return run(Source("long.mnt", text), prove=True)
 
 
 def count_checks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:

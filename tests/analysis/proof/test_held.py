@@ -23,7 +23,7 @@ def violations(load: str) -> list[str]:
     """Return the violations of a proof of 4 s; from 0.5 s the input is closed."""
     machine = {"controller.instruction_time": 1e-9, "input": [{"channel": 2, "at": 0.5}]}
     source = Source("held.mnt", f"{RATES}{TIE}{LOADS[load]}{JOGS}")
-    result = run(source, machine=machine, cache=False, prove=True, until=4.0)
+    result = run(source, machine=machine, prove=True, until=4.0)
     assert result.diagnostics == []
     return [each.message for each in result.proof().violations]
 

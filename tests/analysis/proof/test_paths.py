@@ -15,7 +15,7 @@ SETUP = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 1
 
 
 def rows_of(text: str) -> list[PathRow]:
-    made = run(Source("paths.mnt", SETUP + text), cache=False)
+    made = run(Source("paths.mnt", SETUP + text))
     assert made.diagnostics == []
     return paths(made.trace)
 

@@ -23,7 +23,7 @@ JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
 
 
 def proved(program: str) -> Run:
-    result = run(Source("move.mnt", program), machine=FINE, cache=False, prove=True)
+    result = run(Source("move.mnt", program), machine=FINE, prove=True)
     assert result.diagnostics == []
     return result
 
@@ -88,7 +88,7 @@ def test_a_move_that_ends_as_the_run_does_is_asked_where() -> None:
     (whole,) = proved(MOVE).controller.log.moves
     assert whole.profile is not None
     end = whole.start_time + whole.profile.duration
-    result = run(Source("move.mnt", MOVE), machine=FINE, cache=False, prove=True, until=end)
+    result = run(Source("move.mnt", MOVE), machine=FINE, prove=True, until=end)
     assert found(result) == []
     result.controller.log.moves[0].target += 1.0
     assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, commanded 101"]
@@ -118,7 +118,7 @@ def test_what_is_ordered_has_its_name(program: str) -> None:
 def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_off() -> None:
     """The end of the move, its start plus its duration, is late by one rounding."""
     program = "WA0.1\n1MN,1SV20000,1MA5000\nWA0.125,1RT\n"
-    result = run(Source("reset.mcl", program), machine={}, cache=False, prove=True)
+    result = run(Source("reset.mcl", program), machine={}, prove=True)
     (move,) = result.controller.log.moves
     assert move.profile is not None
     assert move.start_time + move.profile.duration > result.controller.axes[1].starts[-1]
@@ -227,7 +227,7 @@ def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -
 
 
 def test_a_run_without_expected_motion_cannot_be_proved() -> None:
-    result = run(Source("move.mnt", MOVE), cache=False)
+    result = run(Source("move.mnt", MOVE))
     with pytest.raises(ValueError, match="prove=True"):
         result.proof()
 
@@ -648,7 +648,7 @@ def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytes
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
     )
-    whole = run(Source("move.mnt", program), cache=False, prove=True)
+    whole = run(Source("move.mnt", program), prove=True)
     assert whole.expected_motion is not None
     count = sum(map(len, whole.expected_motion.of.values())) - len(whole.expected_motion.of)
     for most, expected in (
@@ -657,7 +657,7 @@ def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytes
     ):
         monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", most)
         monkeypatch.setattr("motionlang.analysis.proof.prove.MAX_PROFILES", most)
-        ran = run(Source("move.mnt", program), cache=False, prove=True)
+        ran = run(Source("move.mnt", program), prove=True)
         assert ran.output == whole.output == ["4.0000"]
         assert [each.partition(" of motion")[0] for each in found(ran)] == expected
         assert ran.report == whole.report
@@ -722,5 +722,5 @@ def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
 def test_settings_that_come_in_motion_say_nothing_of_what_goes_on_at_a_new_zero(motion: str) -> None:
     """New settings apply to an MCCL axis at its next command; a new zero is none."""
     program = f"1MN,1SV5000,1SA100000,1DS100000\n{motion},WA0.01\n1SA2.5,1DS2.5\n1DH100\nWA0.01,1AB,1WS\n"
-    result = run(Source("zero.mcl", program), cache=False, prove=True)
+    result = run(Source("zero.mcl", program), prove=True)
     assert (result.status, found(result)) == ("ended", [])

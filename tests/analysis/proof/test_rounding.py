@@ -19,7 +19,7 @@ JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
 def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found: list[bool]) -> None:
     """At 100 counts per unit a rate of 100 is 10 000 counts/s²; a millionth is 0.01."""
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
-    result = run(Source("found.mnt", SETTINGS + JERKS + path), cache=False, prove=True)
+    result = run(Source("found.mnt", SETTINGS + JERKS + path), prove=True)
     assert result.proof().holds
     expected, track = result.controller.expected_motion, WholeTrack(result.controller.axes[1])
     assert expected is not None

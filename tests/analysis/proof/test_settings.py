@@ -45,7 +45,7 @@ def deaf(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
 
 
 def messages(text: str, name: str = "t.mnt") -> list[str]:
-    return [each.message for each in run(Source(name, text), cache=False, prove=True).proof().violations]
+    return [each.message for each in run(Source(name, text), prove=True).proof().violations]
 
 
 @pytest.mark.parametrize("ramps", ["", SMOOTH], ids=["trapezoids", "S-ramps"])

@@ -163,9 +163,7 @@ LOWER = [
 
 
 def proved(program: str, name: str = "slow.mnt") -> Run:
-    result = run(
-        Source(name, program), machine={"controller.instruction_time": 1e-9}, cache=False, prove=True
-    )
+    result = run(Source(name, program), machine={"controller.instruction_time": 1e-9}, prove=True)
     assert (result.status, result.diagnostics) == ("ended", [])
     return result
 

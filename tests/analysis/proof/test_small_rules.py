@@ -234,7 +234,6 @@ def test_an_axis_with_a_motor_has_a_trace_of_it() -> None:
     made = run(
         Source("a.mnt", "MOVER(0) = 10 : GO(0) : PAUSE IDLE(0)"),
         machine={"axis.0.plant.inertia": 2e-4},
-        cache=False,
     )
     assert list(servo_traces(made.controller)) == [0]
 

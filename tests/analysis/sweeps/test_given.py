@@ -55,9 +55,9 @@ def test_as_if_it_were_in_the_text(case: str) -> None:
     assert isinstance(compiled, MintProgram)
     assert (name in compiled.given) is (is_bound or case.startswith("a number"))
     for value in (*values, *values):
-        alone = run(source, overrides={name: value}, cache=False)
+        alone = run(source, overrides={name: value})
         assert alone.status == "ended", alone.diagnostics
-        again = run(source, overrides={name: value}, cache=False, compiled=compiled)
+        again = run(source, overrides={name: value}, compiled=compiled)
         assert text(again) == text(alone), (case, value)
 
 
@@ -68,9 +68,7 @@ def test_two_names_of_which_one_decides_how_the_program_is_made() -> None:
     assert list(compiled.given) == ["step"]
     for n, step in ((2.0, 1.0), (3.0, 5.5), (2.0, 7.0)):
         values = {"n": n, "step": step}
-        assert text(run(source, overrides=values, cache=False, compiled=compiled)) == text(
-            run(source, overrides=values, cache=False)
-        )
+        assert text(run(source, overrides=values, compiled=compiled)) == text(run(source, overrides=values))
 
 
 def test_a_file_of_commands_runs_again_and_again() -> None:

@@ -70,7 +70,7 @@ def test_no_play_is_taken_up_while_a_spline_stands_on_its_way() -> None:
         "PAUSE IDLE(0)\nPRINT ENCODER(0) - POS(0) USING 1, 4\n"
     )
     with bounded(5.0):  # the standstill is one stretch, not one every nanosecond
-        result = run(Source("spline.mnt", text), machine={}, cache=False)
+        result = run(Source("spline.mnt", text), machine={})
     assert [each.message for each in result.diagnostics] == []
     assert result.output == ["1.0000", "2.0000"]
 

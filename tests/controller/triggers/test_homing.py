@@ -133,7 +133,7 @@ PRINT HOMEPHASE(0); " "; HOMESTATUS(0)
 WAIT = 10000
 PRINT HOMEPHASE(0); " "; HOMESTATUS(0); " "; VEL(0)
 """
-    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, cache=False, until=10.6)
+    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, until=10.6)
     assert result.output == ["0 0", "0 0 2.0000"]
     assert result.controller.position(0) > 20.0
 
@@ -154,7 +154,7 @@ Event ONERROR
 End Event
 """
     machine = {"axis.0.home_switch": [-30.0, -20.0], "controller.instruction_time": 1e-9}
-    result = run(Source("a.mnt", program), machine=machine, cache=False, until=10.0)
+    result = run(Source("a.mnt", program), machine=machine, until=10.0)
     assert result.output == ["motor brake on at 40", "0 1 -40.0000"]
 
 
@@ -175,7 +175,7 @@ PRINT TIME; " "; ACCEL(0); " "; DECEL(0)
 JOG(0) = 40 : WAIT = 100 : PRINT VEL(0)
 """
     machine = {"axis.0.index_every": 10.0, "controller.instruction_time": 1e-9}
-    result = run(Source("a.mnt", program), machine=machine, cache=False, until=10.0)
+    result = run(Source("a.mnt", program), machine=machine, until=10.0)
     there = 0.5 + (10.0 - 2.5) / 10.0 + 0.25
     back = 1.25 + 0.5 * (0.05 + 0.025)
     assert result.output == ["100.0000 50.0000", f"{int(1000 * (there + back))} 400.0000 50.0000", "40.0000"]
@@ -186,7 +186,7 @@ def test_a_homing_with_rates_of_its_own_needs_none_of_the_axis() -> None:
     """It ends on the mark at 10 although ACCEL and DECEL are 0."""
     rates = "ACCEL(0) = 0 : DECEL(0) = 0 : HOMESPEED(0) = 10 : HOMEACCEL(0) = 20 : HOMEDECEL(0) = 40\n"
     program = rates + "HOME(0) = _hmPOSITIVE_INDEX : PAUSE IDLE(0) : PRINT HOMESTATUS(0); POS(0)\n"
-    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, cache=False, until=10.0)
+    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, until=10.0)
     assert result.output == ["10.0000"]
 
 

@@ -22,7 +22,7 @@ def test_warn_is_called_once_for_each_warning(monkeypatch: pytest.MonkeyPatch) -
         machine.warn = lambda diagnostic: reported.append((machine.clock.now, diagnostic.line))
 
     text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
-    result = run(Source("a.mnt", text), cache=False, until=0.12, begun=begun)
+    result = run(Source("a.mnt", text), until=0.12, begun=begun)
     ((time, line),) = reported
     (found,) = result.diagnostics
     assert (line, time, found.count) == (4, found.first, 3)

@@ -91,7 +91,7 @@ def messages(text: str) -> list[str]:
         return [each.message for each in error.diagnostics]
     for name, program in (("a.mnt", "PRINT 1\n"), ("a.mcl", "0\n")):
         with suppress(ProgramError):  # an axis that does not exist
-            motionlang.run(Source(name, program), machine=settings, until=2.0, cache=False)
+            motionlang.run(Source(name, program), machine=settings, until=2.0)
     return []
 
 
@@ -214,7 +214,7 @@ def test_misspelt_key_is_located(text: str, line: int, column: int, message: str
 @pytest.mark.parametrize("index", ["²", "9" * 5000])
 def test_value_at_a_missing_index_is_reported(index: str) -> None:
     settings = read_machine(Source("machine.toml", f'[mint.values]\nTEMPERATURE = {{ "{index}" = 3 }}\n'))
-    ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings, cache=False)
+    ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings)
     assert [each.code for each in ran.diagnostics] == ["not-simulated"]
 
 
@@ -231,7 +231,5 @@ def test_no_figure_of_a_motor_leaves_what_its_equations_can_hold(value: str) -> 
             continue
         assert abs(float(value)) in (1e12, 1e-12)
         with bounded(MAX_SECONDS):
-            ran = motionlang.run(
-                Source("a.mnt", "MOVER(0) = 10\nGO(0)\n"), machine=settings, until=0.02, cache=False
-            )
+            ran = motionlang.run(Source("a.mnt", "MOVER(0) = 10\nGO(0)\n"), machine=settings, until=0.02)
         assert "overflow" not in [each.code for each in ran.diagnostics]

@@ -11,9 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.cache import GRAMMARS
 from motionlang.lang.syntax import grammar
-from motionlang.lang.syntax.grammar import BAD, build, lex, load, store, table_name
+from motionlang.lang.syntax.grammar import BAD, GRAMMARS, build, lex, load, store, table_name
 from motionlang.mccl.syntax.parser import OPTIONS
 from motionlang.mint.syntax.build import Builder
 from motionlang.mint.syntax.tokens import PARSER, ended
@@ -107,14 +106,11 @@ def test_the_table_of_another_version_is_not_loaded(
     assert parses(load("mint", Builder()))
 
 
-@pytest.mark.parametrize("off", [True, False])
 def test_without_a_cache_the_table_is_built_in_memory(
-    off: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, built: list[object]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, built: list[object]
 ) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / "file"))
-    if off:
-        monkeypatch.setenv("MOTIONLANG_NO_CACHE", "1")
     monkeypatch.setattr(lark, "__version__", "0.0")
     assert parses(load("mint", Builder()))
     assert built == [False]

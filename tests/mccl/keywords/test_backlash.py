@@ -33,7 +33,7 @@ def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
         "MOVER(0) = 500 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0) - POS(0)\n"
         "MOVER(0) = -500 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0) - POS(0)\n"
     )
-    result = run(Source("play.mnt", text), machine=machine, cache=False)
+    result = run(Source("play.mnt", text), machine=machine)
     assert [float(line) for line in result.output] == [20.0, 0.0]
 
 

@@ -85,7 +85,7 @@ STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
 
 def forged(change: Callable[[Profile], Profile]) -> list[str]:
     """Return the violations that the proof finds in a changed move of a stepper."""
-    result = run(Source("step.mcl", STEPPER), cache=False, prove=True)
+    result = run(Source("step.mcl", STEPPER), prove=True)
     assert result.proof().violations == []
     assert "a step of a stepper that starts or stops at once" in result.proof().exceptions
     a = result.controller.axes[1]
@@ -113,7 +113,7 @@ def test_the_proof_holds_a_move_to_its_rates_and_to_the_step(
 
 def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_with() -> None:
     run_on = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000\nWA0.2,1SV100,1DH5,1WS\n"
-    result = run(Source("zero.mcl", run_on), cache=False, prove=True)
+    result = run(Source("zero.mcl", run_on), prove=True)
     assert result.proof().violations == []
 
 
@@ -126,14 +126,14 @@ def test_a_stop_that_continues_the_move_ends_with_its_step() -> None:
         "1MN,1PT,1SV10283,1SA281078,1DS35986,1MV360\n1MR17393,1MR3541\nWA0.458\n1MA1743\nWA0.4,1PS,1ST,1WS\n"
     )
     fine = {"controller.instruction_time": 1e-9}
-    result = run(Source("stop.mcl", stops), machine=fine, cache=False, prove=True)
+    result = run(Source("stop.mcl", stops), machine=fine, prove=True)
     assert result.proof().violations == []
     assert ended(stops)[0] == 1743.0
 
 
 def ended(text: str) -> tuple[float, float]:
     """Return the end (counts) and duration (s) of the last move of a program."""
-    moves = run(Source("step.mcl", text), cache=False).controller.log.moves
+    moves = run(Source("step.mcl", text)).controller.log.moves
     profile = moves[-1].profile
     assert profile is not None
     return profile.end, profile.duration

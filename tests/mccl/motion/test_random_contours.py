@@ -19,7 +19,7 @@ FINE = {"controller.instruction_time": 1e-9}
 
 
 def proved(text: str, name: str) -> Run:
-    result = run(Source(name, text), machine=FINE, cache=False, prove=True)
+    result = run(Source(name, text), machine=FINE, prove=True)
     assert result.diagnostics == [], text
     assert result.proof().violations == [], text
     return result

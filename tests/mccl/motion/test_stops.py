@@ -95,7 +95,6 @@ def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, f
             "a.mccl",
             ",".join(["1MN", f"1{kind}", "1MR100000", wait, *([text] if text else []), f"1{command}", "1WS"]),
         ),
-        cache=False,
     )
     assert not result.diagnostics
     (move,) = result.machine.log.moves

@@ -61,7 +61,7 @@ SLICE, BATCHES, BATCH = 50, 10, 100
 
 def outcome(text: str, until: float = 2.0) -> dict[str, Any]:
     """Return everything that the run of a program shows."""
-    result = execution.run(Source("a.mcl", text), machine=MACHINE, cache=False, until=until)
+    result = execution.run(Source("a.mcl", text), machine=MACHINE, until=until)
     report: Any = result.report
     switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
     compared = ("status", "time", "output", "moves", "axes", "notes", "events", "diagnostics")
@@ -117,7 +117,7 @@ def test_an_hour_of_two_watches_is_over_at_once(monkeypatch: pytest.MonkeyPatch)
     """3600 counts at 1 count/s take an hour, and the ramps 1 s more."""
     resumed = count_calls(monkeypatch, (CommandTask, "resume"))
     text = "MD5,IN15,CN34,NO,RP\nMD6,IN16,CN35,NO,RP\nGT5\nGT6\n1MN,1SV1,1SA1,1DS1,1MR3600,1WS,1TP"
-    result = execution.run(Source("a.mcl", text), cache=False, until=4000.0)
+    result = execution.run(Source("a.mcl", text), until=4000.0)
     assert result.output == ["01 3600"]
     assert 3601.0 <= result.time < 3601.01
     assert resumed.calls < 100
@@ -130,7 +130,7 @@ def test_counts_of_two_tasks_advance_with_the_skipped_iterations(monkeypatch: py
     """
     resumed = count_calls(monkeypatch, (CommandTask, "resume"))
     text = "MD5,RA40,AA1,AR40,NO,RP\nMD6,RA41,AA3,AR41,NO,RP\nGT5\nGT6\nWA100,TR40,TR41"
-    result = execution.run(Source("a.mcl", text), cache=False, until=101.0)
+    result = execution.run(Source("a.mcl", text), until=101.0)
     (first, second) = map(int, result.output)
     assert abs(first - 1_000_000) <= 1
     assert abs(second - 3_000_000) <= 3

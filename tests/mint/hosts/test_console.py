@@ -481,7 +481,8 @@ def test_typed_lines_leave_nothing_but_their_names() -> None:
     for _ in range(3):
         for _ in range(20):
             assert line.ask(b"x = x + 1 : Print POS(0), x\r").endswith("P>")
-        sizes.append(len(line.console._interactive._namespace))
+        environment = line.console._interactive.environment
+        sizes.append((len(environment.steps), len(environment.places.shared)))
     assert len(set(sizes)) == 1
     assert line.ask(b"Print x\r") == "61.0000\nP>"
 

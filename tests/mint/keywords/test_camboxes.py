@@ -55,7 +55,7 @@ def switched(positions: list[int], steps: list[str], setup: str, scale: float) -
         lines += [step, f"WAIT = {37 + 61 * n}", 'PRINT POS(0) Using 1, 6, " ", OUTX(5)']
     lines += ["End", "Event ONERROR", " ERRORCLEAR(0, 0)", "End Event"]
     # An axis that still jogs at the end of the program would go on until the shift is over.
-    result = run(Source("box.mnt", "\n".join(lines)), cache=False, until=10.0)
+    result = run(Source("box.mnt", "\n".join(lines)), until=10.0)
     assert not result.diagnostics
     return [(float(line.split()[0]), int(line.split()[1])) for line in result.output]
 

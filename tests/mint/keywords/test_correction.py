@@ -18,7 +18,7 @@ SLAVE = (
 
 
 def ran(text: str, until: float = 20.0) -> Run:
-    result = run(Source("a.mnt", text), cache=False, until=until)
+    result = run(Source("a.mnt", text), until=until)
     assert [each.message for each in result.diagnostics] == []
     return result
 

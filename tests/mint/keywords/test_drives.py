@@ -14,7 +14,7 @@ DRIVE = "DRIVESPEEDMAX(0) = 1000 : SPEEDREFACCELTIME(0) = 500 : SPEEDREFDECELTIM
 
 
 def ran(text: str) -> Run:
-    result = run(Source("a.mnt", text), cache=False, until=60.0)
+    result = run(Source("a.mnt", text), until=60.0)
     assert [each.message for each in result.diagnostics] == []
     return result
 

@@ -18,7 +18,7 @@ SENSOR = [{"channel": 2, "axis": 0, "above": 0.0, "value": 0.0, "per_unit": 2.0}
 
 
 def ran(text: str, sensor: list[dict[str, float]] | None = None, until: float = 5.0) -> Run:
-    result = run(Source("a.mnt", text), machine={"analogue": sensor or SENSOR}, cache=False, until=until)
+    result = run(Source("a.mnt", text), machine={"analogue": sensor or SENSOR}, until=until)
     assert [each.message for each in result.diagnostics] == []
     return result
 

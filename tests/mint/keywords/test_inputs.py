@@ -13,6 +13,7 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords.io_inputs import Inputs
 from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.steps.places import Places
 from motionlang.source import Source
 from tests.cases import examples
 
@@ -39,7 +40,7 @@ def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
 @given(edges, st.integers(1, 10))
 def test_debouncing_is_what_sampling_would_see(times: list[int], samples: int) -> None:
     machine = Machine()
-    environment = Environment(machine)
+    environment = Environment(machine, Places())
     inputs, levels = environment.component(Inputs), machine.controller.inputs
     inputs.set_debounce(0, samples)
     seen: list[tuple[int, bool]] = []
@@ -52,9 +53,7 @@ def test_debouncing_is_what_sampling_would_see(times: list[int], samples: int) -
 
 def test_a_fault_at_a_line_without_a_statement_is_a_mistake_of_the_machine_file() -> None:
     fault = {"axis": 0, "kind": "error-input", "line": 2}
-    result = run(
-        Source("a.mnt", "PRINT 1\n' nothing here\nPRINT 3\n"), machine={"fault": [fault]}, cache=False
-    )
+    result = run(Source("a.mnt", "PRINT 1\n' nothing here\nPRINT 3\n"), machine={"fault": [fault]})
     assert [(each.code, each.line) for each in result.diagnostics] == [("machine-file", 2)]
     assert result.output == []
 
@@ -81,7 +80,7 @@ End Sub
         {"axis": 1, "kind": "error-input", "line": 12},
         {"axis": 2, "kind": "error-input", "line": 13},
     ]
-    result = run(Source("a.mnt", text), machine={"fault": faults}, cache=False)
+    result = run(Source("a.mnt", text), machine={"fault": faults})
     assert (result.diagnostics, result.output) == ([], ["222", "three", "222"])
 
 
@@ -91,7 +90,7 @@ def test_a_hidden_word_is_no_word() -> None:
 
 def test_an_output_is_logged_as_1_or_0_when_it_changes() -> None:
     text = "OUTX(5) = 7 : OUTX(5) = 1 : OUTX(6) = -1 : OUTX(5) = 0 : OUT(1) = 5"
-    result = run(Source("a.mnt", text), cache=False)
+    result = run(Source("a.mnt", text))
     assert [(each.channel, each.value) for each in result.controller.log.outputs] == [
         (5, 1),
         (6, 1),

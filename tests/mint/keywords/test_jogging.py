@@ -10,7 +10,7 @@ RATES = "SPEED(0) = 400 : ACCEL(0) = 1000 : DECEL(0) = 500\n"
 
 
 def ran(text: str, until: float = 60.0) -> Run:
-    result = run(Source("a.mnt", text), cache=False, until=until)
+    result = run(Source("a.mnt", text), until=until)
     assert [each.message for each in result.diagnostics] == []
     return result
 

@@ -28,7 +28,7 @@ SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", 
 @cases("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_has_its_word_runs_and_shows_something(row: Keyword) -> None:
     assert re.search(rf"\b{row.name}\b", row.example, re.IGNORECASE)
-    result = run(Source("example.mnt", row.example), machine=machine_of(row), cache=False, until=60.0)
+    result = run(Source("example.mnt", row.example), machine=machine_of(row), until=60.0)
     assert [each.message for each in result.diagnostics] == []
     assert result.status == "ended"
     assert (result.output == []) is (row.name in SILENT)
@@ -59,7 +59,7 @@ def test_a_word_reads_its_default_at_power_up() -> None:
     text = "".join(f"PRINT {row.name}{index} USING 1, 3\n" for row, index in zip(read, indices, strict=True))
     text += "Task Later\nEnd Task\n"
     assert len(read) > 350
-    printed = run(Source("power-up.mnt", text), cache=False).output
+    printed = run(Source("power-up.mnt", text)).output
     # A reading of its own statement's time is 0 before the first one.
     assert {
         row.name

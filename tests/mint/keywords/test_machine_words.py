@@ -87,7 +87,7 @@ programs = st.lists(statements() | st.sampled_from(MOTION), min_size=1, max_size
 @given(programs)
 def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     text = "\n".join([NAMES, *lines, "WAIT = 3000", "End", *HANDLERS])
-    result = run(Source("any.mnt", text), machine=MACHINE, until=30.0, cache=False)
+    result = run(Source("any.mnt", text), machine=MACHINE, until=30.0)
     assert result.status in ("ended", "until", "fault")
     assert all(each.line or each.code == "never" for each in result.diagnostics)
 

@@ -24,7 +24,7 @@ FIRST = (
 
 
 def ran(text: str) -> Run:
-    result = run(Source("a.mnt", text), cache=False)
+    result = run(Source("a.mnt", text))
     assert [each.message for each in result.diagnostics] == []
     return result
 

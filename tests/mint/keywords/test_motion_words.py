@@ -68,7 +68,7 @@ def test_no_program_ends_in_a_traceback(motor: dict[str, object], lines: list[st
     text = "\n".join(
         [NAMES, "SPEED(0, 1) = 100; : ACCEL(0, 1) = 500;", *lines, "WAIT = 3000", "End", HANDLER]
     )
-    result = run(Source("any.mnt", text), machine={**WORLD, **motor}, until=6.0, cache=False)
+    result = run(Source("any.mnt", text), machine={**WORLD, **motor}, until=6.0)
     assert result.status in ("ended", "until", "fault")
     assert all(each.line or each.code == "never" for each in result.diagnostics)
 

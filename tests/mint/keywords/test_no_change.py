@@ -64,7 +64,7 @@ CASES = {
 
 
 def track(text: str) -> tuple[Run, Sequence[object]]:
-    result = run(Source("a.mnt", text), cache=False, until=4.0)
+    result = run(Source("a.mnt", text), until=4.0)
     assert [each.message for each in result.diagnostics] == []
     made = [
         (start, profile.knots, profile.pieces)

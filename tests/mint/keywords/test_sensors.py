@@ -76,7 +76,7 @@ ALONE: dict[str, dict[str, object]] = {
 
 
 def ran(text: str, machine: dict[str, object] = WORLD, until: float = 6.0) -> Run:
-    return run(Source("a.mnt", HEAD + text), machine=machine, cache=False, until=until)
+    return run(Source("a.mnt", HEAD + text), machine=machine, until=until)
 
 
 def outcome(result: Run) -> list[object]:

@@ -16,7 +16,7 @@ TABLE += "SPLINESUSPENDTIME(0) = {}\nSPLINE(0) = {}\nGO(0)\n"
 
 
 def ran(text: str) -> Run:
-    result = run(Source("a.mnt", text), cache=False, until=10.0)
+    result = run(Source("a.mnt", text), until=10.0)
     assert [each.message for each in result.diagnostics] == []
     return result
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.fast.closed_form import closed_form
 from motionlang.result import Run
+from motionlang.servo.closed_form import closed_form
 from motionlang.source import Source
 
 MOTOR = {
@@ -19,7 +19,7 @@ MOTOR = {
 
 
 def ran(text: str, **machine: object) -> Run:
-    result = run(Source("a.mnt", text), machine={**MOTOR, **machine}, cache=False, until=20.0)
+    result = run(Source("a.mnt", text), machine={**MOTOR, **machine}, until=20.0)
     assert [each.message for each in result.diagnostics] == []
     return result
 

@@ -27,7 +27,7 @@ OTHERS = [row for row in table() if not row.simulated]
 
 
 def ran(*lines: str, **machine: object) -> Run:
-    return run(Source("a.mnt", "\n".join(lines)), machine=machine, cache=False, until=60.0)
+    return run(Source("a.mnt", "\n".join(lines)), machine=machine, until=60.0)
 
 
 def locations(result: Run) -> list[tuple[str, int, int]]:
@@ -101,14 +101,6 @@ def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
     found = ran(text).diagnostics
     assert [each.as_dict() for each in found if each.severity == "warning"] == [checked[3].as_dict()]
     assert [each.line for each in found if each.severity == "error"] == [3]  # it has its own message
-
-
-def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
-    program = DIALECT.compile(Source("a.mnt", "AUTOTUNE(0, 1)"))
-    payload = program.payload()
-    assert payload is not None
-    again = DIALECT.load(payload)
-    assert [each.as_dict() for each in again.warnings] == [each.as_dict() for each in program.warnings] != []
 
 
 def test_a_text_is_no_number_for_them_either() -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.check.check import check_module
 from motionlang.mint.keywords import table
 from motionlang.mint.lint.axis_state import ANY, IDLE, MOVES, UNKNOWN, Axis, Follower
 from motionlang.mint.lint.effects import Facts
@@ -23,7 +23,7 @@ POWER_UP = Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.
 
 def facts_at_end(text: str, axis: int = 0) -> Known:
     """Return the facts that differ from power-up at the end of a program."""
-    names = compile_module(parse(Source("a.mnt", text)), {}).names
+    names = check_module(parse(Source("a.mnt", text)), {}).names
     follower = Follower(Facts(names, table()), lambda key, axis: False)
     follower.analyse(names.main)
     last = follower.before[names.main][follower.facts.graphs[names.main].leave]

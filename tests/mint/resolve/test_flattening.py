@@ -18,7 +18,7 @@ _ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)
 
 
 def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[object, ...]:
-    result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
+    result = run(Source("a.mnt", text), machine=machine, until=until)
     assert not result.diagnostics
     return result.output, result.status, round(result.time, 7), len(result.controller.log.moves)
 
@@ -59,7 +59,7 @@ PROGRAMS = {
 @pytest.mark.parametrize(("text", "printed"), PROGRAMS.values(), ids=PROGRAMS.keys())
 def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
     lines = ["Dim n As Integer, k As Integer, i As Integer, by As Integer", *text.split("|")]
-    result = run(Source("a.mnt", "\n".join(lines)), cache=False)
+    result = run(Source("a.mnt", "\n".join(lines)))
     assert [each.message for each in result.diagnostics] == []
     assert " ".join(result.output) == printed
 

@@ -10,7 +10,7 @@ import pytest
 from motionlang import execution
 from motionlang.errors import ProgramError
 from motionlang.mint.keywords import table
-from motionlang.mint.program import compile_source
+from motionlang.mint.program import checked_program
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
@@ -20,14 +20,18 @@ from motionlang.source import Source
 
 PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
 # Lookups of names after the resolver, and how many; the numbers may only shrink. `model` looks up keywords of
-# other controllers, also in a program that does not compile. The compiler looks for a sub of the name that a
+# other controllers, also in a program with errors. The check looks for a sub of the name that a
 # wrong Gosub or Call has, for its hint.
-LOOK_UPS = {"compile/jumps.py": 1, "compile/statements.py": 1, "lint/model.py": 4}
+LOOK_UPS = {
+    "check/labels.py": 1,
+    "check/unknown_words.py": 1,
+    "lint/model.py": 4,
+}
 
 
 def test_later_passes_look_up_no_names() -> None:
     found = {}
-    for path in sorted((*(PACKAGE / "compile").glob("*.py"), *(PACKAGE / "lint").glob("*.py"))):
+    for path in sorted(each for name in ("check", "steps", "lint") for each in (PACKAGE / name).glob("*.py")):
         count = len(re.findall(r"scope\.find\(|table\.get\(", path.read_text(encoding="utf-8")))
         if count:
             found[path.relative_to(PACKAGE).as_posix()] = count
@@ -76,10 +80,10 @@ def test_define_is_resolved_at_its_use() -> None:
 def test_assignment_to_a_define_writes_its_variable() -> None:
     defines = "Define valve = OUTX(3)\nDefine n = count\nDim count As Integer\n"
     text = f"{defines}valve = 1\nn = 5\nn = n + 2\nPRINT count, valve"
-    assert "".join(execution.run(Source("a.mnt", text), cache=False).output).replace(" ", "") == "71"
+    assert "".join(execution.run(Source("a.mnt", text)).output).replace(" ", "") == "71"
 
 
 @pytest.mark.parametrize("text", ["Define a = a + 1\nPRINT a", "Define a = b\nDefine b = a\nPRINT a"])
 def test_a_define_that_comes_back_to_itself_is_a_mistake(text: str) -> None:
     with pytest.raises(ProgramError, match="is defined by itself"):
-        compile_source(Source("a.mnt", text))
+        checked_program(Source("a.mnt", text))

@@ -13,6 +13,7 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime import binding
 from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.steps.places import Places
 from tests.cases import cases
 
 # Keywords that switch something: any number except 0 is on. TIME and POSROLLOVER take every Integer, which is
@@ -36,7 +37,7 @@ OF_AXES = [
 
 def bound(row: Keyword, how: str) -> tuple[Any, list[int]]:
     """Return the operation of a keyword on an idle machine, and its indices."""
-    environment = Environment(Machine())
+    environment = Environment(Machine(), Places())
     environment.prepare()
     count = 0 if row.index == "none" else len(row.index.split(", "))
     return binding.bind(environment, how, row), [0] * count
@@ -78,7 +79,7 @@ def test_what_is_read_of_an_axis_is_made_once() -> None:
         made.append(axis)
         return lambda: axis
 
-    environment = Environment(Machine())
+    environment = Environment(Machine(), Places())
     read = binding.by_axis(make)(environment, Keyword("", "", "reading", "R", "axis", "integer", "", ""))
     assert [read(1), read(0), read(1)] == [1, 0, 1]
     assert made == [1, 0]

@@ -50,7 +50,7 @@ def waits_of(n: int, side: int, calls: tuple[int, ...]) -> Iterator[tuple[int, .
 def test_each_wait_of_a_recursion_has_the_calls_that_led_to_it() -> None:
     """Calls from another line replace the cached ones."""
     source = Source("a.mnt", DOWN)
-    waits = run(source, cache=False).machine.log.waits
+    waits = run(source).machine.log.waits
     found = [tuple(MINT.locate(source, at)[0] for at in wait.callers) for wait in waits]
     assert found == [*waits_of(50, 0, (2,)), *waits_of(50, 1, (4,))]
 
@@ -75,7 +75,7 @@ LABELS: dict[str, tuple[str, list[tuple[int, ...]]]] = {
 def test_the_calls_in_a_program_with_labels(name: str) -> None:
     text, expected = LABELS[name]
     source = Source("a.mnt", text)
-    log = run(source, cache=False).machine.log
+    log = run(source).machine.log
     found = [tuple(MINT.locate(source, at)[0] for at in (*wait.callers, wait.at)) for wait in log.waits]
     assert found == expected
 
@@ -87,7 +87,7 @@ def test_the_loops_of_gotos_that_an_end_leaves() -> None:
     """
     text = "WAIT 5\n#a\nWAIT 10\nS()\nGoto a\nSub S()\n#b\nWAIT 20\nIf TIME > 50 Then End\nGoto b\nEnd Sub\n"
     source = Source("a.mnt", text)
-    loops = run(source, cache=False).machine.log.loops
+    loops = run(source).machine.log.loops
     found = [
         (*(MINT.locate(source, at)[0] for at in (*each.callers, each.at)), round(each.since, 3))
         for each in loops
@@ -126,7 +126,7 @@ def lines_to_find_calls(depth: int) -> int:
     before = sys.gettrace()
     sys.settrace(call)
     try:
-        result = run(Source("a.mnt", LOOPS.format(depth)), cache=False)
+        result = run(Source("a.mnt", LOOPS.format(depth)))
     finally:
         sys.settrace(before)
     assert [len(loop.callers) for loop in result.machine.log.loops] == list(range(depth, 0, -1))

@@ -47,7 +47,7 @@ NUMBERS: dict[str, list[int]] = {
 
 def ran(text: str, handler: str = HANDLER) -> Run:
     machine = {**NODES, "controller.axes": 1}
-    return run(Source("a.mnt", DIM + text + handler), machine=machine, cache=False, until=10.0)
+    return run(Source("a.mnt", DIM + text + handler), machine=machine, until=10.0)
 
 
 @pytest.mark.parametrize("text", NUMBERS)

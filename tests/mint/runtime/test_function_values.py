@@ -253,7 +253,7 @@ DIM = "\n".join(f"Dim t{name} As String * 30, n{name} As Integer, x{name} As Flo
 
 
 def ran(text: str) -> Run:
-    return run(Source("a.mnt", DIM + text), cache=False, until=10.0)
+    return run(Source("a.mnt", DIM + text), until=10.0)
 
 
 @pytest.mark.parametrize("spelt", [of_constants, of_variables])

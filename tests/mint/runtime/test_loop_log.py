@@ -41,7 +41,7 @@ LOOPS: list[tuple[str, list[tuple[int, float, float, tuple[int, ...]]]]] = [
 @cases("text, expected", LOOPS)
 def test_the_loops_of_a_program(text: str, expected: list[tuple[int, float, float, tuple[int, ...]]]) -> None:
     source = Source("a.mnt", f"Dim k As Integer, n As Integer\n{text}")
-    found = list(run(source, cache=False).machine.log.loops)
+    found = list(run(source).machine.log.loops)
     lines = [(DIALECT.locate(source, each.at)[0], each.callers) for each in found]
     assert [(line, tuple(DIALECT.locate(source, at)[0] for at in callers)) for line, callers in lines] == [
         (line, callers) for line, _, _, callers in expected
@@ -54,10 +54,9 @@ def test_the_loops_of_a_program(text: str, expected: list[tuple[int, float, floa
 def test_a_task_that_ends_itself_ends_its_loops() -> None:
     text = "Run Side\nWAIT 500\nEnd\nTask Side\nDeep\nEnd Task\nSub Deep\nLoop\nWAIT 100\nEnd Side\nEnd Loop\nEnd Sub"
     source = Source("a.mnt", text)
-    found = list(run(source, cache=False).machine.log.loops)
+    found = list(run(source).machine.log.loops)
     assert [(each.task, DIALECT.locate(source, each.at)[0], len(each.callers)) for each in found] == [
-        ("side", 8, 1),
-        ("side", 5, 0),
+        ("side", 8, 1)
     ]
     for each in found:
         assert (each.since, each.until) == pytest.approx((0.0, 0.1), abs=3e-4)

@@ -9,9 +9,9 @@ import pytest
 
 from motionlang import run
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.compile import polling
 from motionlang.mint.keywords import table
 from motionlang.source import Source
+from tests.generated.compared import every_iteration
 from tests.mint.polling_programs import COST
 
 MACHINE: dict[str, object] = {
@@ -49,25 +49,25 @@ PRINT n, " ", x, " ", TIME
 """
 
 
-def outcome(row: Keyword, motion: str, until: int, fast: bool = True) -> list[object]:
+def outcome(row: Keyword, motion: str, until: int) -> list[object]:
     word = row.name if row.index == "none" else f"{row.name}(0)"
     text = PROGRAM.format(word=word, motion=motion, until=until)
-    result = run(Source("a.mnt", text), machine=MACHINE, cache=False, until=1.0, fast=fast)
+    result = run(Source("a.mnt", text), machine=MACHINE, until=1.0)
     return [result.output, [each.message for each in result.diagnostics], result.time]
 
 
-def compare(monkeypatch: pytest.MonkeyPatch, motion: str, until: int) -> None:
+def compare(motion: str, until: int) -> None:
     skipped = {row.name: outcome(row, motion, until) for row in WORDS}
-    monkeypatch.setattr(polling, "watched", lambda *_: None)
-    assert {row.name: outcome(row, motion, until, fast=False) for row in WORDS} == skipped
+    with every_iteration():
+        assert {row.name: outcome(row, motion, until) for row in WORDS} == skipped
 
 
 @pytest.mark.slow
-def test_while_an_axis_moves(monkeypatch: pytest.MonkeyPatch) -> None:
-    compare(monkeypatch, MOTIONS["a move"], 15)
+def test_while_an_axis_moves() -> None:
+    compare(MOTIONS["a move"], 15)
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS.keys())
-def test_to_the_end_of_a_motion(motion: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    compare(monkeypatch, motion, 180)
+def test_to_the_end_of_a_motion(motion: str) -> None:
+    compare(motion, 180)

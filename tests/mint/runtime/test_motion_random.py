@@ -13,7 +13,7 @@ from tests.mint.motion_programs import program
 
 
 def ran(text: str) -> Run:
-    return run(Source("a.mnt", text), cache=False, until=3.0)
+    return run(Source("a.mnt", text), until=3.0)
 
 
 @cases("seed", range(examples(120)))

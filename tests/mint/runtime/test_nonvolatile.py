@@ -46,7 +46,7 @@ End Sub
 
 
 def ran(text: str, file: Path | None, status: str = "ended") -> Run:
-    result = run(Source("a.mnt", text), nv=None if file is None else str(file), cache=False)
+    result = run(Source("a.mnt", text), nv=None if file is None else str(file))
     assert result.status == status
     return result
 
@@ -137,7 +137,7 @@ def test_a_file_that_is_none_is_refused_and_left_alone(text: str, tmp_path: Path
 def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
     file = tmp_path / "kept.json"
     file.write_text('{"schema": "motionlang.nv/1", ' + part + "}")
-    result = run(Source("a.mnt", "Dim nv a As Integer = 5\nPRINT a, NVLONG(3)"), nv=str(file), cache=False)
+    result = run(Source("a.mnt", "Dim nv a As Integer = 5\nPRINT a, NVLONG(3)"), nv=str(file))
     assert result.output == ["50"] or [each.code for each in result.diagnostics] == ["file"]
 
 
@@ -158,7 +158,7 @@ def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: p
     def begin_another(machine: Machine) -> None:
         second.append(ran("Dim nv b As Integer = 2", link, "fault"))
 
-    run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=str(file), begun=begin_another, cache=False)
+    run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=str(file), begun=begin_another)
     assert [each.message for each in second[0].diagnostics] == [
         f"the nv data of {link} are in use by another run"
     ]

@@ -15,7 +15,7 @@ JOG = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\nSOFTLIMITFORWARD(0) = 5\
 
 def ended(text: str, machine: dict[str, object] | None = None) -> Run:
     """Return the run of a program, which must end within 20 s."""
-    return run(Source("a.mnt", "Dim n As Integer\n" + text), machine=machine, cache=False, until=20.0)
+    return run(Source("a.mnt", "Dim n As Integer\n" + text), machine=machine, until=20.0)
 
 
 def test_abort_in_the_handler_of_an_abort_lets_the_program_go_on() -> None:

@@ -24,4 +24,4 @@ from tests.cases import cases
 def test_items_are_printed_one_after_the_other(items: str, line: str) -> None:
     """A semicolon adds nothing between two items."""
     text = f'Dim s As String, n As Integer\ns = "q" : n = 2\nPRINT {items}'
-    assert run(Source("a.mnt", text), cache=False).output == [line]
+    assert run(Source("a.mnt", text)).output == [line]

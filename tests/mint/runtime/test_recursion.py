@@ -66,7 +66,7 @@ RECURSIONS = {
 
 def outcome(text: str, file: str = "a.mnt") -> tuple[object, ...]:
     """Return the output and the end time of a run."""
-    result = run(Source(file, text), cache=False)
+    result = run(Source(file, text))
     found = [(each.code, each.message, each.line) for each in result.diagnostics]
     return result.status, result.output, found, result.time
 
@@ -84,7 +84,7 @@ def below(frames: int, call: Callable[[], object]) -> object:
 @pytest.mark.slow
 def test_calls_nest_a_thousand_deep(name: str) -> None:
     start, subs = RECURSIONS[name]
-    result = run(Source("a.mnt", ENDLESS.format(start) + subs), cache=False)
+    result = run(Source("a.mnt", ENDLESS.format(start) + subs))
     (error,) = result.diagnostics
     assert (result.status, error.code, error.message) == (
         "fault",
@@ -162,7 +162,7 @@ def test_command_line_reports_the_same(tmp_path: Path) -> None:
     path = tmp_path / "down.mnt"
     text = ENDLESS.format("Down()") + RECURSIONS["a sub"][1]
     path.write_text(text + HANDLER, encoding="utf-8")
-    for more in ([], ["--no-cache"], ["--trace", str(tmp_path / "t.csv")], ["--profile"]):
+    for more in ([], ["--trace", str(tmp_path / "t.csv")], ["--profile"]):
         done = run_process(
             [sys.executable, "-m", "motionlang", "run", str(path), *more],
             capture_output=True,

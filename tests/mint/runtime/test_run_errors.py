@@ -42,7 +42,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_onerror_hears_of_it_and_the_program_goes_on(case: str) -> None:
     text, line, message = CASES[case]
-    result = run(Source("a.mnt", text + "PRINT VEL(1), IDLE(1)" + HANDLER), cache=False, until=30.0)
+    result = run(Source("a.mnt", text + "PRINT VEL(1), IDLE(1)" + HANDLER), until=30.0)
     assert result.output == [f"{message} in {line}", "0.00001"]
     assert [each.message for each in result.diagnostics] == []
 
@@ -50,16 +50,14 @@ def test_onerror_hears_of_it_and_the_program_goes_on(case: str) -> None:
 @pytest.mark.parametrize("case", CASES)
 def test_without_onerror_the_program_ends_with_it(case: str) -> None:
     text, line, message = CASES[case]
-    result = run(Source("a.mnt", text), cache=False, until=30.0)
+    result = run(Source("a.mnt", text), until=30.0)
     assert [(each.message, each.line) for each in result.diagnostics] == [(message, line)]
     assert result.status == "fault"
 
 
 def test_what_waits_behind_the_bad_entry_is_done() -> None:
     text = CASES["a cam that waits"][0].replace("GO(1)\nc(1)", "MOVER(1) = 5\nGO(1)\nc(1)")
-    result = run(
-        Source("a.mnt", "MOVEBUFFERSIZE(1) = 5\n" + text + "PRINT POS(1)" + HANDLER), cache=False, until=30.0
-    )
+    result = run(Source("a.mnt", "MOVEBUFFERSIZE(1) = 5\n" + text + "PRINT POS(1)" + HANDLER), until=30.0)
     assert result.output[-1] == "6.0000"  # 5 from the axis's position when it starts
 
 
@@ -81,7 +79,7 @@ def test_ctrl_c_in_a_computing_loop_reports_its_progress(
     text = (
         "Dim n As Integer, x As Float\nACCEL(0) = 1e9\nJOG(0) = 100\nLoop\nn = n + 1\nx = Sqrt(n)\nEnd Loop"
     )
-    result = run(Source("loop.mnt", text), cache=False)
+    result = run(Source("loop.mnt", text))
     assert (result.status, result.diagnostics[0].code, result.diagnostics[0].line) == (
         "interrupted",
         "interrupted",
@@ -95,6 +93,6 @@ def test_slave_at_rest_never_leaves_its_position() -> None:
     """The slave is exactly at the level of the wait; its master moves only after 5 s."""
     text = "MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1\nRun Belt\nPAUSE POS(1) > 0\nPRINT TIME > 4999\nEnd\n"
     line = "Task Belt\nWAIT = 5000\nJOG(0) = 10\nEnd Task"
-    assert run(Source("a.mnt", text + line), cache=False).output == ["1"]
-    stuck = run(Source("a.mnt", "FOLLOW(1) = 1\nPAUSE POS(1) > 0"), cache=False)
+    assert run(Source("a.mnt", text + line)).output == ["1"]
+    stuck = run(Source("a.mnt", "FOLLOW(1) = 1\nPAUSE POS(1) > 0"))
     assert [each.code for each in stuck.diagnostics] == ["never"]

@@ -115,9 +115,7 @@ FAULTS = {
 
 
 def ran(text: str) -> Run:
-    return run(
-        Source("a.mnt", DIM + text), machine={"controller.instruction_time": 1e-9}, cache=False, until=10.0
-    )
+    return run(Source("a.mnt", DIM + text), machine={"controller.instruction_time": 1e-9}, until=10.0)
 
 
 @pytest.mark.parametrize("rule", PROGRAMS)

@@ -12,7 +12,7 @@ from motionlang.views.table import render
 def ran(text: str, **machine: object) -> tuple[str, dict[str, list[str]], list[str]]:
     """Return the screen, the lines of the other terminals by name, and the console."""
     shown: list[str] = []
-    result = run(Source("a.mnt", text), machine=machine, show=shown.append, cache=False)
+    result = run(Source("a.mnt", text), machine=machine, show=shown.append)
     assert [each.message for each in result.diagnostics] == []
     return "".join(shown), result.terminals, result.output
 
@@ -113,7 +113,7 @@ REMOTEDAC(1, 2, 3) = 12.5
 REMOTEOBJECT(1, 2, 0x6060, 0, 2) = 3
 REMOTEESTOP(2, 7) = 1
 """
-    table = render(run(Source("a.mnt", text), cache=False))
+    table = render(run(Source("a.mnt", text)))
     assert table.splitlines()[2:8] == [
         "written to                          value",
         "─────────────────────────────────────────",
@@ -126,7 +126,7 @@ REMOTEESTOP(2, 7) = 1
 
 def test_very_many_values_are_counted() -> None:
     text = "For i = 1 To 99\n  REMOTECOMMS(1, 2, i) = i\nNext\n"
-    table = render(run(Source("a.mnt", text), cache=False))
+    table = render(run(Source("a.mnt", text)))
     assert "… and 59 more: --format json has all" in table
     assert "element 41" not in table
 
@@ -139,7 +139,7 @@ def test_a_row_of_an_operator_panel_takes_what_print_takes() -> None:
 
 
 def test_the_signs_between_printed_values_belong_to_no_other_word() -> None:
-    found = run(Source("a.mnt", "Sub Show\nEnd Sub\nShow 1; 2\nMOVER 1 USING 4\nLINE 3 USING 5"), cache=False)
+    found = run(Source("a.mnt", "Sub Show\nEnd Sub\nShow 1; 2\nMOVER 1 USING 4\nLINE 3 USING 5"))
     assert [(each.line, each.message) for each in found.diagnostics] == [
         (3, "USING and ; belong among the values of PRINT and LINE, not of Show"),
         (4, "USING and ; belong among the values of PRINT and LINE, not of MOVER"),

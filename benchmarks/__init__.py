@@ -1,0 +1,1 @@
+"""Measured programs, and their limits: `python -m benchmarks [NAME …]`."""

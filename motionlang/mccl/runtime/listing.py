@@ -1,0 +1,35 @@
+"""The steps of an MCCL program, as a list to read."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.step_list import listed
+from motionlang.mccl.models import written_for
+from motionlang.mccl.resolve.line import Line, lines_of
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.lang.step_list import ListedUnit
+    from motionlang.lang.steps import Step
+    from motionlang.source import Source
+
+
+def step_list(source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+    """Return the steps of each line on a board; each line begins with step 0."""
+    machine = Machine(dict(settings), first_axis=1)
+    machine.model = machine.model or written_for(source.name)
+    board, found = Board(machine), []
+    for line in lines_of(source.text):
+        if isinstance(line, Line):
+            found.append(listed(source, "", LineWriter(line, board).steps, partial(_line_of, line)))
+    return found
+
+
+def _line_of(line: Line, step: Step) -> int:
+    return line.number

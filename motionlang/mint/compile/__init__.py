@@ -1,1 +1,0 @@
-"""Compile a resolved tree to Python."""

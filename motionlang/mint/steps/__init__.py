@@ -1,0 +1,1 @@
+"""From the annotated tree to steps; `program.py` is the entry."""

@@ -1,0 +1,130 @@
+"""The variables of a debug build at a stop, by their names."""
+
+from __future__ import annotations
+
+from motionlang.lang.debugging import Frame, Variable
+from motionlang.mint.resolve.symbols import Function, Symbol, Type
+from motionlang.mint.runtime.task import MintTask
+from motionlang.mint.steps.places import is_shared, variables_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from motionlang.lang.steps import Steps, Values
+    from motionlang.lang.task import Task
+    from motionlang.mint.resolve.names import Names
+    from motionlang.mint.runtime.environment import Environment
+
+# The range of an Integer.
+_LOW, _HIGH = -(2**31), 2**31 - 1
+
+
+class Inspection:
+    """The variables of a program, and the calls of its tasks."""
+
+    def __init__(self, environment: Environment, names: Names) -> None:
+        self._environment, self._names = environment, names
+        self._functions = {id(environment.steps_of(each)): each for each in names.functions}
+
+    def module(self) -> list[Variable]:
+        """Return the variables that functions of the program share."""
+        return self._variables(self._names.main, [])
+
+    def frames(self, task: Task, offset: int | None) -> list[Frame]:
+        """Return the calls and Gosubs of a task, the innermost first.
+
+        `offset` is the source offset of a task that is stopped in the hook; None for one that is suspended.
+        """
+        assert isinstance(task, MintTask)
+        found = [self._frame(task.steps, task.values, task.at if offset is None else offset)]
+        for call in reversed(task.calls):
+            found.append(self._frame(call.steps, call.values, call.steps[call.pc - 1].at))
+        return found
+
+    def _frame(self, steps: Steps, values: Values, offset: int) -> Frame:
+        function = self._functions[id(steps)]
+        own = [] if function is self._names.main else self._variables(function, values)
+        return Frame(function.name, offset, own)
+
+    def unlisted(self, task: Task | None, name: str) -> Variable | None:
+        """Return None, because all variables are listed."""
+        return None
+
+    def depth(self, task: Task) -> int:
+        """Return the number of calls and Gosubs that the running task is in."""
+        assert isinstance(task, MintTask)
+        return len(task.calls) + 1
+
+    def _variables(self, function: Function, values: Values) -> list[Variable]:
+        places = self._environment.places
+        found = []
+        for symbol in variables_of(function):
+            content = places.shared if is_shared(symbol) else values
+            found.append(_variable(symbol, content, places.index(symbol)))
+        return found
+
+
+def _variable(symbol: Symbol, content: Values, index: int) -> Variable:
+    if symbol.by_ref:
+        content, index = content[index]
+    elif symbol.boxed:
+        content, index = content[index], 0
+    return _element(symbol.name, symbol.type, symbol.dimensions, content, index)
+
+
+def _element(name: str, kind: Type, sizes: tuple[int, ...], content: Values, index: int) -> Variable:
+    """Return what is at a place: a value, an array, or a value of a user type."""
+    value = content[index]
+
+    def give(new: object) -> None:
+        content[index] = new
+
+    word = str(kind)
+    if sizes:
+        names = _subscripts(getattr(value, "sizes", sizes))
+        elements = [
+            _element(f"{name}({each})", kind, (), value, number) for number, each in enumerate(names, 1)
+        ]
+        return Variable(name, word, elements)
+    if kind.record is not None:
+        members = kind.record.members.items()
+        return Variable(
+            name,
+            word,
+            [_element(field, member, more, value, number) for field, (number, member, more) in members],
+        )
+    if word not in ("Integer", "Float", "String"):
+        return Variable(name, word, value[0] is not None if word == "Semaphore" else value)
+    return Variable(name, word, value, _giving(word, give))
+
+
+def _giving(kind: str, give: Callable[[Any], None]) -> Callable[[object], None]:
+    return lambda wanted: give(converted(kind, wanted))
+
+
+def _subscripts(dimensions: tuple[int, ...]) -> list[str]:
+    """Return the subscripts of all elements of an array, in storage order."""
+    texts = [""]
+    for size in dimensions:
+        texts = [f"{text}, {n}" if text else str(n) for text in texts for n in range(1, size + 1)]
+    return texts
+
+
+def converted(kind: str, value: object) -> object:
+    """Return a value as a variable of a type stores it.
+
+    Raises ValueError if the type does not allow it.
+    """
+    if kind == "String":
+        if not isinstance(value, str):
+            raise ValueError(f"a String takes a text in quotes, not {value}")
+        return value
+    if not isinstance(value, (int, float)):
+        raise ValueError(f"a variable of type {kind} takes a number, not {value!r}")
+    if kind == "Float":
+        return float(value)
+    if not _LOW <= value <= _HIGH:
+        raise ValueError(f"{value:.10g} is outside the range of an Integer")
+    return int(value)

@@ -1,0 +1,61 @@
+"""The steps of a program beside its lines, for `check --steps`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.lang.highlight import pieces
+from motionlang.views.terminal import printable, styled
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.step_list import ListedStep, ListedUnit
+
+# The styles of the tokens of a program's line, by kind.
+_STYLES = {"move": "word", "keyword": "word", "not-simulated": "warning", "comment": "dim"}
+
+
+def render_steps(dialect: Dialect, units: Sequence[ListedUnit], *, colour: bool) -> Iterator[str]:
+    """Return the lines of a list of steps, those of the program with their numbers."""
+    for unit in units:
+        if unit.name:
+            yield styled(unit.name, "bold", colour) + "\n"
+        for line in unit.lines:
+            if line.line:
+                yield f"{line.line:>4}  {_highlighted(dialect, line.text, colour)}\n"
+            yield from (f"{_step(each)}\n" for each in line.steps)
+
+
+def steps_as_dicts(units: Sequence[ListedUnit]) -> list[dict[str, object]]:
+    """Return the steps as plain data; those without a target or a cost have none."""
+    return [
+        {
+            "name": unit.name,
+            "lines": [
+                {"line": line.line, "steps": [_as_dict(each) for each in line.steps]} for line in unit.lines
+            ],
+        }
+        for unit in units
+    ]
+
+
+def _highlighted(dialect: Dialect, text: str, colour: bool) -> str:
+    text = printable(text.expandtabs().rstrip())
+    return "".join(styled(piece, _STYLES.get(kind, ""), colour) for _, kind, piece in pieces(dialect, text))
+
+
+def _step(step: ListedStep) -> str:
+    does = f"{step.kind} to {step.target}" if step.target >= 0 else step.kind
+    pays = f"{step.cost:g} statement{'' if step.cost == 1.0 else 's'}" if step.cost else ""
+    return f"{step.index:>9}  {does:<18}{pays}".rstrip()
+
+
+def _as_dict(step: ListedStep) -> dict[str, object]:
+    found: dict[str, object] = {"index": step.index, "kind": step.kind}
+    if step.target >= 0:
+        found["target"] = step.target
+    if step.cost:
+        found["cost"] = step.cost
+    return found

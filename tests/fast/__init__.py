@@ -1,1 +1,0 @@
-"""Accelerators: each gives the same result as the engine without it."""
