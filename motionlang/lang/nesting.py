@@ -1,9 +1,9 @@
 """The call depth of a program, and space for nested text on Python's stack.
 
 A language has a maximum depth of its own, so that a recursion ends at the same call and the same time in any
-environment. Its calls are in lists, and take no space on Python's stack. Nested brackets and blocks do: in the passes over
-a program, and in the functions of its expressions. So Python's recursion limit is raised meanwhile, relative to the depth
-at which that begins, and never ends a program.
+environment. Its calls are in lists, and take no space on Python's stack. Nested brackets and blocks do: in the passes
+over a program, and in the functions of its expressions. So Python's recursion limit is raised meanwhile, relative to
+the depth at which that begins, and never ends a program.
 """
 
 from __future__ import annotations

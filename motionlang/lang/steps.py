@@ -101,6 +101,8 @@ class Steps(list[Step]):
         self.uses: list[Uses | None] = []
         # What loops do with variables, by their first and last step; worked out on demand.
         self.bodies: dict[tuple[int, int], Any] = {}
+        # The names of labels, by their steps.
+        self.labels: dict[int, str] = {}
         # The statements of loops, by their last step.
         self.loops: dict[int, Any] = {}
         # What they were written from: only positions in the same text can be compared.

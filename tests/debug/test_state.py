@@ -468,3 +468,17 @@ def test_names_of_the_innermost_call_alone() -> None:
     debugger.go_to_line(6)
     assert debugger.state().names() == ["n", *READINGS, "time"]
     debugger.abandon()
+
+
+def test_a_gosub_has_the_name_of_its_label_and_time_is_that_of_the_program() -> None:
+    """TIME counts from its last assignment, 5 ms after the beginning, up to the statement of the stop."""
+    debugger = mint(
+        "Dim n As Integer\nWAIT(5)\nTIME = 0\nWAIT(2)\nGosub fill\nEnd\nfill:\nn = n + 1\nReturn\n"
+    )
+    debugger.start()
+    debugger.go_to_line(8)
+    state = debugger.state()
+    (task,) = state.tasks()
+    frames = [(each.name, debugger.location_of(each.offset)[0]) for each in state.frames(task.task)]
+    assert frames == [("fill", 8), ("main", 5)]
+    assert state.variable("TIME", []) == 2

@@ -233,7 +233,7 @@ class Environment(Waits):
 
         `level` is the value that they are compared with, if it is known.
         """
-        count = floor((self.clock.now - base) * 1000.0 + MILLISECOND)
+        count = self.milliseconds(base, self.clock.now)
         if count >= ROLLOVER:
             rolled = (count + ROLLOVER) // (2 * ROLLOVER) * 2 * ROLLOVER
             count, base = count - rolled, base + rolled / 1000.0
@@ -244,6 +244,11 @@ class Environment(Waits):
             else:
                 dependencies.note(self._counted, base, level)
         return count
+
+    @staticmethod
+    def milliseconds(base: float, now: float) -> int:
+        """Return the whole milliseconds between two times."""
+        return floor((now - base) * 1000.0 + MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
         """Return the time at which the milliseconds since `base` next cross `level`.

@@ -226,6 +226,7 @@ def label(w: UnitWriter, node: nodes.Label) -> None:
     name = node.name.lower()
     w.label = name
     w.labels[name] = len(w.steps)
+    w.steps.labels[len(w.steps)] = node.name
     region = w.regions.get(name)
     if region is not None:
         at, environment = node.start, w.program.environment

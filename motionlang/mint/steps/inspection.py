@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.lang.debugging import Frame, Variable
-from motionlang.mint.resolve.symbols import Function, Symbol, Type
-from motionlang.mint.runtime.task import MintTask
+from motionlang.mint.resolve.symbols import INTEGER, Function, Symbol, Type
+from motionlang.mint.runtime.task import PARENT, MintTask
 from motionlang.mint.steps.places import is_shared, variables_of
 
 TYPE_CHECKING = False
@@ -38,19 +38,27 @@ class Inspection:
         `offset` is the source offset of a task that is stopped in the hook; None for one that is suspended.
         """
         assert isinstance(task, MintTask)
-        found = [self._frame(task.steps, task.values, task.at if offset is None else offset)]
+        found = []
+        steps, values, at = task.steps, task.values, task.at if offset is None else offset
         for call in reversed(task.calls):
-            found.append(self._frame(call.steps, call.values, call.steps[call.pc - 1].at))
-        return found
+            step = call.steps[call.pc - 1]
+            label = steps.labels.get(step.to, "") if values is call.values else ""
+            found.append(self._frame(steps, values, at, label))
+            steps, values, at = call.steps, call.values, step.at
+        return [*found, self._frame(steps, values, at)]
 
-    def _frame(self, steps: Steps, values: Values, offset: int) -> Frame:
+    def _frame(self, steps: Steps, values: Values, offset: int, label: str = "") -> Frame:
+        """Return a call, or a Gosub to a label."""
         function = self._functions[id(steps)]
         own = [] if function is self._names.main else self._variables(function, values)
-        return Frame(function.name, offset, own)
+        return Frame(label or function.name, offset, own)
 
     def unlisted(self, task: Task | None, name: str) -> Variable | None:
-        """Return None, because all variables are listed."""
-        return None
+        """Return TIME, in the milliseconds of a task; None for any other name, because all variables are listed."""
+        task = task or self._environment.by_name.get(PARENT)
+        if name != "TIME" or not isinstance(task, MintTask):
+            return None
+        return Variable(name, INTEGER, self._environment.milliseconds(task.timer[0], task.now))
 
     def depth(self, task: Task) -> int:
         """Return the number of calls and Gosubs that the running task is in."""

@@ -46,7 +46,7 @@ def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
     if row.index == "axes":
         where = [words.together(where)]
     if has_calls:
-        where = [_before_calls(w, each) for each in where]
+        where = [_worked_out(w, each) for each in where]
     do = words.action(w, "do", row, where)
     w.add(NOW)
     w.add(DO, lambda values: do(values, *line), cost=1.0)
@@ -75,7 +75,7 @@ def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: K
     else:
         pairs = [(where, given[0])] if given[0] is not None else []
     if has_calls:
-        pairs = [([_before_calls(w, each) for each in axes], _before_calls(w, one)) for axes, one in pairs]
+        pairs = [([_worked_out(w, each) for each in axes], _worked_out(w, one)) for axes, one in pairs]
     last = _last(w, node, target, row)
     if row.kind == "move" and row.simulated:
         pairs = [(axes, _worked_out(w, one)) for axes, one in pairs]
@@ -96,13 +96,8 @@ def _where(w: UnitWriter, target: nodes.Name, row: Keyword) -> list[Value]:
     return [Value(get, "anything") for get in words.anywhere(w, target, row)]
 
 
-def _before_calls(w: UnitWriter, found: Value) -> Value:
-    """Time passes in a sub that a statement calls, so its arguments are worked out before it acts."""
-    return found if found.const is not None else expressions.stored(w, found)
-
-
 def _worked_out(w: UnitWriter, found: Value) -> Value:
-    """A move may have to wait for space in a buffer; its value is that from before."""
+    """Return a value that does not change while time passes, in a called sub or in a wait for space in a buffer."""
     return found if found.const is not None else expressions.stored(w, found)
 
 
