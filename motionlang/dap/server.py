@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
+import socket
 import sys
+from typing import IO
 
 from motionlang.dap.adapter import Adapter
-from motionlang.dap.framing import WrongMessage, read, written
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    import socket
-    from typing import IO
-
-    from motionlang.dap.framing import Message
+from motionlang.dap.framing import Message, WrongMessage, read, written
 
 
 def serve(incoming: IO[bytes], outgoing: IO[bytes]) -> None:

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 from array import array
 from collections import deque
+from collections.abc import Callable, Collection
 from enum import Enum
 from functools import cache, partial
 from io import StringIO
@@ -45,16 +46,11 @@ from types import (
     SimpleNamespace,
     WrapperDescriptorType,
 )
-from typing import TYPE_CHECKING, Any
-
-from numpy import ndarray
+from typing import Any
 
 from motionlang.lang.debugging import Hook
 from motionlang.lang.steps import Steps
 from motionlang.log.stream import Store
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
 
 # Types of the language and the library whose objects never change or are the same in every run.
 _ATOMS = (
@@ -128,7 +124,7 @@ class Snapshot:
             return held
         if kind is array or kind is bytearray:
             self._store(_put_array, x, x[:])
-        elif kind is ndarray:
+        elif kind.__module__ == "numpy" and kind.__name__ == "ndarray":  # which few runs import
             if x.flags.writeable:
                 self._store(_put_array, x, x.copy())
         elif kind is memoryview:

@@ -85,6 +85,9 @@ if TYPE_CHECKING:
         def stands_still(self) -> Wait | None:
             """Return the wait of a loop that repeats until something else acts; None if it runs on."""
 
+        def period(self, delays: list[tuple[float, float]]) -> int:
+            """Return how long some waits take together, in units of time; 0 if their sums round."""
+
         def end_of_wait(self, base: float, count: float, seconds: float) -> float:
             """Return when a wait ends that began at statement `count` from `base`."""
 
@@ -150,7 +153,8 @@ class Loops:
 
     def __init__(self, machine: Machine, time: StatementTime, world: World) -> None:
         self.machine, self.time, self.world = machine, time, world
-        # The running task, and how often another one than the last has run.
+        # The tasks as of the last check, the running one, and how often another one than the last has run.
+        self._tasks: Sequence[StepTask] = ()
         self.task: StepTask | None = None
         self.turns = 0
         # The switches of outputs before the last state.
@@ -197,7 +201,8 @@ class Loops:
         if task.unchecked:
             task.unchecked -= 1
             return t, None
-        if self.world.has_slices and self._is_shared(task):
+        self._tasks = self.world.tasks
+        if self._depends_on_turns(task):
             if not self._is_first:
                 return t, None  # one state for each time slice is enough
             self._is_first = False
@@ -235,9 +240,7 @@ class Loops:
                 return self._failed(task, t)
             elif last.before is not None:
                 task.failures += 1
-        elif len(task.met) >= MAX_STATES or (
-            len(task.met) > self._places_alone(now) and not self._is_shared(task)
-        ):
+        elif len(task.met) > self._most_places(task, now):
             return self._failed(task, t)
         now.t, now.base, now.before = t, self.time.base, last
         if last is not None:
@@ -249,13 +252,17 @@ class Loops:
             task.met = {}
         return t, wait
 
-    def _places_alone(self, now: State) -> int:
-        """Return at how many places a task that runs alone may have been: it may toggle outputs."""
+    def _most_places(self, task: StepTask, now: State) -> int:
+        """Return at how many places a task may have been; one that runs alone may toggle outputs."""
+        others = [each.wait for each in self._tasks if each is not task]
+        if None in others or self._depends_on_turns(task):
+            return MAX_STATES
         return MAX_TOGGLED if now.switched else 0
 
-    def _is_shared(self, task: StepTask) -> bool:
-        """True if another task can run, too."""
-        return any(each.wait is None and each is not task for each in self.world.tasks)
+    def _depends_on_turns(self, task: StepTask) -> bool:
+        """True if it matters when the time slice ends: another task can run then, or may by what this one sets."""
+        others = [each.wait for each in self._tasks if each is not task]
+        return self.world.has_slices and any(wait is None or not wait.ignores_data for wait in others)
 
     def _find_futile(self, task: StepTask, here: int) -> None:
         """Find out if an iteration of a task was like the one before, and only others can change that."""
@@ -280,8 +287,8 @@ class Loops:
     # ------------------------------------------------------------------------------------------------ states
 
     def _place(self, task: StepTask, here: int) -> tuple[object, ...]:
-        tasks = self.world.tasks
-        turn = self._turn_of_tasks() if self.world.has_slices and self._is_shared(task) else ()
+        tasks = self._tasks
+        turn = self._turn_of_tasks() if self._depends_on_turns(task) else ()
         return (
             here,
             turn,
@@ -297,7 +304,7 @@ class Loops:
         return following, round((end - self.time.at(self.time.count)) * UNITS)
 
     def _state(self, task: StepTask, here: int, t: float) -> State:
-        tasks = self.world.tasks
+        tasks = self._tasks
         numbers = [number for each in tasks for number in each.own] + self.world.shared
         elapsed = units(self.time.base) + int(t) * self.time.cost_units
         waits = [None if each is task else each.wait for each in tasks]
@@ -309,7 +316,7 @@ class Loops:
 
     def _begin(self) -> None:
         """Begin to record what tasks read."""
-        for each in self.world.tasks:
+        for each in self._tasks:
             if each.notes is None:
                 each.notes = []
         if self.world.dependencies.notes is None and self.task is not None:
@@ -323,7 +330,7 @@ class Loops:
                 dependencies.notes = []
             self.task.notes = dependencies.notes
             self.task.since = dependencies.notes, len(dependencies.notes)
-        for each in self.world.tasks:
+        for each in self._tasks:
             if each.notes is None:
                 each.notes = []
             now.read.append((each, Mark(each.notes, len(each.notes))))
@@ -372,7 +379,7 @@ class Loops:
     def _variables(self) -> list[tuple[StepTask | None, int]]:
         """Return the task of each number, None for those that are shared, and its number in `Uses`."""
         return [
-            *[(each, own(k)) for each in self.world.tasks for k in range(len(each.own))],
+            *[(each, own(k)) for each in self._tasks for k in range(len(each.own))],
             *[(None, k) for k in range(len(self.world.shared))],
         ]
 
@@ -403,7 +410,7 @@ class Loops:
     def _only_counts(self, task: StepTask, now: State, last: State) -> bool:
         """True if the changing numbers are only added and compared, and add up exactly."""
         bodies = {task: now.body if now.strayed == last.strayed else UNKNOWN}
-        for each, wait, then in zip(self.world.tasks, now.waits, last.waits, strict=True):
+        for each, wait, then in zip(self._tasks, now.waits, last.waits, strict=True):
             if each is not task and (wait is None or wait is not then):
                 bodies[each] = _body(each.last_loop)
         for (owner, variable), number, by in zip(
@@ -456,7 +463,7 @@ class Loops:
             elif kept:
                 return t, None  # the run may end before, if all tasks are futile
         if is_alone:
-            if any(each.wait is None for each in self.world.tasks if each is not task):
+            if any(each.wait is None for each in self._tasks if each is not task):
                 return t, None
             until = min(until, max(time.until, scheduler.reach() if scheduler.by_itself else 0.0))
         elif scheduler.by_itself and not any(each.ready() for each in kept):
@@ -524,13 +531,20 @@ class Loops:
         time = self.time
         if now.base == last.base:
             return int(min(time.periods(last.base, last.t + 1.0, now.t + 1.0, until), most)), now.base
-        # Sums of waits for a time round, so they are added up one by one.
+        # Sums of waits for a time are multiples of the unit of time, or round and are added up one by one.
         delays, base, times = last.delays.since(self._delays), now.base, 0
         if delays is None or self._after(last.base, delays) != base:
             return 0, base
         if now.turns != last.turns or now.t != last.t:
             return 0, base
         rest = (now.t + 1.0) * time.cost
+        period = self.world.period(delays)
+        if period:
+            begun = units(base)
+            times = int(max(0.0, min(most, (until - rest - base) * UNITS // period + 1)))
+            while times and (begun + times * period) / UNITS + rest >= until:
+                times -= 1
+            return times, (begun + times * period) / UNITS
         while times < most and (following := self._after(base, delays)) + rest < until:
             base = following
             times += 1
@@ -544,13 +558,14 @@ class Loops:
             log.slices.so_far(task.name, scheduler.began, here)
             log.repeat_period(last.logged, began, here, time.reached, times)
             log.slices.shared_by_all(time.reached - here)
-            scheduler.move_slice(time.reached - here)
         elif last.base != now.base:
             log.repeat_waits(task.name, began, here - began, times)
+        if self._depends_on_turns(task):
+            scheduler.move_slice(time.reached - here)
         if now.change is not None:
             count = len(now.numbers)
             k = 0
-            for values in [*[each.own for each in self.world.tasks], self.world.shared]:
+            for values in [*[each.own for each in self._tasks], self.world.shared]:
                 for index in range(len(values)):
                     if by := now.change[k]:
                         values[index] = now.numbers[k] = now.numbers[k] + times * by

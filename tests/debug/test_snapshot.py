@@ -94,7 +94,15 @@ def check(source: Source, settings: Mapping[str, object]) -> list[Snapshot]:
     return [snapshot for _, snapshot in run.taken]
 
 
-@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
+# Programs of which many snapshots are taken.
+SLOW = ("bearing-test",)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(each, marks=pytest.mark.slow) if each.stem in SLOW else each for each in PROGRAMS],
+    ids=lambda path: path.stem,
+)
 def test_a_program_of_the_gallery_ends_the_same_after_going_back(path: Path) -> None:
     check(Source.read(str(path)), settings_next_to(str(path)))
 

@@ -311,6 +311,10 @@ class Board:
         acted, now = self.acted(), self.controller.clock.now
         return Wait(now, lambda: self.acted() != acted, lambda: INFINITY, "for its loop to end")
 
+    def period(self, delays: list[tuple[float, float]]) -> int:
+        """Return 0: a wait ends at its exact time, and sums of such times round."""
+        return 0
+
     def end_of_wait(self, base: float, count: float, seconds: float) -> float:
         """Return when a wait ends that began at statement `count` from `base`."""
         return base + count * self.machine.statements.cost + seconds

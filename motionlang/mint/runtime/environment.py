@@ -222,6 +222,11 @@ class Environment(Waits):
         if scheduler is not None and scheduler.until == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
 
+    def period(self, delays: list[tuple[float, float]]) -> int:
+        """Return how long some waits take together, in units of time."""
+        cost = self.statements.cost
+        return sum(round((count * cost + seconds) * UNITS) for count, seconds in delays)
+
     def end_of_wait(self, base: float, count: float, seconds: float) -> float:
         """Return when a wait ends that began at a statement: a whole number of units, so that waits add up."""
         return (units(base) + round((count * self.statements.cost + seconds) * UNITS)) / UNITS
