@@ -26,39 +26,39 @@ Values = list[Any]
 
 # The kinds of step. `do` is what it computes, `to` another step.
 DO = 0  # do it
-COMMAND = 1  # a statement begins: let other tasks that are ready go first, then pay its time; then do it
-NOW = 12  # let happen what is due by now, then set the clock
-BRANCH = 2  # go on if `do` is true, else at `to`
-JUMP = 3  # go on at `to`
-BACK = 4  # the end of an iteration: let happen what is due by now, then go back to `to`
-GO = 5  # `do` returns the index of the next step
-WAIT = 6  # `do` returns what to wait for, or None
-TRY = 7  # like WAIT, but it is done again after the wait
-CALL = 8  # `do` returns the steps of a call and its values
-ENTER = 9  # the same, without return
-RETURN = 10  # let other tasks go first, do it, and go back to the caller
-END = 11  # do it; the task ends
-NOTE = 13  # do it, for the log: a loop begins or ends
-TURN = 15  # let other tasks go at the next step that knows of time
-BEGIN = 14  # a statement begins, before which a debugger may stop
+NOW = 1  # let happen what is due by now, then set the clock
+COMMAND = 2  # a statement begins: let other tasks that are ready go first, then pay its time; then do it
+BRANCH = 3  # go on if `do` is true, else at `to`
+JUMP = 4  # go on at `to`
+BACK = 5  # the end of an iteration: let happen what is due, then go back to `to`; with `do`, go back if that is true
+GO = 6  # `do` returns the index of the next step
+WAIT = 7  # `do` returns what to wait for, or None
+TRY = 8  # like WAIT, but it is done again after the wait
+TURN = 9  # let other tasks go at the next step that knows of time
+CALL = 10  # `do` returns the steps of a call and its values
+ENTER = 11  # the same, without return
+RETURN = 12  # let other tasks go first, do it, and go back to the caller; `do` returns the result
+END = 13  # do it; the task ends
+NOTE = 14  # do it, for the log: a loop begins or ends
+BEGIN = 15  # a statement begins, before which a debugger may stop
 
 # What the kinds are called in a list of steps.
 NAMES = {
     DO: "do",
-    COMMAND: "command",
     NOW: "now",
+    COMMAND: "command",
     BRANCH: "branch",
     JUMP: "jump",
     BACK: "back",
     GO: "go",
     WAIT: "wait",
     TRY: "try",
+    TURN: "turn",
     CALL: "call",
     ENTER: "enter",
     RETURN: "return",
     END: "end",
     NOTE: "note",
-    TURN: "turn",
     BEGIN: "begin",
 }
 
