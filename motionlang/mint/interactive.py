@@ -36,7 +36,7 @@ class MintInteractive(Interactive):
 
     def forget(self) -> None:
         """Discard all names, as before a program is run; the machine does not change."""
-        self._scope = Scope(Function("main", "main", "main", [], None), None)
+        self._scope = Scope(Function("main", "main", [], None), None)
         self.environment.forget_program()
 
     def is_complete(self, text: str) -> bool:

@@ -112,7 +112,7 @@ class FunctionChecks:
             *map(_constants, (reach.forward, reach.reverse, buffers.sizes)),
             *map(_axes, (buffers.triggered, self._conditions.limited)),
             tuple(
-                (each.python, _axes(buffers.started[each]), _axes(facts.touched(each, TOUCHES)))
+                (each.qualified_name, _axes(buffers.started[each]), _axes(facts.touched(each, TOUCHES)))
                 for each in roots
             ),
         )
@@ -137,7 +137,7 @@ class FunctionChecks:
         touched = (_axes(self._facts.touched(callee, roles)) for roles in (CHANGES, GO))
         left = self._portable(callee) if callee in self._follower.after else ()
         # An object is equal to no other, so a caller of this sub is not recalled.
-        return callee.python, *touched, object() if left is None else repr(left)
+        return callee.qualified_name, *touched, object() if left is None else repr(left)
 
     # ------------------------------------------------------------------------------------- facts of another check
 
@@ -178,12 +178,12 @@ class FunctionChecks:
 
 
 def _names(functions: Iterable[Function]) -> tuple[str, ...]:
-    return tuple(sorted(each.python for each in functions))
+    return tuple(sorted(each.qualified_name for each in functions))
 
 
 def _axis(key: Key) -> Hashable:
     """Return an axis as a plain value; for a parameter this includes its sub's name."""
-    return (key.home.python, key.python) if isinstance(key, Symbol) else key
+    return (key.home.qualified_name, key.name.lower()) if isinstance(key, Symbol) else key
 
 
 def _axes(keys: Iterable[Key]) -> Hashable:

@@ -2,8 +2,7 @@
 
 Problem. A name is written in any case and may be a variable, constant, parameter, Define, sub, task or keyword. A sub
 may be called above its declaration, a Define is replaced by its expression, and an assignment to an unknown name
-declares a Float. So no name can be resolved before all declarations and assignments are known. The compiler also needs
-to know which variables several functions share, and which subs can never wait.
+declares a Float. So no name can be resolved before all declarations and assignments are known.
 
 Idea. Each function is walked once (`Survey`). The passes of `declare_module` use the results of that walk:
 
@@ -13,7 +12,6 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` us
    main program comes first, so a sub that assigns to one of its variables gets that variable.
 3. Use: the scopes are frozen and every `Name` node is bound. A Define is expanded at each use, and the names in its
    expression are looked up in the function that uses it.
-4. Conclude: find out whether calls may nest too deeply (`call_depth.py`), and which subs are `plain`.
 
     Dim x                      main, the module     x, twice, show
     Define twice = 2 * x         └ sub show         n, y
@@ -22,20 +20,16 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` us
      x = n : y = n             y      implicit in show, since main does not assign to it
     End Sub                    twice  bound to a copy of 2 * x
 
-Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
-dict that links to its enclosing scope: from a sub to its task, if any, and then to the module. A `Function` becomes one
-Python function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`, the
-expression. An unknown name gets none of these; the check reports it with a suggestion.
+Data (`symbols.py`). A `Symbol` has a kind and a type. A `Scope` is a dict that links to its enclosing scope: from a sub
+to its task, if any, and then to the module. A `Function` is the main program, a task, a sub or an event handler. A
+`Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`, the expression. An unknown
+name gets none of these; the check reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
   form, a v4 keyword, one that is not simulated, or in a v4 program a string function.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
-- `shared`: a function other than the one that declares the variable uses it. `boxed`: it is passed ByRef or outlives
-  the run, so it lives in a list of one element. `uses` counts reads, not assignments.
-- `plain`: the sub has no loop and no jump, does nothing that observes time (a keyword other than functions and
-  constants, PRINT, PAUSE, …) and calls only plain subs. It needs no generator. No sub is plain if the program handles
-  ONERROR, since its handler may run between any two statements.
+- `shared`: a function other than the one that declares the variable uses it. `uses` counts reads, not assignments.
 - At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
 
 Cost. One walk over each function, and one lookup for each spelling in it. Each use of a Define copies its expression;
@@ -50,16 +44,13 @@ from math import inf
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.mint.models import STRINGS
-from motionlang.mint.resolve.call_depth import count_calls
 from motionlang.mint.resolve.folding import fold, given
-from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
     OTHER_TYPES,
     RECORD,
     STRING,
-    TIME,
     TYPES,
     Function,
     Record,
@@ -80,13 +71,6 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
 
-# The attribute of a function that each kind of statement in it sets.
-_SHOWS: dict[type, str] = {
-    **dict.fromkeys((nodes.For, nodes.While, nodes.Repeat, nodes.Loop), "loops"),
-    **dict.fromkeys((nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End), "observes"),
-    **dict.fromkeys((nodes.Label, nodes.Jump), "jumps"),
-    nodes.Exit: "exits",
-}
 # The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
 MAX_ELEMENTS = 10_000_000
 # The maximum nesting of nodes when Defines stand for expressions that contain further Defines.
@@ -103,7 +87,7 @@ class Names:
         self.table, self.problems = table, problems
         self.types: dict[str, Record] = {}
         self.functions: list[Function] = []
-        self.main = Function("main", "main", "main", [], None)
+        self.main = Function("main", "main", [], None)
         self.typed = module is not None
         if module is not None:
             self.main.scope.outer = None
@@ -122,8 +106,6 @@ class Names:
         # expanded then.
         self._defined_depth = 0
         self._defines_too_deep = False
-        # Names in Python, with the last number that was appended to each.
-        self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
 
     # ------------------------------------------------------------------------------------- declarations
 
@@ -132,8 +114,6 @@ class Names:
         self.declare(module)
         for function in self.functions:
             self._use(function)
-        count_calls(self.functions, self.typed)
-        self._settle()
 
     def declare(self, module: nodes.Module) -> None:
         """Declare all names of the module, and freeze the scopes."""
@@ -148,7 +128,7 @@ class Names:
         for task in module.tasks:
             self._declare_task(task)
         for event in module.events:
-            self._block("event", event, event.name, "e_")
+            self._block("event", event, event.name)
             self._check_event(event)
         self._count_subscripts()
         for function in self.functions:
@@ -156,14 +136,12 @@ class Names:
         for function in self.functions:
             function.scope.settle()
 
-    def _block(
-        self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str
-    ) -> Function:
-        function = Function(kind, name, self._python(prefix, name), node.body, self.module)
+    def _block(self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str) -> Function:
+        function = Function(kind, name, node.body, self.module)
         function.node, function.at = node, node.start
         self.functions.append(function)
         if kind != "event":
-            self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.start, function))
+            self.add(self.module, Symbol(name, kind, Type(FLOAT), node.start, function))
         self._declare_data(function)
         return function
 
@@ -182,20 +160,20 @@ class Names:
                               f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
-        function = self._block("task", task, task.name, "k_")
+        function = self._block("task", task, task.name)
         for sub in task.subs:
             self._declare_sub(sub, function.scope)
 
     def _declare_sub(self, sub: nodes.Sub, scope: Scope) -> Function:
-        function = Function("sub", sub.name, self._python("s_", sub.name), sub.body, scope)
+        function = Function("sub", sub.name, sub.body, scope)
         function.node, function.at = sub, sub.start
         self.functions.append(function)
         result = self.type_of(sub.result, INTEGER) if sub.function else Type(FLOAT)
-        self.add(scope, Symbol(sub.name, "sub", result, function.python, sub.start, function))
+        self.add(scope, Symbol(sub.name, "sub", result, sub.start, function))
         for parameter in sub.parameters:
             self._declare_parameter(function, parameter)
         if sub.function:
-            symbol = Symbol(sub.name, "variable", result, self._python("r_", sub.name), sub.start, function)
+            symbol = Symbol(sub.name, "variable", result, sub.start, function)
             function.result = symbol
         self._declare_data(function)
         return function
@@ -203,13 +181,8 @@ class Names:
     def _declare_parameter(self, function: Function, node: nodes.Parameter) -> None:
         kind = self.type_of(node.type, FLOAT)
         by_ref = node.by_ref and not node.is_array
-        python = self._python("p_", node.name)
-        while by_ref and f"{python}_k" in self._taken:
-            python = self._python("p_", node.name)
-        symbol = Symbol(node.name, "parameter", kind, python, node.start, function)
+        symbol = Symbol(node.name, "parameter", kind, node.start, function)
         symbol.by_ref = by_ref
-        if by_ref:
-            self._taken[f"{python}_k"] = 0  # the index in the list, which is passed along with it
         symbol.dimensions = (0,) if node.is_array else ()
         function.parameters.append(symbol)
         self.add(function.scope, symbol)
@@ -292,12 +265,12 @@ class Names:
             elif type(node) is nodes.Const:
                 self._declare_const(function, node)
             elif type(node) is nodes.Define:
-                symbol = Symbol(node.name, "define", Type(FLOAT), "", node.start, function)
+                symbol = Symbol(node.name, "define", Type(FLOAT), node.start, function)
                 symbol.node = node.value
                 self.add(function.scope, symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
-        """Box an nv variable in a list, which receives the value of the previous run."""
+        """Box an nv variable in a list, which is shared with non-volatile memory."""
         if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
             self.problems.add("type", f"nv data cannot be {symbol.type}", node.start,
                               hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
@@ -312,8 +285,7 @@ class Names:
             self.problems.add(
                 "not-simulated", "variables of type Controller are not simulated", node.type.start, hint=hint
             )
-        symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
-                        self._python("v_", node.name), node.start, function)  # fmt: skip
+        symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT), node.start, function)
         symbol.dimensions = self._dimensions(node, function.scope)
         self.add(function.scope, symbol)
         node.resolve(symbol)
@@ -324,7 +296,7 @@ class Names:
         value = fold(node.value, means)
         expression = given(node.value, means) if value is None else None
         if expression is not None:
-            symbol = Symbol(node.name, "define", Type(FLOAT), "", node.start, function)
+            symbol = Symbol(node.name, "define", Type(FLOAT), node.start, function)
             if node.type is not None:
                 expression = nodes.Cast(node.start, node.end, expression, self.type_of(node.type, FLOAT))
             symbol.node, symbol.given = expression, True
@@ -339,7 +311,7 @@ class Names:
         if (kind.name == STRING) is not isinstance(value, str):
             self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.start)
             value = "" if kind.name == STRING else 1
-        symbol = Symbol(node.name, "const", kind, "", node.start, function)
+        symbol = Symbol(node.name, "const", kind, node.start, function)
         symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
         self.add(function.scope, symbol)
 
@@ -392,16 +364,6 @@ class Names:
         """True for a string function in a program of Mint v4, which has none."""
         return row.family == STRINGS and self.problems.is_v4
 
-    def _python(self, prefix: str, name: str) -> str:
-        spelling = wanted = prefix + name.lower()
-        number = self._taken.get(wanted, 0)
-        while spelling in self._taken:
-            number += 1
-            spelling = f"{wanted}_{number + 1}"
-        self._taken[wanted] = number
-        self._taken.setdefault(spelling, 0)
-        return spelling
-
     # ---------------------------------------------------------------------------------------------- uses
 
     def _implicit(self, function: Function) -> None:
@@ -413,9 +375,7 @@ class Names:
             if row is not None and not self._is_absent(row):
                 continue
             if not _is_result(function, name):
-                symbol = Symbol(
-                    name, "variable", Type(FLOAT), self._python("v_", name), target.start, function
-                )
+                symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
                 symbol.declared = False
                 function.scope.names[name.lower()] = symbol
 
@@ -442,13 +402,9 @@ class Names:
             self._written(target)
         for node in survey.statements:
             kind = node.__class__
-            shows = _SHOWS.get(kind)
-            if shows is None:
-                continue
-            setattr(function, shows, True)
-            if kind is nodes.Jump and node.kind == "gosub":  # type: ignore[attr-defined]
-                function.gosubs = True
-            if (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
+            if kind is nodes.Label or kind is nodes.Jump:
+                function.jumps = True
+            elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
                 symbol = function.scope.find(node.word)  # type: ignore[attr-defined]
@@ -470,7 +426,6 @@ class Names:
         symbol, row = node.symbol, node.row
         if symbol is None:
             if row is not None and row.kind not in ("function", "constant"):
-                function.observes = True
                 self.uses_axes = self.uses_axes or row.verb == "default_axes"
                 if row.verb == "default_bank":
                     self.default_bank = row
@@ -480,13 +435,10 @@ class Names:
             symbol.uses += 1
             if symbol.home is not function:
                 symbol.shared = True
-            if symbol.type.name == TIME:
-                function.observes = True
         elif symbol.kind == "define":
             self._replace(function, node, symbol)
         elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
             function.calls.add(symbol.home)
-            self._box_arguments(function, node, symbol.home)
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
         """Bind a name to the expression of a Define, whose names are resolved at this use."""
@@ -515,36 +467,6 @@ class Names:
         self._replacing.pop()
         self._defined_depth -= depth
         node.definition = definition
-
-    def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
-        for argument, parameter in zip(node.args or (), callee.parameters, strict=False):
-            if parameter.by_ref and type(argument) is nodes.Name and argument.args is None:
-                symbol = function.scope.find(argument.name)
-                if symbol is not None and symbol.kind in ("variable", "parameter"):
-                    symbol.boxed = not (symbol.by_ref or symbol.is_array or symbol.type.record)
-
-    def _settle(self) -> None:
-        """Mark the plain subs: no loop, no keyword that observes time, only plain callees.
-
-        No sub is plain if the program handles ONERROR, whose handler may run between any two statements.
-        """
-        if handles(self, "onerror"):
-            return
-        callers: dict[Function, list[Function]] = {}
-        unknown: dict[Function, int] = {}
-        for function in self.functions:
-            if function.kind == "sub" and not (function.observes or function.loops or function.jumps):
-                unknown[function] = len(function.calls)
-                for callee in function.calls:
-                    callers.setdefault(callee, []).append(function)
-        ready = [function for function, count in unknown.items() if not count]
-        while ready:  # a sub in a cycle of calls is never ready, so recursion takes its usual time
-            plain = ready.pop()
-            plain.plain = True
-            for caller in callers.get(plain, ()):
-                unknown[caller] -= 1
-                if not unknown[caller]:
-                    ready.append(caller)
 
 
 def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:

@@ -120,7 +120,7 @@ class Interfaces:
                 symbol.name,
                 symbol.kind,
                 self._type(symbol.type),
-                symbol.home.python,
+                symbol.home.qualified_name,
                 symbol.dimensions,
                 (symbol.given, symbol.shared, symbol.boxed, symbol.by_ref, symbol.declared),
                 repr(symbol.const),
@@ -133,7 +133,7 @@ class Interfaces:
         """Describe a function for its callers."""
         result = None if function.result is None else self._type(function.result.type)
         parameters = tuple(map(self.symbol, function.parameters))
-        return function.kind, function.python, parameters, result, function.plain, function.counted
+        return function.qualified_name, parameters, result
 
     def _type(self, kind: Type) -> Hashable:
         return kind.name, kind.size, None if kind.record is None else kind.record.name

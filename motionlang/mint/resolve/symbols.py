@@ -1,4 +1,4 @@
-"""Symbols, scopes, user types, and the functions that a program is compiled to."""
+"""Symbols, scopes, user types, and the functions of a program."""
 
 from __future__ import annotations
 
@@ -47,22 +47,15 @@ class Symbol:
     """A symbol of the program.
 
     - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event" or "label".
-    - `python`: its spelling in the generated code.
     - `shared`: more than one function uses it.
-    - `boxed`: it is passed to a ByRef parameter somewhere and therefore lives in a list of one element.
+    - `boxed`: it outlives the run in non-volatile memory, so its value is in a list of one element, which that shares.
+      Arrays and values of user types are lists anyway.
     - `by_ref`: it is a ByRef parameter itself.
     - `declared`: False for a variable that exists only because it is assigned.
     """
 
-    def __init__(self, name: str, kind: str, type: Type, python: str, at: int, home: Function) -> None:
-        self.name, self.kind, self.type, self.python, self.at, self.home = (
-            str(name),
-            kind,
-            type,
-            python,
-            at,
-            home,
-        )
+    def __init__(self, name: str, kind: str, type: Type, at: int, home: Function) -> None:
+        self.name, self.kind, self.type, self.at, self.home = str(name), kind, type, at, home
         self.dimensions: tuple[int, ...] = ()
         self.const: float | str | None = None
         self.node: object = None
@@ -126,25 +119,25 @@ class Scope:
 
 
 class Function:
-    """The source of one Python function: parent task, task, sub or event handler.
+    """The main program, a task, a sub or an event handler; `jumps` is true if it has a label or a jump."""
 
-    `plain`: it cannot wait and does not observe time, so it is an ordinary function and not a generator.
-    `counted`: it receives the remaining depth of the stack, because the calls of its program may nest deeper
-    than the stack allows.
-    """
-
-    def __init__(
-        self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None
-    ) -> None:
-        self.kind, self.name, self.python, self.body = kind, str(name), python, body
+    def __init__(self, kind: str, name: str, body: list[nodes.Stmt], outer: Scope | None) -> None:
+        self.kind, self.name, self.body = kind, str(name), body
         self.scope = Scope(self, outer)
         self.at = 0
         self.node: nodes.Node | None = None
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.observes = self.loops = self.jumps = self.exits = self.plain = self.counted = self.gosubs = False
+        self.jumps = False
         self._graph: Graph | None = None
+
+    @property
+    def qualified_name(self) -> str:
+        """Its kind and name after those of the functions around it; unique in a program without errors."""
+        outer = self.scope.outer
+        own = f"{self.kind} {self.name.lower()}"
+        return own if outer is None else f"{outer.function.qualified_name}, {own}"
 
     def result_named(self, node: nodes.Name) -> Symbol | None:
         """Return the result so far, if that is what a name means: that of a function, without brackets, in itself."""

@@ -139,7 +139,7 @@ def test_given_values_have_a_type_and_no_value() -> None:
 
 
 def test_a_typed_line_knows_the_names_of_earlier_lines() -> None:
-    scope = Scope(Function("main", "main", "main", [], None), None)
+    scope = Scope(Function("main", "main", [], None), None)
     check_line(parse(Source("a.mnt", "Dim n As Integer")), {}, scope)
     module = parse(Source("a.mnt", "Select Case n + 1\nEnd Select"))
     check_line(module, {}, scope)

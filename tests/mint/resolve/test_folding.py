@@ -10,7 +10,7 @@ from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.cases import cases
 
-MAIN = Function("main", "main", "main", [], None)
+MAIN = Function("main", "main", [], None)
 
 
 def value_of(text: str) -> nodes.Expr:
@@ -23,7 +23,7 @@ def constants(name: nodes.Name) -> tuple[Symbol | None, None]:
     """Return a symbol: `a` is given at the start, `c` is 5, `v` is a variable."""
     if name.name not in ("a", "c", "v"):
         return None, None
-    found = Symbol(name.name, "variable" if name.name == "v" else "const", Type(INTEGER), "", 0, MAIN)
+    found = Symbol(name.name, "variable" if name.name == "v" else "const", Type(INTEGER), 0, MAIN)
     found.const = 5 if name.name == "c" else None
     found.given = name.name == "a"
     found.node = nodes.Given(0, 0, "a", False) if found.given else None
