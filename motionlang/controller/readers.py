@@ -99,8 +99,7 @@ def reader(
 def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
     """Return a function for the time at which a reading passes a level, in its unit.
 
-    If the reading is not compared (level None), it may change at once as long as the axis moves. For a running
-    maximum (level INFINITY) the time is that of the next extremum, or now at rest.
+    If the reading is not compared (level None), it may change at once as long as the axis moves.
     """
     clock, scale, axis = controller.clock, a.scale, a.index
     crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
@@ -109,9 +108,9 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
 
     def until(level: Level = None) -> float:
         if controller.is_still(axis):
-            return clock.now if level == INFINITY else INFINITY
+            return INFINITY
         wrap = wraps.get(axis) if wraps and is_position else None
-        if crossing_time is None or level is None or (wrap and level == INFINITY):
+        if crossing_time is None or level is None:
             return clock.now
         if isinstance(level, tuple):
             distance, centre = level
@@ -127,8 +126,10 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
 def passing_within(wrap: float | None, here: float, level: float, passing: Callable[[float], float]) -> float:
     """Return when a quantity, now `here`, passes a level; `passing` solves one level.
 
-    A quantity that wraps also passes the level by wrapping.
+    A quantity that wraps also passes the level by wrapping. No quantity passes an infinite level.
     """
+    if abs(level) == INFINITY:
+        return INFINITY
     if not wrap:
         return passing(level)
     base = here // wrap * wrap

@@ -206,21 +206,20 @@ class Readings:
     def crossing_time(self, axis: int, position: float) -> float:
         """Return when the axis will pass `position`; infinite if this motion never does.
 
-        If `position` is infinite, return the time of the next reversal, or now at standstill. For a simulated motor the
-        prediction is limited; beyond it the result is the time to check again.
+        For a simulated motor the prediction is limited; beyond it the result is the time to check again.
         """
         a = self.axes[axis]
         feedback = a.feedback
-        if feedback is None:
+        if feedback is None or abs(position) == INFINITY:
             return self._crossing_time(a, position)
-        return self.clock.now if abs(position) == INFINITY else feedback.crossing_time(position)
+        return feedback.crossing_time(position)
 
     def error_crossing_time(self, axis: int, error: float) -> float:
         """Return when the following error of an axis passes `error`, like `crossing_time`."""
-        if abs(error) == INFINITY:
-            return self.clock.now
         feedback = self.axes[axis].feedback
-        return INFINITY if feedback is None else feedback.error_crossing_time(error)
+        if feedback is None or abs(error) == INFINITY:
+            return INFINITY
+        return feedback.error_crossing_time(error)
 
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """Return when the commanded position passes `position`, like `crossing_time`."""
@@ -234,20 +233,17 @@ class Readings:
         start, profile = a.starts[-1], a.profiles[-1]
         elapsed = self.clock.now - start
         if abs(position) == INFINITY:
-            found = profile.velocity_crossing(0.0, elapsed) if a.velocity(self.clock.now) else elapsed
-        elif profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
+            return INFINITY
+        if profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
             return INFINITY  # at rest, like a slave whose master rests: it passes not even its own position
-        else:
-            found = profile.crossing(position, elapsed)
+        found = profile.crossing(position, elapsed)
         return INFINITY if found is None else start + found
 
     def remaining_crossing_time(self, axis: int, left: float) -> float:
-        """Return when the remaining distance will be `left`; now if `left` is infinite."""
-        return (
-            self.clock.now
-            if abs(left) == INFINITY
-            else self.demand_crossing_time(axis, self.target(axis) - left)
-        )
+        """Return when the remaining distance will be `left`."""
+        if abs(left) == INFINITY:
+            return INFINITY
+        return self.demand_crossing_time(axis, self.target(axis) - left)
 
     def velocity_crossing_time(self, axis: int, velocity: float) -> float:
         """Return when the velocity will next be `velocity`; now for a simulated motor.
@@ -261,26 +257,25 @@ class Readings:
     def demand_velocity_crossing_time(self, axis: int, velocity: float) -> float:
         """Return when the commanded velocity will be `velocity`, or when to check again.
 
-        If `velocity` is infinite, return when the acceleration may change its sign. The result is at most the end of
-        the profile. Unless the profile consists of ramps, whose velocity does not jump, it is also at most the next
-        knot, and the trend may change now in a piece that is not a cubic.
+        The result is at most the end of the profile. Unless the profile consists of ramps, whose velocity does not
+        jump, it is also at most the next knot.
         """
         a, now = self.axes[axis], self.clock.now
         start, profile = a.starts[-1], a.profiles[-1]
         elapsed = now - start
-        if elapsed >= profile.duration:
+        if elapsed >= profile.duration or abs(velocity) == INFINITY:
             return INFINITY
-        if abs(velocity) != INFINITY and not profile.has_ramps and profile.cubic(elapsed) is None:
+        if not profile.has_ramps and profile.cubic(elapsed) is None:
             return start + profile.velocity_check(velocity, elapsed)
-        found = None if abs(velocity) == INFINITY else profile.velocity_crossing(velocity, elapsed)
-        if profile.has_ramps and abs(velocity) != INFINITY and (found is None or found > elapsed):
+        found = profile.velocity_crossing(velocity, elapsed)
+        if profile.has_ramps and (found is None or found > elapsed):
             return start + (profile.duration if found is None else found)
         piece = profile.cubic(elapsed)
         if piece is None:
             return now
         since, until, (_, _, c2, c3) = piece
         if not c2 and not c3:
-            return now if abs(velocity) == INFINITY else start + until
+            return start + until
         if c3 and elapsed < since - c2 / (3.0 * c3) < until:
             until = since - c2 / (3.0 * c3)
         return start + (until if found is None else min(found, until))

@@ -19,17 +19,11 @@ the one before.
              1.25 s
 
 The clients, which need the earliest of these times:
-- Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable unchanged repeats
-  until then, in one step.
+- Loops (`loops.py`): iterations that change nothing, or each number by the same amount, repeat until then, in one step.
 - Conditions of PAUSE (`Condition` of `waits.py`): the wait sleeps until then.
-- Loops of steps, in MCCL (`loops.py`): like loops of Mint, for one task or several.
-- Periods of several polling tasks, for which `read` collects the dependencies of all tasks.
 
-Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share
-the list, and each remembers how long it was when its iteration began. Two levels are special. -infinity: the
-loop only stores the value without a comparison, so there is no dependency. +infinity: the loop keeps the
-largest value so far, and its iterations stay equal until the value has an extremum. In `read` a value with
-either level counts as changing at once.
+Data. `notes` is the list of dependencies of the running task, None if no client needs any. A client that finds another
+list than its own knows that some are missing.
 
 Invariants.
 - A dependency may be too early, never too late. Too early costs a check; too late would change the result.
@@ -64,72 +58,28 @@ if TYPE_CHECKING:
 CLOSE = 1e-7
 # An iteration that reads more than this is not worth remembering.
 MAX_NOTES = 500
-_NO_DEPENDENCY = (-INFINITY,)
-# The level of a value without a comparison, and that of a running maximum.
-_OF_LOOPS = (_NO_DEPENDENCY, (INFINITY,))
 
 
 class Dependencies:
-    """The dependencies of the running task; `notes` is None without a subscriber.
+    """The dependencies of the running task; `notes` is None without a client."""
 
-    `read` has the dependencies of all tasks since a subscriber to all readings began, None while there is no
-    such subscriber. While it is set, `notes` is not None. `longest` is the same set while a subscriber from
-    `begin_longest` needs all readings; any other subscriber then shares the set.
-    """
-
-    __slots__ = ("clock", "longest", "notes", "read")
+    __slots__ = ("clock", "notes")
 
     def __init__(self, clock: Clock) -> None:
         self.clock = clock
         self.notes: list[Note] | None = None
-        self.read: set[Note] | None = None
-        self.longest: set[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
-        """Record that a value just read may change at `until(*about)` without an event.
-
-        A value compared with -INFINITY is only stored, so it is not a dependency.
-        """
-        notes, read = self.notes, self.read
-        if read is not None:
-            # Only a loop that executes its last iteration can use these levels instead of the exact value.
-            read.add((self.at_once, ()) if about[-1:] in _OF_LOOPS else (until, about))
-            if len(read) > MAX_NOTES:
-                self.read = self.longest = None
-        if notes is not None and about[-1:] != _NO_DEPENDENCY:
+        """Record that a value just read may change at `until(*about)` without an event."""
+        notes = self.notes
+        if notes is not None:
             notes.append((until, about))
             if len(notes) > MAX_NOTES:
                 self.rest()  # a client then finds a list other than its own
 
-    def begin_all(self) -> set[Note]:
-        """Start collecting the readings of all tasks; return the set that collects them."""
-        self.read = set() if self.longest is None else self.longest
-        return self.read
-
-    def end_all(self) -> None:
-        """Stop collecting the readings of all tasks, unless `longest` continues."""
-        self.read = self.longest
-
-    def begin_longest(self) -> set[Note]:
-        """Start collecting like `begin_all`; other subscribers do not end it."""
-        self.longest = None
-        self.longest = self.begin_all()
-        return self.longest
-
-    def end_longest(self, read: set[Note]) -> None:
-        """Stop the collection that `begin_longest` started."""
-        if self.longest is read:
-            self.longest = self.read = None
-
     def rest(self) -> None:
         """Stop recording for the running task."""
-        self.notes = None if self.read is None else []
-
-    def begin(self) -> tuple[list[Note], int]:
-        """Start recording; return the list and its present length."""
-        if self.notes is None:
-            self.notes = []
-        return self.notes, len(self.notes)
+        self.notes = None
 
     def until(self, since: float, notes: Iterable[Note]) -> float:
         """Return the first time from `since` on at which one of `notes` may change.
@@ -147,13 +97,6 @@ class Dependencies:
         finally:
             clock.now = now
         return earliest
-
-    def stable_until(self, notes: list[Note], first: int, since: float) -> float:
-        """Return the time until which all readings from index `first` on stay unchanged.
-
-        The result is in the past if another list has been begun since.
-        """
-        return self.until(since - CLOSE, notes[first:]) - CLOSE if self.notes is notes else -INFINITY
 
     def at_once(self, *about: object) -> float:
         """Return the present time, for a value that may change at any time."""

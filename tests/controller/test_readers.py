@@ -120,18 +120,17 @@ def test_a_subscriber_is_notified_when_a_reading_passes_a_level() -> None:
     controller.reader("velocity", 0, "uu/s", subscriber)()
     until_position, speed = (until for until, _ in subscriber.subscriptions)
     assert until_position(0.5) == until_position() == inf
-    assert until_position(inf) == 0.0  # at rest it is no new maximum
     controller.move_by(0, 20.0)
     assert until_position() == 0.0  # it may change at any time
     assert until_position(0.6) == until_position((0.6, 0.0)) == pytest.approx(0.5 + 4.0 / 8.0)
     assert until_position(2.5) == inf
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)
-    assert until_position(inf) == pytest.approx(3.0)  # it reverses, or is at rest
+    assert until_position(inf) == inf
     subscriber.wraps[0] = 0.4
     assert until_position(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
     assert until_position(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
-    assert until_position(inf) == 0.6
+    assert until_position(inf) == until_position(-inf) == inf
 
 
 def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from math import inf
+from typing import Any
 
 import pytest
 
 from motionlang import run
 from motionlang.controller.clock import Clock
 from motionlang.controller.controller import Controller
-from motionlang.lang.dependencies import CLOSE, MAX_NOTES, Dependencies
+from motionlang.lang.dependencies import MAX_NOTES, Dependencies
 from motionlang.lang.waits import TICK, Condition, Delay, next_tick, until_idle, wait_idle, wait_until
 from motionlang.source import Source
 
@@ -121,68 +122,25 @@ def test_a_condition_that_cannot_be_solved_is_checked_at_each_tick() -> None:
     assert times == pytest.approx([TICK, 2 * TICK, 3 * TICK])
 
 
-def test_readings_are_relied_upon_until_just_before_they_change() -> None:
-    """Only those from an index on count, and only while the list is the present one."""
+def test_the_first_change_of_several_readings() -> None:
     reading = Reading(1.0, 2.0)
-    dependencies = reading.dependencies
-    notes, first = dependencies.begin()
-    assert (notes, first) == ([], 0)
-    reading.count()
-    assert dependencies.begin() == (notes, 1)
-    assert dependencies.stable_until(notes, 0, 0.5) == 1.0 - CLOSE
-    assert dependencies.stable_until(notes, 0, 1.0) == 1.0 - CLOSE  # just before 1 s it may change at 1 s
-    assert dependencies.stable_until(notes, 0, 1.5) == 2.0 - CLOSE
-    assert dependencies.stable_until(notes, 1, 0.5) == inf
+    dependencies, notes = reading.dependencies, [(reading.next, ())]
+    assert [dependencies.until(since, notes) for since in (0.5, 1.0, 2.0)] == [1.0, 2.0, inf]
+    assert dependencies.until(0.5, [*notes, (dependencies.at_once, ())]) == 0.5
+    assert dependencies.until(0.5, []) == inf
     assert reading.clock.now == 0.0
-    assert dependencies.stable_until([], 0, 0.5) == -inf
 
 
 def test_a_list_of_too_many_readings_is_given_up() -> None:
     reading = Reading(1.0)
     dependencies = reading.dependencies
-    notes, _ = dependencies.begin()
+    notes: list[Any] = []
+    dependencies.notes = notes
     for _ in range(MAX_NOTES):
         reading.count()
     assert dependencies.notes is notes
     reading.count()
     assert dependencies.notes is None
-
-
-def collected(dependencies: Dependencies) -> tuple[object, object]:
-    """Return the readings of all tasks and those of the running task."""
-    return dependencies.read, dependencies.notes
-
-
-def test_the_readings_of_all_tasks() -> None:
-    """A reading without a comparison may change at once.
-
-    It has no level: -inf if it is only stored, and inf if the loop searches for the largest one.
-    """
-    dependencies = Reading().dependencies
-    dependencies.note(next_tick, 1.0)
-    assert dependencies.read is None
-    read = dependencies.begin_all()
-    for level in (5.0, inf, -inf):
-        dependencies.note(next_tick, 1.0, level)
-    assert read == {(next_tick, (1.0, 5.0)), (dependencies.at_once, ())}
-    dependencies.rest()
-    assert dependencies.notes == []
-    dependencies.end_all()
-    dependencies.rest()
-    assert collected(dependencies) == (None, None)
-
-
-def test_the_longest_collection_of_readings_is_shared() -> None:
-    dependencies = Reading().dependencies
-    longest = dependencies.begin_longest()
-    assert dependencies.begin_all() is longest
-    dependencies.end_all()
-    assert dependencies.read is longest
-    dependencies.end_longest(set())
-    assert dependencies.longest is longest
-    dependencies.end_longest(longest)
-    assert dependencies.longest is None
-    assert collected(dependencies) == (None, None)
 
 
 def test_the_record_of_a_wait() -> None:

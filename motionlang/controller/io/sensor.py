@@ -148,7 +148,7 @@ class Sensor:
         last = _last(now)
         found = self.level()
         value = shown(self._inputs[self.channel] if found is None else found)
-        if level is None or abs(level) == INFINITY:
+        if level is None:
             return (last + 1) * PERIOD
         profile, start, sample_at = self._sampling.profile, self._sampling.start, self._sampling.value
         elapsed = now - start

@@ -188,8 +188,6 @@ class Encoders:
         This is exact for an encoder of the machine file. The encoder of an axis may cross it while anything moves.
         """
         track = self.track(channel)
-        if level == INFINITY:
-            return self._controller.clock.now
         if level is None or track not in self._controller.encoders:
             return self._end_of_motion()
         zero, per_unit = self.setting("zero", channel), self.per_unit(channel)

@@ -260,9 +260,7 @@ class Environment(Waits):
 
         They cross it when they reach it, when they first exceed it, and when they roll over.
         """
-        if level == INFINITY:
-            return self.clock.now  # they are more than ever before
-        if not level > -INFINITY:
+        if not abs(level) < INFINITY:
             return INFINITY
         rollover = base + ROLLOVER / 1000.0
         for milliseconds in (ceil(level), floor(level) + 1):
