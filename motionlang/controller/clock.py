@@ -29,15 +29,15 @@ class Clock:
     """Virtual time: `now` since power-up, and `horizon`, the time of the next event.
 
     Both are in s; `horizon` is infinite if there is no event. `made` and `fired` count the events that were
-    scheduled and those that have run. `leaps` counts the jumps over periodic execution.
+    scheduled and those that have run.
     """
 
-    __slots__ = ("_heap", "_reserved", "fired", "horizon", "leaps", "made", "now")
+    __slots__ = ("_heap", "_reserved", "fired", "horizon", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
-        self.made = self.fired = self.leaps = 0
+        self.made = self.fired = 0
         self._reserved = 0  # order numbers reserved for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
@@ -125,54 +125,6 @@ class Clock:
             self.now = time
         return quiet
 
-    def second_time(self) -> float:
-        """Return the time of the second event in the queue, which may be a cancelled one.
-
-        It is infinite if there is none.
-        """
-        return min(self._heap[1:3])[0] if len(self._heap) > 1 else INFINITY
-
-    def reach(self, event: Event) -> bool:
-        """Advance to `event` and remove it without calling it.
-
-        False, without effect, unless it is the next event and the only one at its time.
-        """
-        heap = self._heap
-        time, _, first = heap[0]
-        if first is not event or self.second_time() <= time:
-            return False
-        heappop(heap)
-        self.horizon = heap[0][0] if heap else INFINITY
-        self.now = time
-        self.fired += 1
-        return True
-
-    def ring(self, moment: float) -> bool:
-        """Advance to `moment` and run its events, if the next event is at that time.
-
-        False if it is not, or if an event woke a task.
-        """
-        if self.horizon != moment and self.next_time() != moment:
-            return False
-        heap = self._heap
-        call = heap[0][2].call
-        if call is None:
-            return self.next_time() == moment and self.advance_to_news(moment)
-        heappop(heap)
-        self.now = moment
-        self.fired += 1
-        quiet = call()
-        while heap:
-            due, _, event = heap[0]
-            if due <= moment:
-                return self.advance_to_news(moment) and bool(quiet)
-            if event.call is not None:
-                self.horizon = due
-                return bool(quiet)
-            heappop(heap)
-        self.horizon = INFINITY
-        return bool(quiet)
-
 
 class WatchedClock(Clock):
     """A clock that calls `watch` with each time to which it is about to advance.
@@ -204,11 +156,3 @@ class WatchedClock(Clock):
         if end > self.now or due == end:
             self._watch(end)
         return Clock.advance_to_news(self, end)
-
-    def reach(self, event: Event) -> bool:
-        self._watch(event.time)
-        return super().reach(event)
-
-    def ring(self, moment: float) -> bool:
-        self._watch(moment)
-        return super().ring(moment)

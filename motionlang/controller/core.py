@@ -153,7 +153,6 @@ class Core(Readings):
         a.starts.append(now)
         a.profiles.append(profile)
         a.present = profile
-        a.watches.free = None
         log = self.log
         log.room -= 1
         if log.room < 0:

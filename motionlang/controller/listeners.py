@@ -29,8 +29,6 @@ class Listeners:
 
     def __init__(self) -> None:
         self._calls: list[tuple[Listener, tuple[str, ...]]] = []
-        # True if any subscriber wants axes that come to rest, the most frequent kind.
-        self.of_rest = False
 
     def __contains__(self, call: Listener) -> bool:
         return any(each == call for each, _ in self._calls)
@@ -55,4 +53,3 @@ class Listeners:
 
     def _set(self, calls: list[tuple[Listener, tuple[str, ...]]]) -> None:
         self._calls = calls  # a new list, so that a notification in progress uses the old one
-        self.of_rest = any("idle" in kinds for _, kinds in self._calls)

@@ -23,7 +23,7 @@ class Watches:
     all others were right. `count` is the number of watches ever set.
     """
 
-    __slots__ = ("all", "count", "crossed", "free", "loose", "machine", "program", "seen")
+    __slots__ = ("all", "count", "crossed", "loose", "machine", "program", "seen")
 
     def __init__(self) -> None:
         self.all: dict[Watch, None] = {}
@@ -32,8 +32,6 @@ class Watches:
         self.machine: list[Key] = []
         self.seen = [0.0, 0.0]
         self.count = 0
-        # The interval in which the axis passes no watch and meets no limit; None if it is not known.
-        self.free: tuple[float, float] | None = None
         # When the axis was last known to be exactly at a position, that position, and its profile.
         self.crossed: tuple[float, float, Profile] | None = None
 
@@ -49,7 +47,6 @@ class Watches:
     def append(self, watch: Watch) -> None:
         """Add a watch; the caller solves it."""
         self.count += 1
-        self.free = None
         watch.order = self.count
         self.all[watch] = self.loose[watch] = None
         insort_right(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
@@ -57,7 +54,6 @@ class Watches:
     def remove(self, watch: Watch) -> None:
         """Remove a watch and cancel its event."""
         del self.all[watch]
-        self.free = None
         self.loose.pop(watch, None)
         keys = self.machine if watch.physical else self.program
         del keys[bisect_left(keys, (watch.position, watch.order))]

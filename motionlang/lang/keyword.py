@@ -49,10 +49,9 @@ TRAITS = {
 class Actions:
     """The functions of a keyword, None if there is none; calls differ by language.
 
-    `verb`       the name of its function in the controller, the compiler or the linter; "" if they need none
+    `verb`       the name of its function in the controller, the steps or the linter; "" if they need none
     `read`, `write`, `load`, `do`   read its value, write it, load a move into the buffer, execute a command
     `replaced`   reads the value that a write replaces, if `read` does not
-    `outcome`    returns all that decides the result of `read`, without its effects, if only events change that
     `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
     """
 
@@ -62,7 +61,6 @@ class Actions:
     load: Callable[..., Any] | None = None
     do: Callable[..., Any] | None = None
     replaced: Callable[..., Any] | None = None
-    outcome: Callable[..., Any] | None = None
     attribute: str = ""
 
 

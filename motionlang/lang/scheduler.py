@@ -99,9 +99,6 @@ class Scheduler:
     advances, and may end any wait.
     """
 
-    # True while each beginning of a wait must be seen here, so that no wait passes within its statement.
-    is_observed = False
-
     def __init__(
         self,
         machine: Controller | Machine,
@@ -141,8 +138,8 @@ class Scheduler:
 
     @property
     def by_itself(self) -> bool:
-        """True if nothing but the tasks limits the clock, and nothing observes them."""
-        return self.pace is None and self.outside is None and not self.is_observed
+        """True if nothing but the tasks limits the clock."""
+        return self.pace is None and self.outside is None
 
     def where(self) -> int:
         """Return the source position of the program for the log, -1 if it has ended.
@@ -267,7 +264,7 @@ class Scheduler:
         `event` was the next event when the task was resumed.
         """
         clock = self.clock
-        advance = clock.advance if self.pace is None and self.outside is None else self._advance
+        advance = clock.advance if self.by_itself else self._advance
         advance(time)
         while clock.now < time:
             advance(time)
@@ -291,10 +288,6 @@ class Scheduler:
         if not self._alone or self.outside is not None:
             return 0.0
         return min(self.clock.next_time(), self._first_end() - 0.5 * ROUNDING, self.until)
-
-    def next_change(self) -> float:
-        """Return the time of the next event or end of a wait if running tasks do nothing."""
-        return min(self.clock.next_time(), self._first_end())
 
     def _first_end(self) -> float:
         """Return when the first wait may end if the running tasks do nothing."""
@@ -429,12 +422,9 @@ class Scheduler:
         return found
 
     def _jump(self, until: float) -> None:
-        """Jump to the next time at which something can change, since all tasks wait."""
-        self._jump_to(self.next_change(), until)
-
-    def _jump_to(self, due: float, until: float) -> None:
-        """Jump to the time at which something can change, but not beyond `until`."""
+        """Jump to the next time at which something can change, since all tasks wait, but not beyond `until`."""
         clock = self.clock
+        due = min(clock.next_time(), self._first_end())
         time = due if due < until else until
         if due == INFINITY and (self.outside is None or not self.outside.may_act()):
             waiting = (self.interrupts or self.tasks)[-1 if self.interrupts else 0]

@@ -22,13 +22,7 @@ class Task:
     Source positions ("at") are offsets, which the dialect's `locate` converts to line and column.
     """
 
-    __slots__ = (
-        "done",
-        "max_slice",
-        "name",
-        "priority",
-        "wait",
-    )
+    __slots__ = ("done", "max_slice", "name", "priority", "wait")
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -58,12 +52,6 @@ class Task:
         return (self.at,)
 
     @property
-    def stack_offsets(self) -> tuple[int, tuple[int, ...]]:
-        """The source position of the task, and those of the calls that led there."""
-        *callers, at = self.stack
-        return at, tuple(callers)
-
-    @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
         """The loops that the task is in, outermost first.
 
@@ -73,9 +61,9 @@ class Task:
 
     def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
         """Return the record of a completed wait, in the form of `record.records.Waited`."""
-        at, callers = wait.location or self.stack_offsets
+        *callers, at = self.stack
         why = "" if wait.cause == "time" else wait.why
-        return self.name, at, wait.since, until, wait.cause, wait.what, why, callers
+        return self.name, at, wait.since, until, wait.cause, wait.what, why, tuple(callers)
 
     @property
     def running(self) -> bool:

@@ -42,12 +42,10 @@ class Wait:
     `why`     a description, for the report of a wait that never ends
     `cause`   the kind of thing that ends it, one of `record.records.CAUSES`, and `what` its numbers
     `ends`    the time at which it certainly ends, if there is one; the two functions are then not called
-    `location`   the source position of its statement and those of the calls that led there, if known
     """
 
     __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
 
-    location: tuple[int, tuple[int, ...]] | None = None
     # True if no variable or memory of the program can end it.
     ignores_data = False
     # Returns when axes will be at rest, negative once they are, if only that ends it: nothing is tested meanwhile.
@@ -66,35 +64,19 @@ class Wait:
         self.cause, self.what = cause, what
         self.ends: float | None = None
 
-    def expected(self) -> float:
-        """Return when it ends if only expected events happen; -1 if unknown or over."""
-        return -1.0
-
 
 class Delay(Wait):
     """A wait for a time; its description is made on demand, as a program has millions."""
 
-    __slots__ = ("_clock", "location")
+    __slots__ = ("_clock",)
 
     cause = "time"
     what = ()
     ends: float
     ignores_data = True
 
-    def __init__(
-        self, clock: Clock, since: float, time: float, location: tuple[int, tuple[int, ...]] | None = None
-    ) -> None:
-        self.since, self._clock, self.ends, self.location = since, clock, time, location
-
-    @property
-    def length(self) -> float:
-        """Its total duration, s, to a nanosecond."""
-        return round(self.ends - self.since, 9)
-
-    def move(self, time: float) -> None:
-        """Move its end to `time`, and its beginning by the same amount."""
-        self.since += time - self.ends
-        self.ends = time
+    def __init__(self, clock: Clock, since: float, time: float) -> None:
+        self.since, self._clock, self.ends = since, clock, time
 
     def ready(self) -> bool:
         return self._clock.now >= self.ends - ROUNDING
@@ -137,12 +119,9 @@ class Standstill(Idle):
 
 
 class Condition(Wait):
-    """A wait for a condition: checked at solved times, events, or ticks if unsolvable.
+    """A wait for a condition: checked at solved times, events, or ticks if unsolvable."""
 
-    `solved` is the last time that `due` returned.
-    """
-
-    __slots__ = ("_checked", "_dependencies", "_holds", "_notes", "_test", "ignores_data", "solved")
+    __slots__ = ("_checked", "_dependencies", "_holds", "_notes", "_solved", "_test", "ignores_data")
 
     cause = "condition"
     what = ()
@@ -159,9 +138,8 @@ class Condition(Wait):
         self.ignores_data = ignores_data
         self._dependencies, self._test, self.since, self.why = dependencies, test, since, why
         self._notes: list[Note] = []
-        # When the dependencies were recorded, after how many events, and the time for which they were last
-        # solved.
-        self._checked, self.solved = (-1.0, -1), -1.0
+        # When the dependencies were recorded, after how many events, and the last time that `due` returned.
+        self._checked, self._solved = (-1.0, -1), -1.0
         self._holds = False
 
     def ready(self) -> bool:
@@ -169,7 +147,7 @@ class Condition(Wait):
         clock = self._dependencies.clock
         now = clock.now
         self._checked = now, clock.fired
-        delays = _AFTER if now == self.solved else _AFTER[:1]
+        delays = _AFTER if now == self._solved else _AFTER[:1]
         try:
             self._holds = any(self._evaluate(now + after * max(1.0, now)) for after in delays)
         finally:
@@ -182,14 +160,14 @@ class Condition(Wait):
         now = clock.now
         if self._checked != (now, clock.fired):
             self.ready()  # other tasks have run since
-        if self._holds and now == self.solved:
+        if self._holds and now == self._solved:
             return now  # another solution would hide that the condition holds immediately after
         # After the time that was just checked.
-        begin = now + 1e-7 * max(1.0, now) if now == self.solved else now
+        begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
         moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]
         moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
-        self.solved = moment if moment > now else now + TICK
-        return self.solved
+        self._solved = moment if moment > now else now + TICK
+        return self._solved
 
     def _evaluate(self, moment: float) -> bool:
         """Evaluate the condition at a time, and store its dependencies."""

@@ -119,71 +119,6 @@ def test_reserved_numbers_rank_before_events_made_later() -> None:
     assert clock.horizon == 1.5
 
 
-def test_the_second_time_is_that_of_the_event_after_the_next() -> None:
-    clock = Clock()
-    found = [clock.second_time()]
-    for time in (3.0, 1.0, 2.0, 5.0, 1.5):
-        clock.at(time, lambda: None)
-        found.append(clock.second_time())
-    assert found == [INFINITY, INFINITY, 3.0, 2.0, 2.0, 1.5]
-
-
-def test_an_event_alone_at_its_time_is_reached_without_a_call() -> None:
-    clock, seen = Clock(), list[str]()
-    first, second = clock.at(1.0, lambda: seen.append("first")), clock.at(2.0, lambda: seen.append("second"))
-    assert not clock.reach(second)
-    assert clock.reach(first)
-    assert (clock.now, clock.horizon, clock.fired, seen) == (1.0, 2.0, 1, [])
-    clock.at(2.0, lambda: seen.append("third"))
-    assert not clock.reach(second)
-    clock.advance(2.0)
-    assert (seen, clock.horizon, clock.fired) == (["second", "third"], INFINITY, 3)
-
-
-def test_an_event_that_is_alone_is_reached_and_leaves_no_horizon() -> None:
-    clock = Clock()
-    only = clock.at(1.0, lambda: None)
-    assert clock.reach(only)
-    assert (clock.now, clock.horizon) == (1.0, INFINITY)
-
-
-def test_a_moment_rings_with_all_of_its_events() -> None:
-    """True if there are events at the moment and none of them woke a task."""
-    clock, seen = Clock(), list[str]()
-    names(clock, seen, (1.0, "a"), (1.0, "b"), (2.0, "c"), (3.0, "e"))
-    assert not clock.ring(0.5)
-    assert not clock.ring(2.0)
-    assert clock.ring(1.0)
-    assert (clock.now, seen, clock.horizon, clock.fired) == (1.0, ["a", "b"], 2.0, 2)
-    clock.at(2.0, lambda: False)
-    assert not clock.ring(2.0)
-    assert (clock.now, seen, clock.horizon) == (2.0, ["a", "b", "c"], 3.0)
-    assert clock.ring(3.0)
-    assert (clock.now, clock.horizon, clock.fired) == (3.0, INFINITY, 5)
-    assert not clock.ring(3.0)
-
-
-def test_the_first_event_of_a_moment_may_wake_a_task() -> None:
-    clock, seen = Clock(), list[str]()
-    clock.at(1.0, lambda: False)
-    names(clock, seen, (1.0, "b"), (2.0, "c"))
-    assert not clock.ring(1.0)
-    assert (seen, clock.horizon) == (["b"], 2.0)
-
-
-def test_cancelled_events_do_not_ring() -> None:
-    clock, seen = Clock(), list[str]()
-    for time in (1.0, 1.0, 1.5):
-        clock.at(time, lambda: seen.append("cancelled")).cancel()
-    assert not clock.ring(1.0)
-    clock.at(1.0, lambda: seen.append("cancelled")).cancel()
-    names(clock, seen, (1.0, "a"))
-    clock.at(1.2, lambda: seen.append("cancelled")).cancel()
-    names(clock, seen, (2.0, "b"))
-    assert clock.ring(1.0)
-    assert (seen, clock.now, clock.horizon, clock.fired) == (["a"], 1.0, 2.0, 1)
-
-
 def test_cancelled_events_behind_the_end_are_no_horizon() -> None:
     for advance in (Clock.advance, Clock.advance_to_news):
         clock = Clock()
@@ -229,8 +164,4 @@ def test_a_watched_clock_reports_each_time_before_it_comes() -> None:
     assert len(times) == 7
     clock.at(6.0, lambda: True)
     assert clock.advance_to_news(6.0)
-    event = clock.at(7.0, lambda: True)
-    assert clock.reach(event)
-    clock.at(8.0, lambda: True)
-    assert clock.ring(8.0)
-    assert times[7:] == [(6.0, 6.0), (6.0, 7.0), (7.0, 8.0)]
+    assert times[7:] == [(6.0, 6.0)]

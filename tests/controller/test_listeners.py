@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.listeners import KINDS, Listeners
+from motionlang.controller.listeners import Listeners
 
 
 def test_each_is_notified_of_its_subscription_in_the_order_of_subscribing() -> None:
@@ -38,17 +38,3 @@ def test_one_may_leave_and_another_come_during_notification() -> None:
     assert once not in listeners
     listeners.notify("idle", 0)
     assert events == ["once", "other", "other", "new"]
-
-
-def test_it_is_known_if_rest_has_a_listener() -> None:
-    listeners = Listeners()
-
-    def call(what: str, axis: int) -> None: ...
-
-    assert not listeners.of_rest
-    listeners.append(call, *(kind for kind in KINDS if kind != "idle"))
-    assert not listeners.of_rest
-    listeners.append(call, "idle")
-    assert listeners.of_rest
-    listeners.remove(call)
-    assert not listeners.of_rest

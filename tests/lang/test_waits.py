@@ -20,18 +20,10 @@ def test_a_delay_ends_at_its_time() -> None:
     controller = Controller(1)
     delay = wait_until(controller, 1.0, 3.5)
     assert isinstance(delay, Delay)
-    assert (delay.since, delay.ends, delay.due(), delay.length, delay.why) == (
-        1.0,
-        3.5,
-        3.5,
-        2.5,
-        "for 2.5 s",
-    )
+    assert (delay.since, delay.ends, delay.due(), delay.why) == (1.0, 3.5, 3.5, "for 2.5 s")
     for now, ready in ((3.4, False), (3.5 - 2e-9, False), (3.5 - 0.5e-9, True), (3.5, True), (4.0, True)):
         controller.clock.now = now
         assert delay.ready() is ready
-    delay.move(5.0)
-    assert (delay.since, delay.ends, delay.length) == (2.5, 5.0, 2.5)
 
 
 def test_a_wait_for_standstill_of_several_axes() -> None:
@@ -47,7 +39,7 @@ def test_a_wait_for_standstill_of_several_axes() -> None:
     controller.go([0, 1])
     wait = wait_idle(controller, 0.0, iter([0, 1, 2]))
     assert (wait.ready(), wait.due(), wait.why) == (False, 3.0, "for axis 0, 1, 2 to be idle")
-    assert (wait.cause, wait.what, wait.expected()) == ("axis", (0, 1, 2), -1.0)
+    assert (wait.cause, wait.what) == ("axis", (0, 1, 2))
     controller.clock.advance(2.5)
     assert (wait.ready(), wait.due()) == (False, 3.0)
     controller.clock.advance(3.0)
@@ -89,7 +81,7 @@ def test_a_condition_is_checked_when_its_reading_changes() -> None:
         reading.clock.now = wait.due()
         checks.append(reading.clock.now)
     assert checks == [1.0, 2.0]
-    assert (reading.clock.now, wait.solved, reading.dependencies.notes) == (2.0, 2.0, None)
+    assert (reading.clock.now, reading.dependencies.notes) == (2.0, None)
     assert not Condition(reading.dependencies, lambda: False, 0.0, "never").ready()
 
 

@@ -72,7 +72,6 @@ class Condition:
 
         `towards` is the direction in which the axis has just reached the condition.
         """
-        self.controller.axes[self.axis].watches.free = None
         if self._event is not None:
             self._event.cancel()
             self._event = None
@@ -86,11 +85,6 @@ class Condition:
         raised, self._raised = self._raised, self._bars(towards)
         if self._raised and not raised:
             self.act()
-
-    @property
-    def is_quiet(self) -> bool:
-        """True if it stays inactive while the axis neither moves nor passes a watch."""
-        return self._event is None and not self._raised and not self.met
 
     def act(self) -> None:
         """Raise the fault of the condition."""

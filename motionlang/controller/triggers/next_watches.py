@@ -110,26 +110,6 @@ def _sorted_by(key: Key) -> tuple[float, int]:
     return key[:2]
 
 
-def free_interval(axis: Axis, here: float) -> tuple[float, float]:
-    """Return and cache the interval around `here` that has no watch.
-
-    It is empty if a limit has to be checked.
-    """
-    low, high = -inf, inf
-    if all(limit.is_quiet for limit in axis.limits):
-        for watch in axis.watches:
-            at = watched_position(axis, watch)
-            gap = _NEAR + _RELATIVE * (abs(at) + abs(axis.datum))
-            if at < here:
-                low = max(low, at + gap)
-            else:
-                high = min(high, at - gap)
-    else:
-        low, high = high, low
-    axis.watches.free = low, high
-    return low, high
-
-
 def follow(axis: Axis, clock: Clock) -> None:
     """Solve the next watches on a new profile; passes due now happen first."""
     watches, now = axis.watches, clock.now

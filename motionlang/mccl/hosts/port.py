@@ -54,13 +54,10 @@ MAX_STORED = 8 * MAX_UNREAD
 class HostWait(Wait):
     """The wait of a task that has no line.
 
-    A task reuses one object for all of its waits of this kind and sets `since` each time. The location is
-    constant, so that recording the wait does not require a search of the task's lines.
+    A task reuses one object for all of its waits of this kind and sets `since` each time.
     """
 
     __slots__ = ()
-
-    location = (0, ())
 
 
 class Port:

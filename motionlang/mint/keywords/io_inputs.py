@@ -120,11 +120,6 @@ class Inputs:
             self._environment.acts += 1
         return found
 
-    def outcome(self, channel: int) -> tuple[int, bool]:
-        """Return all that decides the result of `read`."""
-        shows_edge = self._bit("INPUTMODE", channel)
-        return shows_edge, channel in self._edges if shows_edge else self.is_on(channel)
-
     def _bit(self, name: str, channel: int) -> int:
         return self.pattern(name, channel // BANK) >> channel % BANK & 1
 
@@ -252,7 +247,7 @@ ROWS = (
     Keyword("IN", "", "reading", "R", "bank", "bits", Actions(read=read_bank),
             "The digital inputs of a bank as bits; default: bank 0. Reading clears latched edges.",
             "PRINT IN(0) & 3", default=0.0, group="io", driven="input"),
-    Keyword("INX", "", "reading", "R", "input", "bool", Actions(read=read_bit, outcome=of(Inputs, Inputs.outcome)),
+    Keyword("INX", "", "reading", "R", "input", "bool", Actions(read=read_bit),
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
             "PRINT INX(3)", default=0.0, group="io", driven="input", meant="DI INPUTX"),
     Keyword("INSTATE", "", "reading", "R", "bank", "bits", Actions(read=read_level_bank),

@@ -170,10 +170,10 @@ def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = 
 
 
 ROWS = (
-    Keyword("OUT", "ot", "setting", "RW", "bank", "bits", Actions(read=read_bank, write=write_bank, outcome=read_bank),
+    Keyword("OUT", "ot", "setting", "RW", "bank", "bits", Actions(read=read_bank, write=write_bank),
             "The digital outputs of a bank as bits, bank 0 when none is given.",
             "OUT(0) = 5\nPRINT OUT(0)", default=0.0, group="io"),
-    Keyword("OUTX", "otx", "setting", "RW", "output", "bool", Actions(read=read_bit, write=write_bit, outcome=read_bit),
+    Keyword("OUTX", "otx", "setting", "RW", "output", "bool", Actions(read=read_bit, write=write_bit),
             "One digital output: 1 is on.",
             "OUTX(2) = _ON\nPRINT OUTX(2)", default=0.0, group="io", meant="DOUT SETOUT"),
     Keyword("OUTPUTACTIVELEVEL", "oal", "setting", "RW", "bank", "bits", _ACTIVE_LEVEL,

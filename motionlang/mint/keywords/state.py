@@ -34,7 +34,7 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-IS_IDLE = Actions("is_idle", read=read_is_idle, outcome=read_is_idle)
+IS_IDLE = Actions("is_idle", read=read_is_idle)
 _POSITION = Actions("position", read=wrapped_position("position"), write=of_word(Environment, write_position))
 
 

@@ -108,9 +108,6 @@ class Rest(Wait):
     def due(self) -> float:
         return INFINITY if self._environment.settled is None else self._condition().due()
 
-    def expected(self) -> float:
-        return self.end_of_moves() if self._environment.settled is None else -1.0
-
     def _condition(self) -> Wait:
         if self._built is None:
             self._built = Condition(self._environment.dependencies, self._test, self.since, self.why)

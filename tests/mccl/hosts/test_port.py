@@ -303,8 +303,7 @@ def test_a_longer_line_takes_no_more_calls() -> None:
     assert calls(b"NO" + b" " * 20 + b"\r") < calls(b"NO \r") + 10
 
 
-def test_the_wait_between_two_lines_has_a_constant_location() -> None:
-    """Recording the wait does not need a search for the task's location."""
+def test_the_wait_between_two_lines_has_no_line() -> None:
     console, port = board()
     ask(console, port, b"MD5,1TP\r")
     for sent in (b"MC5\r", b"1WA0.1\r", b"1ZZ\r"):
@@ -312,7 +311,7 @@ def test_the_wait_between_two_lines_has_a_constant_location() -> None:
         wait = port.task.wait
         assert wait is not None
         assert wait.cause == "host"
-        assert wait.location == port.task.stack_offsets == (0, ())
+        assert port.task.stack == (0,)
 
 
 def test_entries_end_with_a_carriage_return_or_a_line_feed() -> None:
