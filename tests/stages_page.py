@@ -193,7 +193,7 @@ def entered(source: Source, line: int) -> list[str]:
 
 def _verbs(source: Source) -> list[tuple[Any, ...]]:
     machine, recorder = Machine(), Recorder()
-    machine._controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
+    machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
     task = DIALECT.compile(source).start(machine)
     Scheduler(machine, task).run_program()
     return [call for call in recorder.calls if str(call[0]).startswith("load") or call[0] == "go"]

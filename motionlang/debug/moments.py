@@ -164,7 +164,7 @@ def _axis(number: int, how: str) -> Search:
 
 
 def _stops(machine: Machine, number: int, after: float, until: float) -> Iterator[Moment]:
-    axis = machine.controller.axes.get(number) if machine.has_controller else None
+    axis = machine.controller.axes.get(number)
     if axis is None:
         return
     track = WholeTrack(axis)
@@ -243,8 +243,6 @@ class Past:
 def _becomes_true(
     expression: Expression, text: str, machine: Machine, after: float, until: float
 ) -> Iterator[Moment]:
-    if not machine.has_controller:
-        return
     state = Past(machine, after)
 
     def holds(time: float) -> bool:

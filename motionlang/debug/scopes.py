@@ -116,8 +116,6 @@ def axes(machine: Machine, time: float, moment: float | None = None) -> list[Var
 
     The time is not before the clock's. There are no axes before the program uses the controller.
     """
-    if not machine.has_controller:
-        return []
     controller = machine.controller
     return [
         Variable(f"axis {number}", "axis", _axis(controller, axis, time) + _earlier(axis, moment))
@@ -170,8 +168,6 @@ def _move(number: int, move: Move) -> Variable:
 
 def reading(machine: Machine, time: float, what: str, number: int) -> float:
     """Return a reading for an expression; raise WrongExpression for an unknown axis."""
-    if not machine.has_controller:
-        return 0.0
     controller = machine.controller
     if what in ("input", "output"):
         return float((controller.inputs if what == "input" else controller.outputs)[number])
@@ -199,8 +195,6 @@ def present(machine: Machine, name: str) -> object:
     The result is None before the program uses the controller. An axis changes when a move enters or leaves its buffer,
     and with its target, its faults and whether it is on.
     """
-    if not machine.has_controller:
-        return None
     controller = machine.controller
     what, _, text = name.rpartition(" ")
     number = int(text)
@@ -218,8 +212,6 @@ def present(machine: Machine, name: str) -> object:
 
 def inputs(machine: Machine) -> list[Variable]:
     """Return the digital and analogue inputs that have had a value other than 0."""
-    if not machine.has_controller:
-        return []
     controller = machine.controller
     digital = _channels("input", controller.inputs)
     return digital + _channels("analogue input", controller.analogue_inputs)
@@ -227,8 +219,6 @@ def inputs(machine: Machine) -> list[Variable]:
 
 def outputs(machine: Machine) -> list[Variable]:
     """Return the digital and analogue outputs that have had a value other than 0."""
-    if not machine.has_controller:
-        return []
     controller = machine.controller
     digital = _channels("output", controller.outputs)
     return digital + _channels("analogue output", controller.analogue_outputs)

@@ -6,7 +6,6 @@ Axes, channels, variables and expressions, and the checkpoints of a run.
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import cast
 
 import pytest
 
@@ -19,7 +18,6 @@ from motionlang.debug.expressions import READINGS, WrongExpression
 from motionlang.debug.moments import search
 from motionlang.debug.snapshot import Snapshot
 from motionlang.debug.values import shown
-from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
 from tests.debug.walks import go_to_number
@@ -95,13 +93,6 @@ def test_the_lines_of_an_axis_in_order() -> None:
         ("position", "uu", 100.0),
         ("measured position", "uu", 21.0),
     ]
-
-
-def test_a_machine_before_the_program_uses_the_controller() -> None:
-    machine = cast(Machine, SimpleNamespace(has_controller=False))
-    assert [scopes.axes(machine, 1.0), scopes.inputs(machine), scopes.outputs(machine)] == [[], [], []]
-    assert [scopes.reading(machine, 1.0, what, 9) for what in ("position", "idle", "input")] == [0.0] * 3
-    assert scopes.present(machine, "axis 0") is None
 
 
 def test_an_axis_is_idle_if_it_is_at_rest_and_its_move_has_ended() -> None:

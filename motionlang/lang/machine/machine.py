@@ -6,6 +6,7 @@ The machine file describes the world.
 from __future__ import annotations
 
 from motionlang.controller.clock import Clock, WatchedClock
+from motionlang.controller.controller import Controller
 from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
 from motionlang.log.log import Log
@@ -14,7 +15,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from motionlang.controller.controller import Controller
     from motionlang.controller.io.host_memory import HostMemory
     from motionlang.controller.io.wiring import World
     from motionlang.controller.move import Move
@@ -36,10 +36,9 @@ MAX_DIAGNOSTICS = 200
 
 
 class Machine:
-    """A controller with its terminal and the settings that a language needs.
+    """A controller with its terminal, its world and the settings that a language needs.
 
-    The controller is built on first use, so a program that moves nothing starts without it. A dialect
-    prepares it at power-up with `at_power_up`.
+    `world` is what the machine file describes, or None if it describes only the controller.
     """
 
     def __init__(
@@ -65,10 +64,6 @@ class Machine:
         }
         self.clock = Clock() if hook is None else WatchedClock(hook.advancing)
         self.statements = StatementTime(self.instruction_time)
-        self._first_axis = first_axis
-        self._controller: Controller | None = None
-        self._world: World | None = None
-        self._power_up: list[Callable[[Controller], None]] = []
         self._host: HostMemory | None = None
         self._operators: dict[int, Operator] = {}
         self.log = Log()
@@ -99,41 +94,11 @@ class Machine:
         self.warned: list[Diagnostic] = []
         # Runs the tasks, so that a program can start further ones; set by the code that starts the program.
         self.scheduler: Scheduler | None = None
+        axes: int = get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
         if not _is_plain(self.settings):
-            self._check_axes()
-            _ = self.controller  # scheduled events of the world begin at once
-
-    def _check_axes(self) -> None:
-        """Raise ProgramError if the settings name axes that do not exist."""
-        from motionlang.lang.machine.axes import missing_axes
-
-        wrong = missing_axes(self.settings, self._axes, self._first_axis)
-        if wrong:
-            from motionlang.errors import ProgramError
-
-            raise ProgramError(wrong)
-
-    @property
-    def _axes(self) -> int:
-        return self.settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[return-value]
-
-    @property
-    def controller(self) -> Controller:
-        """The controller, powered up and wired to its world."""
-        if self._controller is None:
-            from motionlang.controller.controller import Controller
-
-            self._controller = Controller(self._axes, self._first_axis, self.clock, self.log)
-            self._world = _world(self._controller, self.settings)
-            for call in self._power_up:
-                call(self._controller)
-        return self._controller
-
-    @property
-    def world(self) -> World | None:
-        """The world that the machine file describes, or None if it describes none."""
-        _ = self.controller
-        return self._world
+            _check_axes(self.settings, axes, first_axis)
+        self.controller = Controller(axes, first_axis, self.clock, self.log)
+        self.world = _world(self.controller, self.settings)
 
     def add_entries(self, settings: Mapping[str, object]) -> None:
         """Add inputs, answers and keys to the world; their times count from now."""
@@ -141,19 +106,11 @@ class Machine:
             self.operator.add(settings, self.clock.now)
         if "input" not in settings and "analogue" not in settings:
             return
-        controller = self.controller
-        if self._world is None:
+        if self.world is None:
             from motionlang.controller.io.wiring import World
 
-            self._world = World(controller, self.settings)
-        self._world.wire_inputs(settings)
-
-    def at_power_up(self, call: Callable[[Controller], None]) -> None:
-        """Have `call` prepare the controller: now, or once it is built."""
-        if self._controller is None:
-            self._power_up.append(call)
-        else:
-            call(self._controller)
+            self.world = World(self.controller, self.settings)
+        self.world.wire_inputs(settings)
 
     def complain(self, diagnostic: Diagnostic) -> None:
         """Report a mistake that does not end the program; repeated ones are counted."""
@@ -185,24 +142,18 @@ class Machine:
             self.warned.append(found)
             self.warn(found)
 
-    @property
-    def has_controller(self) -> bool:
-        """True once the controller is powered up."""
-        return self._controller is not None
-
     def moving(self) -> list[int]:
         """The axes that are not idle."""
-        return [] if self._controller is None else self._controller.moving()
+        return self.controller.moving()
 
     def never_started(self) -> list[Move]:
         """Return the moves in the move buffers that were never released."""
-        axes = () if self._controller is None else self._controller.axes.values()
-        return [move for axis in axes for move in axis.buffer if not move.released]
+        return [move for axis in self.controller.axes.values() for move in axis.buffer if not move.released]
 
     @property
     def moves_made(self) -> int:
         """Return the number of moves started so far."""
-        return 0 if self._controller is None else len(self._controller.log.moves)
+        return len(self.log.moves)
 
     @property
     def has_motors(self) -> bool:
@@ -211,7 +162,7 @@ class Machine:
 
     def settling(self) -> list[int]:
         """The idle axes whose simulated motors are not yet at rest."""
-        return [] if self._controller is None else self._controller.settling()
+        return self.controller.settling()
 
     def rest_time(self, axis: int) -> float:
         """Return when an idle axis's motor is at rest, or when to check it next."""
@@ -292,6 +243,16 @@ class Machine:
         """End all unfinished lines, that of the console last."""
         for terminal in (*self.terminals.values(), self.terminal):
             terminal.close()
+
+
+def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> None:
+    """Raise ProgramError if the settings name axes that do not exist."""
+    from motionlang.lang.machine.axes import missing_axes
+
+    if wrong := missing_axes(settings, axes, first_axis):
+        from motionlang.errors import ProgramError
+
+        raise ProgramError(wrong)
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:

@@ -65,7 +65,7 @@ class Environment(Waits):
     def __init__(self, machine: Machine, places: Places) -> None:
         self.machine = machine
         self.clock = machine.clock
-        self._controller: Controller | None = None
+        self.controller = machine.controller
         # The operator's future answers to INPUT; None until the first one.
         self.answers: list[str] | None = None
         # Returns the line of a source offset, if the text is available.
@@ -109,17 +109,9 @@ class Environment(Waits):
         self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
 
-    @property
-    def controller(self) -> Controller:
-        """The controller, created when the program first uses it."""
-        found = self._controller
-        if found is None:
-            found = self._controller = self.machine.controller
-        return found
-
     def prepare(self) -> None:
         """Give the controller Mint's settings and the machine file's power-up values."""
-        self.machine.at_power_up(_apply_mint_settings)
+        _apply_mint_settings(self.controller)
         if self.machine.assumptions:
             from motionlang.mint.runtime.power_up import PowerUp
 

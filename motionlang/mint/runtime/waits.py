@@ -22,15 +22,11 @@ class Waits:
     acts: int
     dependencies: Dependencies
     clock: Clock
+    controller: Controller
     settled: Callable[[int], bool] | None
     task: MintTask
     # The errors, if the program has a handler or reads them.
     _errors: Errors | None
-
-    if TYPE_CHECKING:
-
-        @property
-        def controller(self) -> Controller: ...
 
     @property
     def has_errors(self) -> bool:

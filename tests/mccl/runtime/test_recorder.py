@@ -33,7 +33,7 @@ def calls(text: str, **answers: Any) -> list[tuple[Any, ...]]:
     """Return the verbs that a program calls, in order."""
     machine = Machine({"controller.axes": 2}, first_axis=1)
     recorder = Written(**answers)
-    machine._controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
+    machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
     task = MacroFile(Source("test.mcl", text)).start(machine)
     recorder.calls.clear()
     Scheduler(machine, task).run_program(1.0)

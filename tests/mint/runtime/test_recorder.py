@@ -20,7 +20,7 @@ def heard(text: str, **answers: Any) -> list[tuple[Any, ...]]:
     """
     machine = Machine()
     recorder = Recorder(answers=answers)
-    machine._controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
+    machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
     task = DIALECT.compile(Source("a.mnt", text)).start(machine)
     recorder.calls.clear()
     Scheduler(machine, task).run_program()
