@@ -6,6 +6,7 @@ import os
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import BinaryIO
 
 # The name of standard input on a command line, and elsewhere.
@@ -75,13 +76,13 @@ class Source:
     """`name` for messages and `text` with `\\n` line ends; nothing else of the file.
 
     A form feed between two pages of a listing, and the end-of-file mark of DOS (0x1A), become blanks outside
-    strings.
+    strings. `before` is the number of lines that a session has typed before it.
     """
 
-    __slots__ = ("_ends", "_lines", "name", "text")
+    __slots__ = ("_ends", "_lines", "before", "name", "text")
 
-    def __init__(self, name: str, text: str) -> None:
-        self.name = name
+    def __init__(self, name: str, text: str, before: int = 0) -> None:
+        self.name, self.before = name, before
         if "\r" in text:
             text = text.replace("\r\n", "\n").replace("\r", "\n")
         if "\f" in text or "\x1a" in text:
@@ -118,11 +119,16 @@ class Source:
             error.filename = name
             raise
 
+    def numbered(self) -> Iterator[tuple[int, str]]:
+        """Return the lines of the text with their numbers."""
+        return enumerate(self.text.split("\n"), self.before + 1)
+
     def line(self, number: int) -> str:
         """Return the text of line `number`, counted from 1; "" if there is none."""
         if self._lines is None:
             self._lines = self.text.split("\n")
-        return self._lines[number - 1] if 1 <= number <= len(self._lines) else ""
+        index = number - 1 - self.before
+        return self._lines[index] if 0 <= index < len(self._lines) else ""
 
     def location(self, offset: int) -> tuple[int, int]:
         """Return line and column of a character offset, both counted from 1."""
@@ -134,5 +140,5 @@ class Source:
             while end >= 0:
                 self._ends.append(end)
                 end = self.text.find("\n", end + 1)
-        before = bisect_left(self._ends, offset)
-        return before, offset - self._ends[before - 1]
+        line = bisect_left(self._ends, offset)
+        return self.before + line, offset - self._ends[line - 1]

@@ -28,7 +28,7 @@ def one_sentence(
     if not wrong:
         return list(found)
     # The text after the last reported error has not been checked.
-    lines = len([line for line in source.text.split("\n")[: max(wrong)] if line.strip()])
+    lines = len([line for number, line in source.numbered() if number <= max(wrong) and line.strip()])
     if len(wrong) < _WRONG * lines:
         return list(found)
     begin = _begin(source, wrong)
@@ -50,7 +50,8 @@ def _begin(source: Source, wrong: set[int]) -> Source:
     if len(wrong) <= _MAX_CHECKED:
         return source
     last = sorted(wrong)[_MAX_CHECKED - 1]
-    return Source(source.name, "\n".join(source.text.split("\n")[:last]))
+    begin = "\n".join(line for number, line in source.numbered() if number <= last)
+    return Source(source.name, begin, source.before)
 
 
 def _wrong_lines(found: Sequence[Diagnostic]) -> set[int]:

@@ -87,7 +87,7 @@ def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str
     if "lint:" not in source.text.lower():
         return found
     ignored: dict[int, set[str]] = {}
-    for number, line in enumerate(source.text.split("\n"), 1):
+    for number, line in source.numbered():
         if "lint:" not in line.lower():
             continue
         begin = comment.search(line)

@@ -6,13 +6,12 @@ from then on.
 
 from __future__ import annotations
 
-from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.task import Task
 from motionlang.mint.check.check import check_line
 from motionlang.mint.resolve.overrides import override, override_if_there
-from motionlang.mint.resolve.symbols import Function, Scope
+from motionlang.mint.resolve.symbols import Session
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
 from motionlang.mint.steps.places import Places
@@ -31,12 +30,12 @@ class MintInteractive(Interactive):
         self.environment.prepare()
         # The tasks of lines, with functions of no use when they have ended.
         self._passing: list[MintTask] = []
-        self._scope: Scope
+        self._session: Session
         self.forget()
 
     def forget(self) -> None:
         """Discard all names, as before a program is run; the machine does not change."""
-        self._scope = Scope(Function("main", "main", [], None), None)
+        self._session = Session()
         self.environment.forget_program()
 
     def is_complete(self, text: str) -> bool:
@@ -70,12 +69,8 @@ class MintInteractive(Interactive):
 
     def _task_of(self, module: Module, source: Source, of_program: bool) -> Task:
         self._drop_ended()
-        environment, before = self.environment, dict(self._scope.names)
-        try:
-            checked = check_line(module, self.machine.settings, self._scope, of_program)
-        except ProgramError:
-            self._scope.names = before  # a line with errors declares nothing
-            raise
+        environment = self.environment
+        checked = check_line(module, self.machine.settings, self._session, of_program)
         writer = ProgramWriter(checked.names, environment, lambda offset: source.location(offset)[0], {})
         environment.take(writer)
         task = MintTask(PARENT, writer.unit(checked.names.main), environment)

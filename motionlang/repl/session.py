@@ -132,7 +132,7 @@ class Session:
         self._lines.extend(self._block)
         self._block.clear()
         if text.strip():
-            self.execute(Source("input", "\n" * before + text))
+            self.execute(Source("input", text, before))
 
     # ---------------------------------------------------------------------------------------------- execution
 

@@ -23,6 +23,7 @@ from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, commands, query
 from motionlang.mcapi.table import STRUCTURES
 from motionlang.mccl.resolve.line import Line, lines_of
+from motionlang.source import Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _sections(text: str) -> dict[int, dict[str, float]]:
 def download(session: Session, call: Call, hWnd: int, iFlags: int, szFileName: str) -> bool | None:  # noqa: N803
     """Carry out the lines of a file; a rejected command ends it."""
     lines: list[Line] = []
-    for each in lines_of(szFileName.replace("\r\n", "\n").replace("\r", "\n")):
+    for each in lines_of(Source("download", szFileName)):
         if not isinstance(each, Line):
             raise each[0]
         lines.append(each)

@@ -19,7 +19,7 @@ def written_for(source: Source) -> Target:
     suffixed = by_suffix(source.name)
     if suffixed != DEFAULT:
         return Target(suffixed, [f"the extension .{source.name.rpartition('.')[2]}"], [])
-    lines = [each for each in lines_of(source.text) if isinstance(each, Line)]
+    lines = [each for each in lines_of(source) if isinstance(each, Line)]
     commands = [command for line in lines for command in line.commands]
     families = {each.row.family for each in commands if each.row is not None}
     made = {each.number for each in commands if each.verb == "channel_output"}

@@ -39,7 +39,7 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
 
     wanted = str((settings or {}).get("controller.model", "")) or written_for(source.name)
     model = named(wanted) or MODELS[DEFAULT]
-    lines = list(lines_of(source.text))
+    lines = list(lines_of(source))
     whole = [each for each in lines if isinstance(each, Line)]
     axes = (settings or {}).get("controller.axes", DEFAULT_AXES)
     flow = flow_of(settings or {})

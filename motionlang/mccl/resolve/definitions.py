@@ -45,7 +45,7 @@ class _Finder:
 
     def found(self) -> Names:
         """Return the names."""
-        for line in lines_of(self.source.text):
+        for line in lines_of(self.source):
             if isinstance(line, Line):
                 for command, at in zip(line.commands, line.offsets, strict=True):
                     self._command(line, command, at)

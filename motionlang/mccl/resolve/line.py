@@ -11,6 +11,7 @@ from motionlang.mccl.resolve.decode import decoded
 from motionlang.mccl.syntax import tree
 from motionlang.mccl.syntax.comments import without_comment
 from motionlang.mccl.syntax.parser import MAX_LINE, parse
+from motionlang.source import Source
 
 
 class Line:
@@ -53,23 +54,24 @@ def line_of(text: str) -> Line | None:
     """
     _check_length(text)
     lines = parse(text).lines
-    return _line(lines[0], text) if lines else None
+    return _line(lines[0], text, 1) if lines else None
 
 
-def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:
+def lines_of(source: Source) -> Iterator[Line | tuple[Fault, int, int]]:
     """Yield the lines of a file.
 
     A line that is too long yields its fault, offset and number instead.
     """
     start, lengths = 0, {}
-    for number, raw in enumerate(text.split("\n"), 1):
+    for number, raw in source.numbered():
         try:
             _check_length(raw)
         except Fault as fault:
             lengths[number] = fault, start, number
         start += len(raw) + 1
-    for line in parse(text).lines:
-        yield lengths.get(line.number) or _line(line, text)
+    for line in parse(source.text).lines:
+        number = source.before + line.number
+        yield lengths.get(number) or _line(line, source.text, number)
 
 
 def _check_length(line: str) -> None:
@@ -79,6 +81,6 @@ def _check_length(line: str) -> None:
             raise too_long(len(sent))
 
 
-def _line(line: tree.Line, text: str) -> Line:
+def _line(line: tree.Line, text: str, number: int) -> Line:
     commands = tuple([decoded(each, text[each.start : each.end]) for each in line.commands])
-    return Line(commands, line.number, text, tuple([each.start for each in line.commands]))
+    return Line(commands, number, text, tuple([each.start for each in line.commands]))

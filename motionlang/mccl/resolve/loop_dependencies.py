@@ -27,7 +27,7 @@ _KINDS = {
 
 def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
     """Return a function that maps the offset of a jump back to the reads of its loop."""
-    lines = [line for line in lines_of(source.text) if isinstance(line, Line)]
+    lines = [line for line in lines_of(source) if isinstance(line, Line)]
     macros: dict[int, Line] = {}
     for line in lines:
         first = line.commands[0]
@@ -75,7 +75,7 @@ def _read(command: Command) -> Iterator[Read]:
 def input_reads(source: Source) -> list[InputRead]:
     """Return where a program depends on inputs, in line order."""
     found = []
-    for line in lines_of(source.text):
+    for line in lines_of(source):
         if not isinstance(line, Line):
             continue
         verbs = [command.verb for command in line.commands]

@@ -25,7 +25,7 @@ def step_list(source: Source, settings: Mapping[str, object]) -> list[ListedUnit
     machine = Machine(dict(settings), first_axis=1)
     machine.model = machine.model or written_for(source.name)
     board, found = Board(machine), []
-    for line in lines_of(source.text):
+    for line in lines_of(source):
         if isinstance(line, Line):
             found.append(listed(source, "", LineWriter(line, board).steps, partial(_line_of, line)))
     return found

@@ -26,7 +26,7 @@ class MacroFile(Program):
 
     def __init__(self, source: Source, debug: bool = False) -> None:
         self.source, self.debug = source, debug
-        self.lines = list(lines_of(source.text))
+        self.lines = list(lines_of(source))
 
     @property
     def offsets(self) -> list[int]:

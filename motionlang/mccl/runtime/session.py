@@ -55,7 +55,7 @@ class LineTask(CommandTask):
         board.foreground(self)
         self.source = source
         self._begin = 0
-        self.carry_out(lines_of(source.text))
+        self.carry_out(lines_of(source))
 
     @property
     def at(self) -> int:

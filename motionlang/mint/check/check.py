@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.mint.resolve.recall import Recall
-    from motionlang.mint.resolve.symbols import Function, Scope
+    from motionlang.mint.resolve.symbols import Function, Session
     from motionlang.mint.syntax.nodes import Module
 
 DEFAULT_AXES = 8
@@ -84,29 +84,32 @@ def check_module(
 
 
 def check_line(
-    module: Module, settings: Mapping[str, object] | None, scope: Scope, of_program: bool = False
+    module: Module, settings: Mapping[str, object] | None, session: Session, of_program: bool = False
 ) -> Checked:
-    """Check a line typed at a prompt, with the names of `scope`; raise ProgramError with all errors.
+    """Check a line typed at a prompt with what earlier ones have declared, and declare its names for later ones.
 
-    With `of_program` it is a whole program, whose lines may trigger faults of the machine file.
+    With `of_program` it is a whole program, whose lines may trigger faults of the machine file. Raises ProgramError
+    with all errors of a line, which then declares nothing.
     """
     settings = settings or {}
     problems = Problems(module)
     if of_program:
         mark(module, settings, problems)
     with StackSpace():
-        program = _declared(module, settings, problems, scope)
+        program = _declared(module, settings, problems, session)
         for function in program.names.functions:
             _check_function(program, function)
     problems.raise_errors()
+    session.scope.names |= program.names.module.names
+    session.types = program.names.types
     return Checked(program.names, problems)
 
 
 def _declared(
-    module: Module, settings: Mapping[str, object], problems: Problems, scope: Scope | None
+    module: Module, settings: Mapping[str, object], problems: Problems, session: Session | None
 ) -> Program:
     """Declare the names of a module and return the data that its functions share."""
-    names = Names(table(), problems, scope)
+    names = Names(table(), problems, session)
     names.declare_module(module)
     axes = settings.get("controller.axes", DEFAULT_AXES)
     return Program(

@@ -53,15 +53,14 @@ def with_other_lines(
     The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
     it are not reported. `known` is as in `check`.
     """
-    lines = source.text.split("\n")
     module, taken = readable(source, unreadable)
     if module is None:
         return unreadable
-    names = {name for number in taken for name in _names(lines[number - 1])}
+    names = {name for number in taken for name in _names(source.line(number))}
     try:
         check_module(module, settings, recall=None if known is None else Recall(module, known))
     except ProgramError as error:
-        more = [each for each in error.diagnostics if _is_unrelated(each, lines, names)]
+        more = [each for each in error.diagnostics if _is_unrelated(each, source, names)]
         return ProgramError([*unreadable.diagnostics, *more])
     return unreadable
 
@@ -77,6 +76,6 @@ def _names(line: str) -> set[str]:
     return {word for word in found if (row := words.get(word)) is None or not row.simulated}
 
 
-def _is_unrelated(mistake: Diagnostic, lines: list[str], names: set[str]) -> bool:
+def _is_unrelated(mistake: Diagnostic, source: Source, names: set[str]) -> bool:
     """True if an error would remain if the removed lines were correct."""
-    return mistake.code in _OF_A_STATEMENT and not _names(lines[mistake.line - 1]) & names
+    return mistake.code in _OF_A_STATEMENT and not _names(source.line(mistake.line)) & names

@@ -72,7 +72,7 @@ def task_named(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> 
         return node.symbol.name
 
     def tasks() -> list[str]:
-        return [each.name for each in b.program.names.module.names.values() if each.kind == "task"]
+        return [each.name for each in b.program.names.module.symbols() if each.kind == "task"]
 
     b.program.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
     return None

@@ -55,6 +55,7 @@ from motionlang.mint.resolve.symbols import (
     Function,
     Record,
     Scope,
+    Session,
     Symbol,
     Type,
 )
@@ -80,18 +81,15 @@ MAX_DEFINED_DEPTH = 1000
 class Names:
     """All symbols of a module.
 
-    If the program is typed line by line, `module` also holds the names from earlier lines.
+    If the program is typed line by line, `session` has the names and types from earlier lines.
     """
 
-    def __init__(self, table: Vocabulary, problems: Problems, module: Scope | None = None) -> None:
+    def __init__(self, table: Vocabulary, problems: Problems, session: Session | None = None) -> None:
         self.table, self.problems = table, problems
-        self.types: dict[str, Record] = {}
+        self.types: dict[str, Record] = {} if session is None else dict(session.types)
         self.functions: list[Function] = []
-        self.main = Function("main", "main", [], None)
-        self.typed = module is not None
-        if module is not None:
-            self.main.scope.outer = None
-            self.main.scope.names = module.names
+        self.main = Function("main", "main", [], None if session is None else session.scope)
+        self.typed = session is not None
         self.module = self.main.scope
         # True if the program uses AXES, which sets the axes of keywords without brackets.
         self.uses_axes = self.typed
@@ -218,7 +216,7 @@ class Names:
                 continue
             dimensions = self._dimensions(member, self.module)
             record.members[key] = (len(record.members), self.type_of(member.type, FLOAT), dimensions)
-        if node.name.lower() in self.types or node.name.lower() in TYPES:
+        if (node.name.lower() in self.types and not self.typed) or node.name.lower() in TYPES:
             self.problems.add("duplicate", f"there is already a type {node.name}", node.start)
         self.types[node.name.lower()] = record
 

@@ -151,3 +151,11 @@ class Function:
         if self._graph is None:
             self._graph = Graph(self.body, self.kind == "main")
         return self._graph
+
+
+class Session:
+    """What the lines typed at a prompt have declared so far: names and user types."""
+
+    def __init__(self) -> None:
+        self.scope = Scope(Function("main", "main", [], None), None)
+        self.types: dict[str, Record] = {}

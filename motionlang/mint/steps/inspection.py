@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.debugging import Frame, Variable
+from motionlang.mint.keywords import table
 from motionlang.mint.resolve.symbols import INTEGER, Function, Symbol, Type
 from motionlang.mint.runtime.task import PARENT, MintTask
 from motionlang.mint.steps.places import is_shared, variables_of
@@ -56,7 +57,7 @@ class Inspection:
     def unlisted(self, task: Task | None, name: str) -> Variable | None:
         """Return TIME, in the milliseconds of a task; None for any other name, because all variables are listed."""
         task = task or self._environment.by_name.get(PARENT)
-        if name != "TIME" or not isinstance(task, MintTask):
+        if name != table().doing("time") or not isinstance(task, MintTask):
             return None
         return Variable(name, INTEGER, self._environment.milliseconds(task.timer[0], task.now))
 

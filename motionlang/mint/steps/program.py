@@ -57,9 +57,6 @@ class ProgramWriter:
         self.is_debug = is_debug
         self.places = environment.places
         self.is_guarded = handles(names, "onerror")
-        self.has_functions = any(each.kind == "sub" for each in names.module.names.values()) or any(
-            each.kind == "sub" for each in names.functions
-        )
         self.show_float = shows_float(environment.machine)
         self.steps = {function: environment.steps_of(function) for function in names.functions}
         for steps in self.steps.values():

@@ -122,7 +122,7 @@ class UnitWriter:
 
     def calls(self, part: object) -> bool:
         """True if an expression calls a function of the program."""
-        return self.program.has_functions and any(
+        return any(
             isinstance(each, nodes.Name)
             and each.symbol is not None
             and each.symbol.kind == "sub"

@@ -18,13 +18,12 @@ def readable(source: Source, error: ProgramError) -> tuple[Module | None, set[in
     Blanks replace these lines, so positions in the rest stay the same. `error` has the errors of the text. The
     tree is None if the rest cannot be parsed either.
     """
-    lines = source.text.split("\n")
     taken: set[int] = set()
     for _ in range(_ATTEMPTS):
         taken.update(each.line for each in error.diagnostics)
-        remaining = (" " * len(line) if number in taken else line for number, line in enumerate(lines, 1))
+        remaining = (" " * len(line) if number in taken else line for number, line in source.numbered())
         try:
-            return parse(Source(source.name, "\n".join(remaining))), taken
+            return parse(Source(source.name, "\n".join(remaining), source.before)), taken
         except ProgramError as again:
             error = again
     return None, taken

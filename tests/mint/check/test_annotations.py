@@ -6,7 +6,7 @@ import pytest
 
 from motionlang.mint.check.check import Checked, check_line, check_module
 from motionlang.mint.resolve.overrides import override
-from motionlang.mint.resolve.symbols import Function, Scope
+from motionlang.mint.resolve.symbols import Session
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.node import Expression
 from motionlang.mint.syntax.parser import parse
@@ -139,10 +139,10 @@ def test_given_values_have_a_type_and_no_value() -> None:
 
 
 def test_a_typed_line_knows_the_names_of_earlier_lines() -> None:
-    scope = Scope(Function("main", "main", [], None), None)
-    check_line(parse(Source("a.mnt", "Dim n As Integer")), {}, scope)
+    session = Session()
+    check_line(parse(Source("a.mnt", "Dim n As Integer")), {}, session)
     module = parse(Source("a.mnt", "Select Case n + 1\nEnd Select"))
-    check_line(module, {}, scope)
+    check_line(module, {}, session)
     assert condition_of(module).type == "Integer"
 
 
