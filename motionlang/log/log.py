@@ -9,7 +9,6 @@ from __future__ import annotations
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
 from motionlang.log.time_slices import TimeSliceStream
-from motionlang.log.written_waits import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -137,7 +136,7 @@ class Log:
         """
         mine = []
         for wait in reversed(self.waits.tail):
-            name, _, since, until, *_ = whole(wait)
+            name, _, since, until, *_ = wait
             if until < began:
                 break
             if name == task and since >= began:
@@ -166,7 +165,7 @@ class Log:
         mine: dict[str, list[Any]] = {}
         new = len(self.waits) - waits
         for wait in self.waits.tail[-new:] if new else ():
-            mine.setdefault(whole(wait)[0], []).append(wait)
+            mine.setdefault(wait[0], []).append(wait)
         for each in mine.values():
             self.repeated_waits.add((tuple(each), times, now - began))
         self.slices.repeat_since(slices, now, until, times)
@@ -240,5 +239,5 @@ class Log:
 
 def _shifted(wait: Any, seconds: float) -> tuple[object, ...]:
     """Return the record of a wait that is later by some seconds."""
-    task, at, since, until, *about = whole(wait)
+    task, at, since, until, *about = wait
     return task, at, since + seconds, until + seconds, *about

@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-from motionlang.log.written_waits import whole
-
 
 class Changed(NamedTuple):
     """A channel changed its value: an output set by the program, or an input."""
@@ -142,5 +140,5 @@ class Setting(NamedTuple):
 # The constructors of records from the stored tuples, by kind.
 makers: Mapping[str, Callable[[Any], Any]] = {
     kind.__name__: kind._make
-    for kind in (Changed, Printed, RepeatedWaits, Looped, TimeSlices, Event, Setting)
-} | {"Waited": lambda wait: Waited._make(whole(wait))}
+    for kind in (Changed, Printed, Waited, RepeatedWaits, Looped, TimeSlices, Event, Setting)
+}

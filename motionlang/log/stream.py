@@ -257,18 +257,16 @@ class Stream(_Of[T]):
     `records`, if there is one. A subclass that stores other objects defines how they are packed.
     """
 
-    __slots__ = ("_chunks", "_kind", "append", "tail")
+    __slots__ = ("_chunks", "_kind", "tail")
 
     # The attributes that `cut` restores.
-    GROWING: tuple[str, ...] = ("tail", "_chunks", "append")
+    GROWING: tuple[str, ...] = ("tail", "_chunks")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
         self._chunks = Chunks(store, self._records)
         # The newest records, which are not packed.
         self.tail: list[T] = []
-        # Appends a record without a check for packing, for callers that do the check.
-        self.append = self.tail.append
 
     def add(self, record: T | tuple[object, ...]) -> None:
         """Append a record."""
@@ -281,12 +279,8 @@ class Stream(_Of[T]):
         """Append records."""
         for first in range(0, len(records), LEFT):
             self.tail.extend(records[first : first + LEFT])  # type: ignore[arg-type]
-            self.trim()
-
-    def trim(self) -> None:
-        """Pack some records if there are many; for callers that use `append` directly."""
-        if len(self.tail) >= MAX_TAIL:
-            self.pack(len(self.tail) - LEFT)
+            if len(self.tail) >= MAX_TAIL:
+                self.pack(len(self.tail) - LEFT)
 
     def repeat(self, shape: Shape, pace: Pace) -> None:
         """Append the records of actions that repeat, as one chunk (`repeated.py`)."""

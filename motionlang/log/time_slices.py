@@ -5,7 +5,6 @@ from __future__ import annotations
 from math import fsum
 
 from motionlang.log.stream import Stream
-from motionlang.log.written_waits import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ class TimeSliceStream(TimeSlicesInOrder):
     def rested(self, count: int, waits: Iterable[Any]) -> None:
         """Record that the running task waited as often again, in skipped iterations."""
         if self._alone_since is None:
-            self._rested += count * fsum(wait[3] - wait[2] for wait in map(whole, waits))
+            self._rested += count * fsum(wait[3] - wait[2] for wait in waits)
 
     def shared_by_all(self, seconds: float) -> None:
         """Record that all tasks have computed in a part of the present time slice, as in `repeat_since`."""

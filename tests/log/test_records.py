@@ -21,7 +21,6 @@ from motionlang.log.records import RepeatedWaits, TimeSlices, Waited
 from motionlang.log.stream import Store
 from motionlang.log.time_slices import TimeSliceStream
 from motionlang.log.track import WholeTrack, pieces_of
-from motionlang.log.written_waits import whole
 from motionlang.planners import Profile, hold, plan_trapezoid
 from tests.log.test_figures import machine
 
@@ -308,19 +307,12 @@ def test_a_move_continues_as_another_entry(index: int, monkeypatch: pytest.Monke
     assert [each.line for each in moves] == [0, 1, 2, index, index, index, index, index]
 
 
-SHORT = ("main", 11, (2, 5), 0.25)
-
-
 def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
-    """An iteration has begun at 1.0 s.
-
-    A wait for a time is written as its source position, with the base 1.0, the count 2 and the end 4.0. A statement
-    takes 0.25 s, so it is from 1.5 to 4.0 s.
-    """
+    """An iteration has begun at 1.0 s."""
     log = Log()
     mine: list[Any] = [
         ("main", 3, 1.0, 1.0, "axis", (0,), "idle", ()),
-        (SHORT, 1.0, 2.0, 4.0),
+        ("main", 11, 1.5, 4.0, "time", (), "", (2, 5)),
     ]
     earlier: Any = ("main", 1, 0.0, 0.9, "axis", (0,), "idle", ())
     begun_before: Any = ("main", 2, 0.5, 1.0, "axis", (0,), "idle", ())
@@ -341,8 +333,8 @@ def test_a_period_within_a_period_is_repeated_with_it() -> None:
     log.waits.add(("one", 7, 0.0, 0.5, "time", (), "", ()))
     log.repeat_period(inner, 0.0, 1.0, 3.0, 2)
     log.repeat_period(outer, 0.0, 3.0, 12.0, 3)
-    begun = [whole(wait)[2] for wait in log.waits] + [
-        whole(wait)[2] + k * period
+    begun = [wait[2] for wait in log.waits] + [
+        wait[2] + k * period
         for waits, count, period in log.repeated_waits
         for wait in waits
         for k in range(1, count + 1)
@@ -379,7 +371,7 @@ def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
         (6.0, 21.0, ("one", "two"), (10.0, 5.0)),
     ]
     ((waits, count, period),) = log.repeated_waits
-    assert ([whole(wait)[2:4] for wait in waits], count, period) == ([(5.0, 6.0)], 5, 3.0)
+    assert ([wait[2:4] for wait in waits], count, period) == ([(5.0, 6.0)], 5, 3.0)
     # Nothing is repeated twice, and the current record is open.
     log.slices.took("one", 21.0, 21.5, False)
     log.repeat_period(log.mark_period(), 21.5, 22.0, 24.0, 4)

@@ -59,18 +59,6 @@ def test_records_that_are_added_together_are_packed_too(before: int, added: int,
 
 
 @pytest.mark.usefixtures("small")
-@pytest.mark.parametrize(("count", "packed"), [(1, 0), (5, 0), (6, 3), (11, 8)])
-def test_a_tail_is_trimmed_to_three(count: int, packed: int) -> None:
-    found: Stream[tuple[int]] = Stream(Store())
-    for row in rows(count):
-        found.append(row)
-    found.trim()
-    assert (found.packed, list(found)) == (packed, rows(count))
-    found.pack(count - packed)
-    assert (found.packed, list(found), bool(found)) == (count, rows(count), True)
-
-
-@pytest.mark.usefixtures("small")
 @pytest.mark.parametrize(
     ("count", "retained", "first"),
     [

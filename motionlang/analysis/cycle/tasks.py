@@ -15,11 +15,11 @@ from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import MOVING
 from motionlang.log.log import Log
-from motionlang.log.written_waits import CompleteWait, whole
 from motionlang.record import record
 from motionlang.result import Run
 
-Wait = CompleteWait
+# A `Waited` as written.
+Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
 
 
 # Skipped iterations of a run whose waits are listed one by one.
@@ -64,7 +64,7 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
     """
     log = run.machine.log
     found: dict[str, list[Wait]] = {}
-    for name, waits in groupby(map(whole, log.waits.as_stored()), itemgetter(0)):
+    for name, waits in groupby(log.waits.as_stored(), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
     for name, waits in groupby(_repetitions(log), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
@@ -87,10 +87,9 @@ def _repetitions(log: Log) -> Iterator[Wait]:
     total = fsum(count for _, count, _ in log.repeated_waits.as_stored())
     at_once = max(1, ceil(total / MAX_REPEATED))
     for written, count, period in log.repeated_waits.as_stored():
-        waits = [whole(wait) for wait in written]
         for k in range(1, count + 1, at_once):
             iterations, later = min(at_once, count + 1 - k), k * period
-            for task, at, since, until, *rest in waits:
+            for task, at, since, until, *rest in written:
                 length = iterations * (until - since)
                 yield task, at, since + later, since + later + length, *rest
                 later += length - (until - since)

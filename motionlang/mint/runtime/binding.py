@@ -1,6 +1,6 @@
 """Operations: the rows of keywords bound to the functions that carry them out.
 
-Problem. `MOVER(0) = n` is a row of a table (name, unit, range, functions) and a call in generated code. Between the two
+Problem. `MOVER(0) = n` is a row of a table (name, unit, range, functions) and a step of a program. Between the two
 lie the axis, the unit, the range, the line and the time. Nearly all of this is known when the program starts, and a
 statement may run millions of times.
 
@@ -8,12 +8,12 @@ Idea. Everything that is known at the start is bound at the start. A maker takes
 row. It returns the operation: a function whose arguments are only known when the statement runs.
 
     at the start     row of MOVER ─▶ its maker for "load" ─▶ operation, bound to axis 0
-    in the text      if k0(2.0, v_n, 3): yield      k0 pays 2 statements, sets the clock and calls operation(v_n, 3)
+    in a step        operation(n, 3)                with the value of n and the line
 
 A keyword has four uses: "read", "write", "load" (a move into the buffer) and "do" (a command). A row has a maker for
 each of its uses in `actions`. If it has none, its `verb` names a setting or a reading of the controller, which is
 converted by the row's unit. The arguments of an operation are the indices, then the value, then the line (for moves and
-commands of axes). A "load" returns true while the buffer has no space. `operations.py` adds the time to all but "read".
+commands of axes). A "load" returns true while the buffer has no space. The steps (`steps/keywords.py`) add the time.
 
     of, of_word               make a function of a component of the environment; `of_word` also passes the row
     by_axis, to_each_axis     make an operation bound to one axis, once for each (`ByNumber`)
@@ -64,7 +64,7 @@ _TIMES = {"ms": 1000.0, "%": 100.0}
 
 
 def row_of(name: str) -> Keyword:
-    """Return the row of a keyword of a compiled program."""
+    """Return the row of a keyword."""
     row = table().get(name)
     assert row is not None, name
     return row
