@@ -1,7 +1,6 @@
-"""Mint's functions, and the operators that Python lacks, for generated code.
+"""Mint's functions, and the operators that Python lacks.
 
-Every function here is named by a row of the keyword table or called by compiled text. Errors are raised as
-`Rejected`.
+Every function here is named by a row of the keyword table or called by a step. Errors are raised as `Rejected`.
 """
 
 from __future__ import annotations
@@ -19,11 +18,6 @@ _DEGREE = math.pi / 180.0
 
 
 # ------------------------------------------------------------------------------------- operators and checks
-
-
-def frozen(value: object) -> object:
-    """Return the value of a variable as an immutable copy, with arrays and members."""
-    return tuple(map(frozen, value)) if isinstance(value, list) else value
 
 
 def overflow(value: float) -> int:
