@@ -53,7 +53,6 @@ LAZY = {
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",
     "mint/keywords/buffer.py": "keywords.following_masters",
-    "mint/resolve/names.py": "resolve.flattening",
     "mint/runtime/printing.py": "models",
     "mint/runtime/task.py": "runtime.errors",
 }

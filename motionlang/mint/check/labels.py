@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from motionlang.mint.check.body import Body
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 
 def check_labels(b: Body) -> None:
     """Report duplicate labels of a function, and record all of them."""
-    for node in b.function.body:
-        if type(node) is not nodes.Label:
-            continue
+    labels = [node for node in walk(b.function.body) if isinstance(node, nodes.Label)]
+    for node in sorted(labels, key=lambda each: each.start):
         if node.name.lower() in b.labels:
             b.problem("duplicate", f"there is already a label {node.name}", node)
         b.labels.setdefault(node.name.lower(), None)
@@ -20,8 +20,6 @@ def jump(b: Body, node: nodes.Jump) -> None:
     """Check a Goto or a Gosub."""
     if node.name.lower() not in b.labels:
         _unknown_label(b, node)
-    elif node.unless is not None:
-        b.condition(node.unless)
 
 
 def _unknown_label(b: Body, node: nodes.Jump) -> None:

@@ -56,7 +56,7 @@ class Reachability:
                 continue
             if step in reached:
                 is_reported = False
-            elif not is_reported and not isinstance(step.node, _SILENT) and not _is_made(step.node):
+            elif not is_reported and not isinstance(step.node, _SILENT):
                 is_reported = True
                 self.add("unreachable", "this statement is unreachable", step.node.start,
                          "the code before it never ends")  # fmt: skip
@@ -245,8 +245,3 @@ class Reachability:
 
     def _calls(self, name: nodes.Name) -> bool:
         return name.symbol is not None and name.symbol.kind == "sub"
-
-
-def _is_made(node: nodes.Node) -> bool:
-    """True if a jump was generated when a block with labels was flattened."""
-    return isinstance(node, nodes.Jump) and node.kind not in ("goto", "gosub")

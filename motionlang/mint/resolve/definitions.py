@@ -59,7 +59,6 @@ class _Finder:
         self.module = module
         self.text = module.source.text
         self.defines: dict[int, nodes.Define] = {}
-        # The names of each block, before the resolver rewrites blocks with labels.
         tops: list[nodes.Sub | nodes.Task | nodes.Event] = [
             *module.subs,
             *module.tasks,

@@ -21,9 +21,10 @@ Data. A `Step` has a kind, a tree node and the list `next`. The sides of a condi
     turn, next     the head of a For, whose true side is the body, and its Next, where the variable counts
     end            End: the program stops, and no step follows
 
-A Gosub leads to its label. In a function with a Gosub all Returns lead to one common step, which leads to the statement
-after each Gosub: calls are not matched with returns. In other functions a Return leads to leave. A label of the main
-program that has the name of an event and is the target of no jump is an event handler, and another entry of the graph.
+A Goto may lead into a block. A Gosub leads to its label. In a function with a Gosub all Returns lead to one common
+step, which leads to the statement after each Gosub: calls are not matched with returns. In other functions a Return
+leads to leave. A label of the main program that has the name of an event and is the target of no jump is an event
+handler, and another entry of the graph.
 
 Invariants.
 - `number` is in text order, except for leave and the common step of Returns, which come last. Every cycle has an edge
@@ -291,7 +292,7 @@ class Graph:
         step = self._new(DO, node, edges)
         self._jumps.append((step, node))
         if node.kind != "gosub":
-            return [] if node.unless is None else [(step, "yes")]
+            return []
         after = self._new(DO, None, [])
         self._after_gosub.append(after)
         return [(after, "next")]
@@ -305,8 +306,6 @@ class Graph:
             label = self.labels.get(node.name.lower())
             if label is not None:
                 step.next.append(label)
-                if node.unless is not None:
-                    step.no = label
         targets = {node.name.lower() for _, node in self._jumps}
         for name, step in self.labels.items():
             if is_main and name not in targets and label_event(name) is not None:

@@ -103,9 +103,7 @@ class _Survey:
 
     def goto(self, body: list[nodes.Stmt]) -> LoopDependencies:
         """Return the dependencies of a loop made of Gotos."""
-        jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
-        unless = [node.unless for node in jumps if node.unless is not None]
-        return self._dependencies(body, [*unless, *_deciding(body, LEAVES)], "")
+        return self._dependencies(body, _deciding(body, LEAVES), "")
 
     def _dependencies(
         self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str

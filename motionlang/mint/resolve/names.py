@@ -240,20 +240,8 @@ class Names:
         )
         return Type(TYPES[key], size)
 
-    def _survey(self, function: Function) -> Survey:
-        """Survey the body of a function, with its labels moved to the outermost level."""
-        survey = Survey(function.body)
-        labels = [node for node in survey.statements if node.__class__ is nodes.Label]
-        if labels:
-            from motionlang.mint.resolve.flattening import flattened, holds_labels
-
-            if holds_labels(function.body, labels):
-                function.body = flattened(function.body)
-                return Survey(function.body)
-        return survey
-
     def _declare_data(self, function: Function) -> None:
-        survey = self._surveys[function] = self._survey(function)
+        survey = self._surveys[function] = Survey(function.body)
         for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
             if type(node) is nodes.Dim:
                 for variable in node.variables:

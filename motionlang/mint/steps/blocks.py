@@ -236,24 +236,14 @@ def label(w: UnitWriter, node: nodes.Label) -> None:
 
 
 def jump(w: UnitWriter, node: nodes.Jump) -> None:
-    """Write a Goto or a Gosub, or a jump that stands for the end of a block with labels."""
+    """Write a Goto or a Gosub."""
     name = node.name.lower()
     if node.kind == "gosub":
         w.pay()
         w.add(NOW)
         w.jumps.append((w.add(CALL, _gosub(w)), name))
-        return
-    unless = None
-    if node.unless is not None:
-        w.settle(node.unless)
-        unless = expressions.condition(w, node.unless)
-        skip = w.add(BRANCH, lambda values: not unless(values))
-    if node.kind == "exit":
-        w.jumps.append((w.add(JUMP), name))
     else:
-        w.jumps.append((w.add(BACK, cost=float(node.kind == "goto")), name))
-    if unless is not None:
-        w.here(skip)
+        w.jumps.append((w.add(BACK, cost=1.0), name))
 
 
 def _gosub(w: UnitWriter) -> Callable[[Values], tuple[Steps, Values]]:

@@ -355,14 +355,10 @@ class Label(Node):
 
 @record
 class Jump(Node):
-    """A jump of `kind` "goto" or "gosub", or a jump made by flattening a block.
-
-    The latter are "exit" and "again". An "exit" with a condition `unless` is taken only if the condition is false.
-    """
+    """A jump of `kind` "goto" or "gosub"."""
 
     kind: str
     name: Word
-    unless: Expr | None = None
 
 
 @record

@@ -1,6 +1,6 @@
-"""Blocks with labels are compiled to jumps, and run like a block without.
+"""A Goto may lead to a label in a block, and a block with labels runs like one without.
 
-They also take as long.
+It takes as long, too.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
     assert " ".join(result.output) == printed
 
 
-def test_what_was_made_is_not_warned_of() -> None:
+def test_a_label_at_the_end_of_a_loop_is_not_warned_of() -> None:
     text = "LOOP\n n = n + 1\n IF n = 3 THEN EXIT\n IF n = 2 THEN GOTO next\n PRINT n\n#next\nENDL\nPRINT n"
     assert DIALECT.check(Source("a.mnt", f"Dim n As Integer\n{text}")) == []
 
