@@ -17,8 +17,7 @@ from motionlang.mint.syntax.traversal import meant
 def block(w: UnitWriter, body: list[nodes.Stmt]) -> None:
     """Write statements in sequence."""
     is_guarded = w.program.is_guarded and not handles_errors(w)
-    is_outermost = body is w.function.body
-    for number, node in enumerate(body):
+    for node in body:
         first = len(w.steps)
         w.at = node.start
         if is_stop(node):
@@ -26,8 +25,7 @@ def block(w: UnitWriter, body: list[nodes.Stmt]) -> None:
         _STATEMENTS[type(node)](w, node)
         if is_guarded and type(node) in _CAN_FAIL:
             w.steps.guard(first, len(w.steps))
-        if is_outermost:
-            w.close_regions(number)
+        w.close_regions(node)
 
 
 def handles_errors(w: UnitWriter) -> bool:

@@ -94,9 +94,9 @@ class UnitWriter:
         if self.program.is_debug:
             self.steps.add(BEGIN, at=at)
 
-    def close_regions(self, statement: int) -> None:
-        """Note the end of the loops of Gotos whose last jump back is in this statement."""
-        ended = [each for each in self.regions.values() if each.statement == statement]
+    def close_regions(self, statement: nodes.Stmt) -> None:
+        """Note the end of the loops of Gotos that end with this statement."""
+        ended = [each for each in self.regions.values() if each.statement is statement]
         for each in ended:
             each.last = len(self.steps) - 1
         if ended:
