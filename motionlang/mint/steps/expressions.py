@@ -43,9 +43,6 @@ from motionlang.mint.syntax.traversal import meant, walk
 if TYPE_CHECKING:
     from motionlang.mint.steps.unit import UnitWriter
 
-# Where a variable, an element or a member is: functions for the list and the index.
-Place = tuple[Get, Get]
-
 
 def value(w: UnitWriter, node: nodes.Expr) -> Value:
     """Return a value that may be used in any way."""
