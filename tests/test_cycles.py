@@ -36,7 +36,6 @@ GROUPS: dict[tuple[str, str], str] = {
                       "table_motion_splines"):
         "cams, splines and compensation share their tables, followers and triggers their masters",
     ("mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
-    ("mint/resolve", "handlers names"): "the resolver of names finds handlers, which are looked up by name",
     ("mint/runtime", "binding changes environment errors events power_up task waits"):
         "the environment of a program owns its tasks and events; each is handed its environment",
     ("mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):

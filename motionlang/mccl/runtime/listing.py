@@ -11,13 +11,13 @@ from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.writer import LineWriter
+from motionlang.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.lang.step_list import ListedUnit
     from motionlang.lang.steps import Step
-    from motionlang.source import Source
 
 
 def step_list(source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
