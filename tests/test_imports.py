@@ -49,7 +49,6 @@ LAZY = {
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
-    "log/stream.py": "records repeated sampled",
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",
     "mint/keywords/buffer.py": "keywords.following_masters",

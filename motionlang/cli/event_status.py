@@ -28,7 +28,7 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
     # The last handler that was entered, by None, and where the faults of each axis were last cleared.
     handled: dict[int | None, int] = {}
     # As plain tuples: importing the record type takes as long as starting an empty Python.
-    events = list(run.machine.log.events.as_stored())
+    events = list(run.machine.log.events)
     for index, (_, kind, axis, *_) in enumerate(events):
         if kind == "handler":
             handled[None] = index

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from motionlang.controller.motion.follow import Follow
     from motionlang.controller.move import Move
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.log.older_profiles import Profiles
+    from motionlang.log.profiles import Profiles
     from motionlang.planners import Profile, State
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
@@ -218,6 +218,13 @@ class Axis:
                 self.older = None
         del self.starts[count:], self.profiles[count:]
         self.starts[-1], self.profiles[-1] = start, last
+
+    def profile(self, number: int) -> Profile:
+        """Return a profile of the track by its number since power-up."""
+        count = 0 if self.older is None else self.older.count
+        if self.older is not None and number < count:
+            return self.older.profile(number)
+        return self.profiles[number - count]
 
     def idle_reader(self) -> Callable[[], bool]:
         """Return a function that is true if no move is in progress."""

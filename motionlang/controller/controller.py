@@ -13,7 +13,6 @@ from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Rejected
 from motionlang.controller.readers import NO_SUBSCRIBER
 from motionlang.log.log import Log
-from motionlang.log.moves import power_up
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,7 +45,7 @@ class Controller(AxisVerbs):
         log: Log | None = None,
     ) -> None:
         super().__init__(axes, first, clock or Clock(), log or Log())
-        power_up(self.log, self.axes)
+        self.log.power_up(self.axes)
 
     # ----------------------------------------------------------------------------------- bound to an axis
 

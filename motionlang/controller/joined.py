@@ -1,8 +1,6 @@
-"""The track of an axis since power-up, both packed and not, read like two lists."""
+"""The track of an axis since power-up, the older profiles included, read like two lists."""
 
 from __future__ import annotations
-
-from motionlang.planners.packed import unpacked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,8 +10,8 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
 
-# Packed profiles that are cached as objects once they have been read.
-_MAX_UNPACKED = 1024
+# Older profiles that are cached as objects once they have been read.
+_MAX_CACHED = 1024
 
 
 class Joined:
@@ -22,12 +20,12 @@ class Joined:
     An item that has been dropped reads as the oldest one stored.
     """
 
-    __slots__ = ("_axis", "_column", "_unpacked")
+    __slots__ = ("_axis", "_cached", "_column")
 
     def __init__(self, axis: Axis, column: int) -> None:
         self._axis, self._column = axis, column
-        # Unpacked profiles by number: a reader of the track needs each a few times.
-        self._unpacked: dict[int, Profile] = {}
+        # Older profiles by number: a reader of the track needs each a few times.
+        self._cached: dict[int, Profile] = {}
 
     def __len__(self) -> int:
         older = self._axis.older
@@ -35,7 +33,8 @@ class Joined:
 
     def __iter__(self) -> Iterator[Any]:
         column = self._column
-        for pair in self._axis.older or ():
+        older = self._axis.older
+        for pair in () if older is None else older.between(older.first, older.count):
             yield pair[column]
         yield from self._now()
 
@@ -53,32 +52,31 @@ class Joined:
             return self._now()[0]
         if not self._column:
             return older.start(index)
-        found = self._unpacked.get(index)
+        found = self._cached.get(index)
         if found is None:
-            if len(self._unpacked) >= _MAX_UNPACKED:
-                self._unpacked.clear()
-            found = self._unpacked[index] = older.profile(index)
+            if len(self._cached) >= _MAX_CACHED:
+                self._cached.clear()
+            found = self._cached[index] = older.profile(index)
         return found
 
     def _range(self, first: int, past: int, step: int) -> list[Any]:
-        """Return the items of a slice; consecutive packed ones are unpacked in chunks."""
+        """Return the items of a slice; consecutive older ones are read in one go."""
         older = self._axis.older
         count = 0 if older is None else older.count
         if step != 1 or older is None or not older.first <= first < min(past, count):
             return [self[i] for i in range(first, past, step)]
-        column, packed = self._column, older.records(first, min(past, count))
+        found = list(older.between(first, min(past, count)))
         now = self._now()[: max(past - count, 0)]
-        if not column:
-            return [*(row[0] for row in packed), *now]
-        known = self._unpacked
-        if len(packed) > _MAX_UNPACKED:
-            return [*(unpacked(row[1]) for row in packed), *now]
-        if len(known) + len(packed) > _MAX_UNPACKED:
+        if not self._column:
+            return [*(start for start, _ in found), *now]
+        known = self._cached
+        if len(found) > _MAX_CACHED:
+            return [*(profile for _, profile in found), *now]
+        if len(known) + len(found) > _MAX_CACHED:
             known.clear()
-        for number, row in enumerate(packed, first):
-            if number not in known:
-                known[number] = unpacked(row[1])
-        return [*(known[number] for number in range(first, first + len(packed))), *now]
+        for number, (_, profile) in enumerate(found, first):
+            known.setdefault(number, profile)
+        return [*(known[number] for number in range(first, first + len(found))), *now]
 
     def _now(self) -> Sequence[Any]:
         return self._axis.profiles if self._column else self._axis.starts

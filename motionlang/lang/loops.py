@@ -42,7 +42,6 @@ from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.steps import own
 from motionlang.lang.variable_uses import NONE, UNKNOWN, Body, Copy, body_of
 from motionlang.lang.waits import ROUNDING, Delay, Wait
-from motionlang.log.repeated import Row, rows_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -476,10 +475,8 @@ class Loops:
         if not here < until < INFINITY:
             return t, None
         moved = self._moved(now, last)
-        rows: list[Row] | None = []
-        if now.switched != last.switched:
-            rows = self._outputs(now, last)
-        if moved is None or rows is None:
+        first = self._first_switch(now, last) if now.switched != last.switched else 0
+        if moved is None or first < 0:
             return t, None
         times, time.base = self._fitting(now, last, until, most)
         if times > 0:
@@ -490,31 +487,24 @@ class Loops:
                 wait.since = time.at(count + more)
                 wait.ends = self.world.end_of_wait(time.base, count + more, seconds)
             self._carry(task, now, last, began, here, times)
-            if rows:
-                self._repeat_outputs(now, last, rows, times)
+            if now.switched != last.switched:
+                period = (now.t - last.t) * time.cost
+                self.machine.log.outputs.repeat(first, times, period, last.base, time.cost)
         return t, None
 
-    def _outputs(self, now: State, last: State) -> list[Row] | None:
-        """Return what has been logged of outputs since a state; None if it cannot be repeated."""
+    def _first_switch(self, now: State, last: State) -> int:
+        """Return the number of the first switch of an output since a state; -1 if these cannot be repeated."""
         scheduler, log = self.machine.scheduler, self.machine.log
         assert scheduler is not None
-        if len(scheduler.tasks) > 1 or scheduler.interrupts or now.base != last.base:
-            return None
-        rows: list[Row] | None = []
-        if not last.lengths:
-            return None
-        for stream, length in zip(log.streams(), last.lengths, strict=True):
+        if len(scheduler.tasks) > 1 or scheduler.interrupts or now.base != last.base or not self.time.cost:
+            return -1
+        first = -1
+        for stream, length in zip(log.streams(), last.lengths, strict=False):
             if stream is log.outputs and len(stream) - length <= MAX_ROWS:
-                rows = rows_of(stream[length:], 0, now.base, self.time.cost)
+                first = length
             elif len(stream) != length:
-                return None
-        return rows
-
-    def _repeat_outputs(self, now: State, last: State, rows: list[Row], times: int) -> None:
-        """Log `times` more periods with these switches of outputs."""
-        lasts = now.t - last.t
-        later = [(tick, tuple([each + lasts for each in counts]), rest) for tick, counts, rest in rows]
-        self.machine.log.outputs.repeat((later, times, 0, lasts), (last.base, 0, 0.0, self.time.cost))
+                return -1
+        return first
 
     def _moved(self, now: State, last: State) -> list[tuple[Delay, float, float]] | None:
         """Return the waits of other tasks that have begun since a state: statement and length.

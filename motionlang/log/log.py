@@ -1,29 +1,28 @@
 """The log of a run: all records in order, by kind.
 
-Report, trace and proof read nothing else. The log only grows. Old records are packed (`stream.py`), in memory
-and then in an unnamed file, so the memory of a run does not depend on its length.
+Report, trace and proof read nothing else. The log only grows. Records are columns (`stream.py`), in memory and then in
+an unnamed file, so the memory of a run does not depend on its length.
 """
 
 from __future__ import annotations
 
-from motionlang import log as record
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from motionlang.log.moves import Moves
+from motionlang.log.profiles import Profiles
+from motionlang.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Waited
+from motionlang.log.samples import AnalogueChanges
 from motionlang.log.stream import DISK, Store, Stream
+from motionlang.log.time_slices import Mark as SliceMark
 from motionlang.log.time_slices import TimeSliceStream
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable
-    from typing import Any
-
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
-    from motionlang.log.moves import Moves
-    from motionlang.log.older_profiles import Profiles
-    from motionlang.log.records import Changed, Event, Looped, Printed, RepeatedWaits, Setting, Waited
-    from motionlang.log.time_slices import Mark as SliceMark
 
-    # How many waits and time slices there are.
-    Mark = tuple[int, int, SliceMark]
+# How many waits and time slices there are.
+Mark = tuple[int, SliceMark]
 
 # Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
 # those of each axis that are never packed.
@@ -52,9 +51,9 @@ class Log:
     moves      every `Move` that was started, in order of start; updated until it is over
     dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
     inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
+    sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
-    repeated_waits: `RepeatedWaits`, those of iterations that were skipped
     loops      `Looped`, each loop of more than a hundred statements, when it is over
     slices     `TimeSlices`, if there is more than one task
     prints     `Printed`, lines of the console
@@ -64,53 +63,42 @@ class Log:
     `WholeTrack` of `track.py` reads them as one sequence.
     """
 
-    # Created by `__getattr__`: a program without motion imports none of their components.
-    moves: Moves
-    dropped: Moves
-    # Set at power-up, before there is a profile to pack.
-    older: Callable[[Store], Profiles]
-
     def __init__(self, disk: int = DISK) -> None:
         self.store = store = Store(disk=disk)
-        self.inputs: Stream[Changed] = Stream(store, "Changed")
-        self.outputs: Stream[Changed] = Stream(store, "Changed")
-        self._analogue_inputs: Stream[Changed] = Stream(store, "Changed")
+        self.moves, self.dropped = Moves(store), Moves(store)
+        self.inputs: Stream[Changed] = Stream(store, Changed)
+        self.outputs: Stream[Changed] = Stream(store, Changed)
+        self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
+        self.sampled: Stream[Sampled] = Stream(store, Sampled)
         # Logs the samples of analogue inputs up to now.
         self.settle: Callable[[], None] = _nothing
-        self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
-        self.settings: Stream[Setting] = Stream(store, "Setting")
-        self.waits: Stream[Waited] = Stream(store, "Waited")
-        self.repeated_waits: Stream[RepeatedWaits] = Stream(store, "RepeatedWaits")
-        self.loops: Stream[Looped] = Stream(store, "Looped")
+        self.analogue_outputs: Stream[Changed] = Stream(store, Changed)
+        self.settings: Stream[Setting] = Stream(store, Setting)
+        self.waits: Stream[Waited] = Stream(store, Waited)
+        self.loops: Stream[Looped] = Stream(store, Looped)
         self.slices = TimeSliceStream(store)
-        self.prints: Stream[Printed] = Stream(store, "Printed")
-        self.events: Stream[Event] = Stream(store, "Event")
+        self.prints: Stream[Printed] = Stream(store, Printed)
+        self.events: Stream[Event] = Stream(store, Event)
         # The last clamp of each axis and quantity, which is reported once, and the source offset of the
         # program.
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
         self.where: Callable[[], int] = nowhere
-        self.others: list[Stream[Any]] = []
+        self.others: list[Stream[Printed]] = []
         # How many profiles may be made before some are packed.
         self.room = FIRST_CHECK
         self._is_checked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
 
-    if not TYPE_CHECKING:  # mypy would take every name for a stream of moves
-
-        def __getattr__(self, name: str) -> Moves:
-            """Create the stream of moves when it is first read."""
-            if name not in ("moves", "dropped"):
-                raise AttributeError(f"a log has no {name}")
-            made = record.moves.Moves(self.store)
-            setattr(self, name, made)
-            return made
-
     @property
-    def analogue_inputs(self) -> Stream[Changed]:
+    def analogue_inputs(self) -> AnalogueChanges:
         """The changes of analogue inputs so far."""
         self.settle()
-        return self._analogue_inputs
+        return AnalogueChanges(self.changes_of_analogue_inputs, self.sampled, self.moves.axes)
+
+    def power_up(self, axes: Mapping[int, Axis]) -> None:
+        """Connect the axes of a controller."""
+        self.moves.axes = self.dropped.axes = axes
 
     def locate_by(self, where: Callable[[], int]) -> None:
         """Set the function that returns the source offset of an event."""
@@ -134,45 +122,31 @@ class Log:
 
         They are the waits of an iteration whose repetitions are skipped.
         """
-        mine = []
-        for wait in reversed(self.waits.tail):
-            name, _, since, until, *_ = wait
-            if until < began:
+        mine: list[Waited] = []
+        for wait in reversed(self.waits):
+            if wait.until < began or wait.task != task or wait.since < began:
                 break
-            if name == task and since >= began:
-                mine.append(wait)
+            mine.append(wait)
+        self.waits.repeat(len(self.waits) - len(mine), count, period)
         if mine:
-            self.repeated_waits.add((tuple(reversed(mine)), count, period))
             self.slices.rested(count, mine)
 
     def mark_period(self) -> Mark:
         """Return how much has been recorded of waits and time slices, for `repeat_period`."""
-        return len(self.waits), len(self.repeated_waits), self.slices.mark()
+        return len(self.waits), self.slices.mark()
 
     def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
         """Log that the waits and time slices since `mark` repeat so many times.
 
         The period took from `began` to `now`, and its repetitions take up to `until`.
         """
-        waits, repeated, slices = mark
-        for written, count, apart in self.repeated_waits[repeated:]:
-            # A period of some tasks may be within this one: the smaller number of records has both.
-            inner = count <= times
-            for k in range(1, (count if inner else times) + 1):
-                later = [_shifted(wait, k * (apart if inner else now - began)) for wait in written]
-                rest = (times, now - began) if inner else (count, apart)
-                self.repeated_waits.add((tuple(later), *rest))
-        mine: dict[str, list[Any]] = {}
-        new = len(self.waits) - waits
-        for wait in self.waits.tail[-new:] if new else ():
-            mine.setdefault(wait[0], []).append(wait)
-        for each in mine.values():
-            self.repeated_waits.add((tuple(each), times, now - began))
+        waits, slices = mark
+        self.waits.repeat(waits, times, now - began)
         self.slices.repeat_since(slices, now, until, times)
 
-    def new(self, kind: str) -> Stream[Any]:
-        """Create another stream for a kind of record, such as another terminal's output."""
-        made: Stream[Any] = Stream(self.store, kind)
+    def new_prints(self) -> Stream[Printed]:
+        """Create another stream of printed lines, such as those of another terminal."""
+        made: Stream[Printed] = Stream(self.store, Printed)
         self.others.append(made)
         return made
 
@@ -195,11 +169,9 @@ class Log:
 
     def _pack_profiles(self, a: Axis, count: int) -> None:
         """Pack the `count` oldest profiles of an axis."""
-        if count > 0 and a.older is None:
-            a.older = self.older(self.store)
-        while count > 0:
-            assert a.older is not None
-            count -= a.older.take_from(a, count)
+        if count > 0:
+            a.older = a.older or Profiles(self.store)
+            a.older.take_from(a, count)
 
     def _check_hurry(self) -> None:
         """Report a loop that starts one motion after another without time to execute them."""
@@ -222,7 +194,7 @@ class Log:
                 a.older.forget_before(self.moves[self.moves.first].start_time)
 
     def finish_updates(self, axes: Iterable[Axis]) -> None:
-        """Complete partial packing after an interrupt."""
+        """Complete or drop what an interrupt has left half done."""
         for stream in self.streams():
             stream.finish_updates()
         for a in axes:
@@ -230,14 +202,8 @@ class Log:
                 a.older.complete(a)
                 a.older = a.older if a.older.count else None
 
-    def streams(self) -> tuple[Stream[Any], ...]:
+    def streams(self) -> tuple[Stream[Any] | Moves, ...]:
         """Return all streams except the profiles."""
-        return (self.moves, self.dropped, self.inputs, self.outputs, self._analogue_inputs,
-                self.analogue_outputs, self.settings, self.waits, self.repeated_waits, self.loops, self.slices,
-                self.prints, self.events, *self.others)  # fmt: skip
-
-
-def _shifted(wait: Any, seconds: float) -> tuple[object, ...]:
-    """Return the record of a wait that is later by some seconds."""
-    task, at, since, until, *about = wait
-    return task, at, since + seconds, until + seconds, *about
+        return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
+                self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
+                *self.others)  # fmt: skip

@@ -1,144 +1,167 @@
-"""The moves of a log: as objects, and packed."""
+"""The moves of a log: as objects, and the older ones as rows."""
 
 from __future__ import annotations
 
-from marshal import dumps, loads
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, overload
 
-from motionlang import log as record
-from motionlang.controller.move import Move
-from motionlang.log.stream import Stream
+from motionlang.controller.move import CONTINUED, Action, Move
+from motionlang.log.profiles import joined, parted
+from motionlang.log.records import MoveRow
+from motionlang.log.stream import CHUNK, Store, Stream
+from motionlang.planners import Profile
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-    from typing import Any
-
     from motionlang.controller.axis import Axis
-    from motionlang.log.log import Log
-    from motionlang.log.older_profiles import Profiles
-    from motionlang.log.stream import ChunkLocation, Store
-    from motionlang.planners import Profile
 
-# Pieces of continued entries that may wait to be packed.
+# The number of moves after which the oldest become rows, and how many of the newest do not.
+MAX_OBJECTS, LEFT = 24_576, 8_192
+# Pieces of continued entries that may wait to become rows.
 MAX_WAITING = 16_000
+# The action of a row that was a path, a jog or the like; its kind is not stored.
+_OTHER = Action()
 
 
-class Moves(Stream[Move]):
-    """The stream of moves; a packed move retains everything except its `action`.
+class _Overlaid(Move):
+    __slots__ = ()
+    overlaid = True
 
-    Only the existence of the action is stored. A move in progress stays unpacked until it is over, even while
-    its neighbours are packed. The motion of an axis in a move is in its track, and not packed twice.
+
+class Moves(Sequence[Move]):
+    """All moves in order of start; an older one is made from its row when it is read.
+
+    A row retains everything except the `action`, of which only the existence is stored. A move in progress stays an
+    object until it is over, even while its neighbours become rows. The motion of an axis in a move is in its track, and
+    not stored twice.
     """
 
-    __slots__ = ("_left_out", "_store", "_waiting", "axes")
-
-    GROWING = (*Stream.GROWING, "_left_out")
+    # The attributes that `cut` restores.
+    GROWING = ("packed", "_rows", "_tail", "_late")
 
     def __init__(self, store: Store) -> None:
-        super().__init__(store)
-        self._store = store
-        # Moves in progress while their neighbours were packed, and their positions if they have been packed
-        # since.
-        self._left_out: dict[int, Move | ChunkLocation] = {}
-        self._waiting = 0  # pieces of continued entries that are not packed
+        self._rows: Stream[MoveRow] = Stream(store, MoveRow)
+        # The number of moves that are rows, and the others.
+        self.packed = 0
+        self._tail: list[Move] = []
+        # Moves that were in progress when their neighbours became rows, by number.
+        self._late: dict[int, Move] = {}
+        self._waiting = 0  # pieces of continued entries that are no rows
         # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
 
+    @property
+    def first(self) -> int:
+        """The number of the oldest move that is left."""
+        return self._rows.first
+
+    # ------------------------------------------------------------------------------------------- writing
+
+    def add(self, move: Move) -> None:
+        """Append a move."""
+        self._tail.append(move)
+        if len(self._tail) >= MAX_OBJECTS:
+            self.pack(MAX_OBJECTS - LEFT)
+
     def pack(self, count: int) -> None:
-        """Pack the `count` oldest records of the tail."""
-        self._live()  # checks all moves in progress
-        super().pack(count)
-
-    def extent(self) -> Any:
-        """Return the number of moves, those left out of chunks, and those in progress by their numbers."""
+        """Make rows of the `count` oldest objects."""
         live = self._live()
-        numbers = {self.packed + k: move for k, move in enumerate(self.tail) if id(move) in live}
-        return len(self), dict(self._left_out), numbers
-
-    def cut(self, extent: Any) -> None:
-        """Drop later moves; those that were in progress are in progress again, as the same objects."""
-        count, left_out, live = extent
-        self._cut(count, min(live, default=count))
-        self._left_out = dict(left_out)
-        for number, move in live.items():
-            self.tail[number - self.packed] = move
-
-    def __iter__(self) -> Iterator[Move]:
-        for number in range(len(self._chunks)):
-            yield from self._chunks.chunk(number)
-        self._live()
-        yield from self.tail[:]
-
-    def number(self, move: Move) -> int:
-        """Return the log number of a move in progress."""
-        index = self._tail_index(move)
-        if index >= 0:
-            return self.packed + index
-        return next(number for number, each in self._left_out.items() if each is move)
-
-    def moved(self) -> set[int]:
-        """Return the axes that have moved."""
-        chunks = (self._chunks.chunk(number) for number in range(len(self._chunks)))
-        return {move.axis for chunk in (*chunks, self.tail) for move in chunk}
-
-    def _newest(self, index: int) -> Move:
-        self._live()
-        return self.tail[index]
-
-    def _typed(self, rows: list[Any]) -> list[Move]:
-        self._live()
-        return list(rows)
+        while count > 0 and self._tail:
+            chunk = self._tail[: min(CHUNK, count)]
+            for number, move in enumerate(chunk, self.packed):
+                if id(move) in live:
+                    self._late[number] = move
+                self._rows.add(_row(move, self.axes.get(move.axis), id(move) in live))
+            self.packed, self._tail = self.packed + len(chunk), self._tail[len(chunk) :]
+            count -= len(chunk)
 
     def split(self, move: Move, done: Profile, now: float, size: int) -> None:
-        """Continue a move as another entry; the old one ends now, with the profile `done`.
-
-        The old entry has `size` pieces.
-        """
-        sealed, index = record.move_rows.sealed(move, done), self._tail_index(move)
-        if index >= 0:
-            self.tail[index] = sealed
+        """Continue a move as another entry; the old one ends now, with the profile `done` of `size` pieces."""
+        number = self.number(move)
+        sealed = _move(_row(move, None, True), {})
+        sealed.profile, sealed.ended = done, CONTINUED
+        if number < self.packed:
+            self._late[number] = sealed
         else:
-            self._left_out[self.number(move)] = sealed
-            self._chunks.reread()
+            self._tail[number - self.packed] = sealed
         move.start_time, move.offset = now, 0.0
         self.add(move)
         self._waiting += size
         if self._waiting >= MAX_WAITING:
-            self.pack(len(self) - self.packed)
+            self.pack(len(self._tail))
             self._waiting = 0
 
-    def _tail_index(self, record: Move) -> int:
-        """Return the index of a record in the tail; -1 if it is not in it."""
-        tail = self.tail
-        for index in range(len(tail) - 1, -1, -1):
-            if tail[index] is record:
-                return index
-        return -1
+    def forget(self, retained: int) -> None:
+        """Drop all but about `retained` newest moves; the others retain their numbers."""
+        if len(self._tail) > 2 * retained:
+            self.pack(len(self._tail) - retained)
+        self._rows.forget(max(retained - len(self._tail), 0))
+        self._late = {number: move for number, move in self._late.items() if number >= self.first}
 
-    def _rows(self, records: list[Move], first: int) -> list[Any]:
-        live, tracks = self._live(), self.axes
-        for number, each in self._left_out.items():
-            if isinstance(each, Move) and id(each) not in live:
-                self._left_out[number] = self._store.put(dumps(record.move_rows.row(each, None)))  # type: ignore[arg-type]
-        rows: list[tuple[object, ...] | None] = []
-        for number, move in enumerate(self._typed(records), first):
-            if id(move) in live:
-                self._left_out[number] = move
-                rows.append(None)
-                continue
-            rows.append(record.move_rows.row(move, tracks.get(move.axis)))
-        return rows
+    def finish_updates(self) -> None:
+        """Drop incomplete rows after an interrupt."""
+        self._rows.finish_updates()
+        self._rows.cut(self.packed)
 
-    def _records(self, rows: list[Any], first: int) -> list[Move]:
-        return [
-            self._late(self._left_out[number]) if row is None else record.move_rows.move_of(row, self.axes)
-            for number, row in enumerate(rows, first)
-        ]
+    def extent(self) -> tuple[int, dict[int, Move], dict[int, Move]]:
+        """Return the number of moves, those that are late, and those in progress by their numbers."""
+        live = self._live()
+        numbers = {self.packed + k: move for k, move in enumerate(self._tail) if id(move) in live}
+        return len(self), dict(self._late), numbers
 
-    def _late(self, left_out: Move | ChunkLocation) -> Move:
-        if isinstance(left_out, Move):
-            return left_out
-        return record.move_rows.move_of(loads(self._store.get(left_out)), self.axes)
+    def cut(self, extent: tuple[int, dict[int, Move], dict[int, Move]]) -> None:
+        """Drop later moves; those that were in progress are in progress again, as the same objects."""
+        count, late, live = extent
+        first = min((self.packed, count, *live))
+        self._tail[:0] = self.between(first, self.packed)
+        del self._tail[count - first :]
+        for number, move in live.items():
+            self._tail[number - first] = move
+        self._rows.cut(first)
+        self.packed, self._late = first, dict(late)
+
+    # ------------------------------------------------------------------------------------------- reading
+
+    def __len__(self) -> int:
+        return self.packed + len(self._tail)
+
+    @overload
+    def __getitem__(self, index: int) -> Move: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Move]: ...
+
+    def __getitem__(self, index: int | slice) -> Move | list[Move]:
+        if isinstance(index, slice):
+            numbers = range(len(self))[index]
+            if numbers.step == 1:
+                return list(self.between(max(numbers.start, self.first), numbers.stop))
+            return [self[number] for number in numbers if number >= self.first]
+        number = index + len(self) if index < 0 else index
+        if not self.first <= number < len(self):
+            raise IndexError(index)
+        return next(self.between(number, number + 1))
+
+    def __iter__(self) -> Iterator[Move]:
+        return self.between(self.first, len(self))
+
+    def between(self, first: int, past: int) -> Iterator[Move]:
+        """Yield the moves from number `first` to `past` (exclusive)."""
+        for number, row in enumerate(self._rows.between(first, min(past, self.packed)), first):
+            late = self._late.get(number)
+            yield _move(row, self.axes) if late is None else late
+        yield from self._tail[max(first - self.packed, 0) : max(past - self.packed, 0)]
+
+    def number(self, move: Move) -> int:
+        """Return the number of a move in progress."""
+        for index in range(len(self._tail) - 1, -1, -1):
+            if self._tail[index] is move:
+                return self.packed + index
+        return next(number for number, each in self._late.items() if each is move)
+
+    def moved(self) -> set[int]:
+        """Return the axes that have moved."""
+        return {row.axis for row in self._rows} | {move.axis for move in self._tail}
 
     def _live(self) -> set[int]:
         """Return the identities of the moves in progress."""
@@ -147,11 +170,34 @@ class Moves(Stream[Move]):
         return {id(move) for move in (*moves, *on_top)}
 
 
-def power_up(log: Log, axes: Mapping[int, Axis]) -> None:
-    """Connect the axes of a controller to a log."""
-    log.moves.axes = log.dropped.axes = axes
-    log.older = _older_profiles
+def _row(move: Move, a: Axis | None, is_live: bool) -> MoveRow:
+    """Return a move as a row; a complete profile of the track is stored as its number."""
+    number = None if a is None or is_live else _number(a, move)
+    form, numbers = parted(None if is_live or number is not None else move.profile)
+    return MoveRow(
+        move.axis, move.command, move.line, move.target, move.commanded_speed, move.start_time, move.scale,
+        move.ended, move.zero, move.offset, move.action is not None, move.overlaid, number, form, numbers,
+    )  # fmt: skip
 
 
-def _older_profiles(store: Store) -> Profiles:
-    return record.older_profiles.Profiles(store)
+def _move(row: MoveRow, axes: Mapping[int, Axis]) -> Move:
+    """Return the move of a row."""
+    move = (_Overlaid if row.overlaid else Move)(row.axis, row.command, row.line, row.target)
+    move.commanded_speed, move.start_time, move.scale = row.commanded_speed, row.start_time, row.scale
+    move.ended, move.zero, move.offset = row.ended, row.zero, row.offset
+    move.action = _OTHER if row.acts else None
+    if row.number is not None:
+        move.profile = axes[row.axis].profile(row.number)
+    else:
+        move.profile = joined(row.form, row.numbers)
+    return move
+
+
+def _number(a: Axis, move: Move) -> int | None:
+    """Return the number of the profile of the track that is the whole move, or None."""
+    k = bisect_right(a.starts, move.start_time) - 1
+    while k >= 0 and a.starts[k] == move.start_time:
+        if a.profiles[k] is move.profile:
+            return k + (0 if a.older is None else a.older.count)
+        k -= 1
+    return None

@@ -1,14 +1,13 @@
 """The records of a log, by kind: their fields in the order of writing.
 
-A run writes plain tuples; a stream of the log returns them as these types. Times are seconds of the machine's
-clock. `at` is a source position, an offset that the dialect's `locate` converts to line and column;
-`line` is a line.
+A run writes plain tuples; a stream of the log stores them as columns (`columns.py`) and returns them as these types.
+Times are seconds of the machine's clock. `at` is a source position, an offset that the dialect's `locate` converts to
+line and column; `line` is a line.
 """
 
-from __future__ import annotations
+from typing import Annotated, NamedTuple
 
-from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from motionlang.log.columns import Numbers, Texts, Values
 
 
 class Changed(NamedTuple):
@@ -16,14 +15,33 @@ class Changed(NamedTuple):
 
     time: float
     channel: int
+    value: Annotated[float, Values]
+
+
+class Sampled(NamedTuple):
+    """A channel was sampled at the ticks `first` to `past` (exclusive) along the profile that began at `start`.
+
+    A sample is `value` plus `per_unit` for each user unit beyond `origin`, a machine position. `datum` is the machine's
+    zero in counts, `factors` are those of lengths in the scale of the axis.
+    """
+
+    channel: int
+    axis: int
+    first: int
+    past: int
+    start: float
     value: float
+    per_unit: float
+    origin: float
+    datum: float
+    factors: tuple[float, float]
 
 
 class Printed(NamedTuple):
     """A complete line that was printed."""
 
     time: float
-    text: str
+    text: Annotated[str, Texts]
 
 
 # The causes of a wait: a time, axes, channels, the operator, another task, a host, or any of these in a
@@ -46,17 +64,6 @@ class Waited(NamedTuple):
     what: tuple[int, ...]
     why: str
     callers: tuple[int, ...] = ()
-
-
-class RepeatedWaits(NamedTuple):
-    """The waits of an iteration, as written, repeat `times` times, `period` apart.
-
-    So the waits of all skipped iterations of a loop are one record. `period` is in seconds.
-    """
-
-    waits: tuple[tuple[Any, ...], ...]
-    times: int
-    period: float
 
 
 class Looped(NamedTuple):
@@ -82,7 +89,7 @@ class TimeSlices(NamedTuple):
     time: float
     until: float
     tasks: tuple[str, ...]
-    seconds: tuple[float, ...]
+    seconds: Annotated[tuple[float, ...], Numbers]
 
 
 # The kinds of events; docs/events.md defines `value` and `limit`.
@@ -137,8 +144,32 @@ class Setting(NamedTuple):
     value: object
 
 
-# The constructors of records from the stored tuples, by kind.
-makers: Mapping[str, Callable[[Any], Any]] = {
-    kind.__name__: kind._make
-    for kind in (Changed, Printed, Waited, RepeatedWaits, Looped, TimeSlices, Event, Setting)
-}
+class MoveRow(NamedTuple):
+    """A move as it is stored; `acts` is true if it has an action.
+
+    Its profile is the one with this `number` on the track of its axis, or has this `form` and `numbers`.
+    """
+
+    axis: int
+    command: str
+    line: int
+    target: float
+    commanded_speed: Annotated[float | None, Values]
+    start_time: float
+    scale: float
+    ended: str
+    zero: float
+    offset: float
+    acts: bool
+    overlaid: bool
+    number: int | None
+    form: object
+    numbers: Annotated[tuple[float, ...], Numbers]
+
+
+class ProfileRow(NamedTuple):
+    """A profile of a track as it is stored."""
+
+    start: float
+    form: object
+    numbers: Annotated[tuple[float, ...], Numbers]

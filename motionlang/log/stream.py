@@ -1,103 +1,78 @@
-"""Streams of a log: records of one kind in time order, older ones packed.
+"""Streams of a log: records of one kind in time order, as columns.
 
-Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during
-the run and after it, and must not fill the memory. Writing one happens while the program runs and must be
-cheap.
+Problem. A run may take weeks of machine time and write millions of records. They are read like a list, during the run
+and after it, and must not fill the memory. Writing one happens while the program runs and must be cheap.
 
-Idea. The newest records stay in a list, the tail. When the tail is long, its oldest records are packed into
-chunks. A chunk is one `marshal` of plain tuples. The first 16 MB of chunks stay in memory, the others go to a
-file. Reading a packed record brings back its whole chunk.
+Idea. A row is appended to columns (`columns.py`), and a record is made when it is read. Every `CHUNK` rows the columns
+are sealed: their bytes go to the `Store`, whose first 16 MB stay in memory; the others go to a file. What repeats, such
+as the waits of a loop whose iterations are skipped, is not written again: `repeat` notes that some records occur so
+many times more, a period apart.
 
-    record      0          2048       4096               count               len
-                ├─ chunk ──┼─ chunk ──┼─ … ──────────────┼────── tail ───────┤
-                  memory     memory     file               list of up to 24 576
-
-Data. `Store` has the bytes of all streams of a log. `Chunks` has the chunks of one stream: the number of the
-first record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written
-as a plain tuple and read as the named tuple of its kind (`records.py`). A subclass whose records are objects,
-such as moves, defines in `_rows` and `_records` how they become tuples and objects again. A chunk may also be a
-template of records that repeat (`repeated.py`) or that follow from a motion (`sampled.py`).
+    records     0          2048       4096      4200                      104 200
+                ├─ chunk ──┼─ chunk ──┼─ rows ──┼─ 100 more, 1000 times ──┼─ rows
+                  memory     file       columns   of the rows before it
 
 Invariants.
-- Records are only appended, until `cut` goes back to an earlier time, and packed ones never change. A record
-  keeps its number when it is packed, and when older ones are dropped (`forget`); `first` is then the oldest
-  that is left.
-- Packed records read the same as others, but an object is created again when its chunk is unpacked again.
-- An interrupt at any time leaves the stream consistent. `Chunks.pack` sets `_total` while a chunk replaces
-  records of the tail, and `finish_updates` completes that step or drops the chunk.
-- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes
-  or cannot be written, the run ends with a diagnostic.
+- Records are only appended, until `cut` goes back to an earlier time. A record keeps its number when older ones are
+  dropped (`forget`); `first` is then the oldest that is left.
+- A record reads the same whether its chunk is sealed or not.
+- An interrupt at any time leaves the stream consistent once `finish_updates` has run: `_rows` counts the complete rows.
+- The file has no name, so it is gone when the process ends, however that happens. If it exceeds `DISK` bytes or cannot
+  be written, the run ends with a diagnostic.
 
-Cost. Writing is one append; every 16 384 records the oldest are packed. Reading from one end to the other
-unpacks each chunk once. A single old record costs a bisection and the unpacking of its chunk; a stream caches
-its last one. Memory is bounded by 16 MB for the log, and one tail and one chunk for each stream.
+Cost. Reading from one end to the other reads each chunk once. A single old record costs a bisection and the reading of
+its chunk; a stream keeps the last chunk that was read. Memory is bounded by 16 MB for the log, and two chunks and its
+repetitions for each stream.
 """
 
 from __future__ import annotations
 
+from array import array
 from bisect import bisect_right
-from itertools import chain
-from marshal import dumps, loads
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import IO, Any, Generic, TypeVar, overload
+from weakref import finalize
 
 from motionlang.controller.faults import Rejected
+from motionlang.files import reason, scratch
+from motionlang.log.columns import Column, Words, layout
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-    from typing import IO, Any, Generic, TypeVar, overload
-
-    from motionlang.log.repeated import Pace, Shape
-    from motionlang.log.sampled import Template
-
-    T = TypeVar("T")
-    # The location of a packed chunk: its bytes, or offset and length in the file.
-    ChunkLocation = bytes | tuple[int, int]
-
-    class _Of(Generic[T]):
-        """A generic base."""
-else:
-    # Importing typing takes longer than a short run.
-    T = ChunkLocation = None
-
-    class _Of:
-        """A generic base."""
-
-        __slots__ = ()
-
-        def __class_getitem__(cls, item):
-            return cls
-
-
-# Bytes of packed records stored in memory; later ones are on the disk.
+# Bytes of sealed chunks stored in memory; later ones are on the disk.
 MEMORY = 16_000_000
 # Default bytes that a log may have on the disk before the run ends.
 DISK = 8_000_000_000
-# Unpacked records of a stream, before and after packing.
-MAX_TAIL, LEFT = 24_576, 8_192
-# Records of a packed chunk.
-CHUNK_SIZE = 2048
+# Rows of a sealed chunk.
+CHUNK = 2048
+# The fields that are moments, which a repetition moves.
+_MOMENTS = ("time", "since", "until")
+
+T = TypeVar("T")
+# Where a sealed chunk is: its bytes, or offset and length in the file.
+Location = bytes | tuple[int, int]
 
 
 class Store:
-    """Packed chunks of a log: up to `memory` bytes in memory, then in an unnamed file.
+    """Sealed chunks of a log: up to `memory` bytes in memory, then in an unnamed file.
 
     The file disappears when the process ends, however that happens. Raises Rejected if the file would exceed
-    `disk` bytes or cannot be written.
+    `disk` bytes or cannot be written. `words` are the values that records have in common.
     """
 
-    __slots__ = ("__weakref__", "_file", "_written", "disk", "in_memory", "memory")
+    __slots__ = ("__weakref__", "_file", "_written", "disk", "in_memory", "memory", "words")
 
     def __init__(self, memory: int = MEMORY, disk: int = DISK) -> None:
         self.memory, self.disk = memory, disk
         self.in_memory = self._written = 0
         self._file: IO[bytes] | None = None
+        self.words = Words()
 
     @property
     def size(self) -> int:
-        """Packed bytes, in memory and on the disk."""
+        """Bytes in memory and on the disk."""
         return self.in_memory + self._written
 
-    def put(self, chunk: bytes) -> ChunkLocation:
+    def put(self, chunk: bytes) -> Location:
         """Store a chunk and return its location."""
         size = len(chunk)
         if self.in_memory + size <= self.memory:
@@ -109,8 +84,6 @@ class Store:
         try:
             self._append(chunk)
         except OSError as problem:
-            from motionlang.files import reason
-
             words = f"the log of the run cannot be written: {reason(problem)}"
             raise Rejected("limit", words, "shorten the run with --until, or free disk space") from None
         location = self._written, size
@@ -119,16 +92,12 @@ class Store:
 
     def _append(self, chunk: bytes) -> None:
         if self._file is None:
-            from weakref import finalize
-
-            from motionlang.files import scratch
-
             self._file = scratch()
             finalize(self, self._file.close)  # before the file itself, if both are in a cycle
         self._file.seek(self._written)
         self._file.write(chunk)
 
-    def get(self, location: ChunkLocation) -> bytes:
+    def get(self, location: Location) -> bytes:
         """Return a chunk."""
         if isinstance(location, bytes):
             return location
@@ -136,288 +105,279 @@ class Store:
         self._file.seek(location[0])
         return self._file.read(location[1])
 
-    def drop(self, location: ChunkLocation) -> None:
+    def drop(self, location: Location) -> None:
         """Drop a chunk; its space on disk is not reused."""
         if isinstance(location, bytes):
             self.in_memory -= len(location)
 
 
-class Chunks:
-    """Packed records in chunks; `count` is the number after the last record."""
+@dataclass(slots=True)
+class Chunk:
+    """The rows of a stream from number `first` on; a sealed one has no columns, but their `location` and `sizes`."""
 
-    __slots__ = ("_cached", "_locations", "_read", "_store", "_total", "count", "firsts")
-
-    def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
-        """Take a function `read(rows, first)` that creates records from packed rows.
-
-        `first` is the number of the first record.
-        """
-        self._store, self._read = store, read
-        self.firsts: list[int] = []
-        self._locations: list[ChunkLocation] = []
-        self.count = 0
-        self._total = 0  # packed records plus those of a tail, while a chunk replaces some
-        self._cached: tuple[int, Sequence[Any]] = (-1, [])
-
-    def __len__(self) -> int:
-        return len(self._locations)
+    first: int
+    columns: tuple[Column, ...] = ()
+    location: Location = b""
+    sizes: tuple[int, ...] = ()
 
     @property
-    def first(self) -> int:
-        """The number of the oldest record that is stored."""
-        return self.firsts[0] if self.firsts else self.count
-
-    def pack(self, rows: list[Any], *tails: list[Any]) -> None:
-        """Pack a chunk in place of the oldest records of each tail.
-
-        Raises Rejected if there is no space.
-        """
-        location, count = self._store.put(dumps(rows)), len(rows)
-        self._total = self.count + len(tails[0])
-        self._locations.append(location)
-        self.firsts.append(self.count)
-        self.count += count
-        for tail in tails:
-            del tail[:count]
-        self._total = 0
-
-    def finish_updates(self, *tails: list[Any]) -> None:
-        """Complete partial packing after an interrupt, or drop the chunk."""
-        while self.firsts and self.firsts[-1] >= self.count:
-            del self.firsts[-1]
-        del self._locations[len(self.firsts) :]
-        if self._total:
-            for tail in tails:
-                del tail[: self.count + len(tail) - self._total]
-            self._total = 0
-
-    def add_template(self, kind: str, template: tuple[Any, ...], count: int) -> None:
-        """Store a chunk of `count` records that are created from a template on reading.
-
-        `kind` is "repeated" or "sampled".
-        """
-        self._locations.append(self._store.put(dumps((kind, template))))
-        self.firsts.append(self.count)
-        self.count += count
-
-    def chunk(self, number: int) -> Sequence[Any]:
-        """Return the records of a chunk."""
-        first = self.firsts[number]
-        if self._cached[0] != first:
-            rows: Any = loads(self._store.get(self._locations[number]))
-            if rows.__class__ is tuple:
-                kind, template = rows
-                rows = _from_template(kind, template, lambda made: self._read(made, first))
-            else:
-                rows = self._read(rows, first)
-            self._cached = first, rows
-        return self._cached[1]
-
-    def cut(self, number: int) -> None:
-        """Drop the chunks from `number` on."""
-        for location in self._locations[number:]:
-            self._store.drop(location)
-        self.count = self.firsts[number]
-        del self._locations[number:], self.firsts[number:]
-        self.reread()
-
-    def reread(self) -> None:
-        """Discard the cached chunk, because one of its records has changed."""
-        self._cached = -1, []
-
-    def record(self, index: int) -> Any:
-        """Return a record by its number; IndexError if it is not stored."""
-        number = bisect_right(self.firsts, index) - 1
-        if number < 0:
-            raise IndexError(index)
-        return self.chunk(number)[index - self.firsts[number]]
-
-    def records(self, first: int, past: int) -> list[Any]:
-        """Return the records from `first`, which must be stored, to `past` (exclusive)."""
-        found: list[Any] = []
-        number = bisect_right(self.firsts, first) - 1
-        while first < past:
-            begin, chunk = self.firsts[number], self.chunk(number)
-            found += chunk[first - begin : past - begin]
-            first, number = begin + len(chunk), number + 1
-        return found
-
-    def forget(self) -> int:
-        """Drop the oldest chunk and return how many records it had."""
-        dropped = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
-        self._store.drop(self._locations.pop(0))
-        del self.firsts[0]
-        return dropped
+    def arrays(self) -> list[array[Any]]:
+        """What its columns are made of."""
+        return [each for column in self.columns for each in column.arrays]
 
 
-class Stream(_Of[T]):
-    """Records of one kind, read as a sequence; a run only calls `add`.
+@dataclass(frozen=True, slots=True)
+class Repetition:
+    """Records `first` to `past` again, so many `times`: record `past` and those after it, before row `row`.
 
-    A record is written as a plain tuple of numbers, texts and tuples, and read as the type of that name in
-    `records`, if there is one. A subclass that stores other objects defines how they are packed.
+    They are `period` seconds apart. Moments that are whole statements after a `base`, each of `cost` seconds, are
+    counted in these: so they are the same, to the last bit, as those of a repetition that is carried out.
     """
 
-    __slots__ = ("_chunks", "_kind", "tail")
+    first: int
+    past: int
+    times: int
+    period: float
+    base: float
+    cost: float
+    row: int
+
+    @property
+    def end(self) -> int:
+        """The number after its last record."""
+        return self.past + self.times * (self.past - self.first)
+
+    def later(self, moment: float, repetitions: int) -> float:
+        """Return a moment of the original in one of the repetitions."""
+        if not self.cost:
+            return moment + repetitions * self.period
+        count = round((moment - self.base) / self.cost) + repetitions * round(self.period / self.cost)
+        return self.base + count * self.cost
+
+
+class Stream(Sequence[T], Generic[T]):
+    """Records of one kind, a `NamedTuple`, read as a sequence; a run only calls `add` and `repeat`."""
 
     # The attributes that `cut` restores.
-    GROWING: tuple[str, ...] = ("tail", "_chunks")
+    GROWING: tuple[str, ...] = ("_sealed", "_open", "_rows", "_repetitions", "_loaded")
 
-    def __init__(self, store: Store, kind: str = "") -> None:
-        self._kind = kind
-        self._chunks = Chunks(store, self._records)
-        # The newest records, which are not packed.
-        self.tail: list[T] = []
+    def __init__(self, store: Store, kind: type[T]) -> None:
+        self._store, self._kind = store, kind
+        self._layout = layout(kind)
+        self._moments = [name for name in kind._fields if name in _MOMENTS]  # type: ignore[attr-defined]
+        self._sealed: list[Chunk] = []
+        self._open = self._new_chunk(0)
+        # The number of rows, and the repetitions between them.
+        self._rows = 0
+        self._repetitions: list[Repetition] = []
+        # The first row that is left, and the number of its record.
+        self._oldest = 0, 0
+        # The sealed chunk that was read last, with its columns.
+        self._loaded = self._open
 
-    def add(self, record: T | tuple[object, ...]) -> None:
-        """Append a record."""
-        tail = self.tail
-        tail.append(record)  # type: ignore[arg-type]
-        if len(tail) >= MAX_TAIL:
-            self.pack(MAX_TAIL - LEFT)
+    # ------------------------------------------------------------------------------------------- writing
 
-    def extend(self, records: Sequence[tuple[object, ...]]) -> None:
-        """Append records."""
-        for first in range(0, len(records), LEFT):
-            self.tail.extend(records[first : first + LEFT])  # type: ignore[arg-type]
-            if len(self.tail) >= MAX_TAIL:
-                self.pack(len(self.tail) - LEFT)
+    def add(self, row: tuple[Any, ...]) -> None:
+        """Append a record, given by its fields."""
+        for column, value in zip(self._open.columns, row, strict=True):
+            column.append(value)
+        self._rows += 1
+        if self._rows - self._open.first >= CHUNK:
+            self._seal()
 
-    def repeat(self, shape: Shape, pace: Pace) -> None:
-        """Append the records of actions that repeat, as one chunk (`repeated.py`)."""
-        from motionlang.log.repeated import length
+    def repeat(self, first: int, times: int, period: float, base: float = 0.0, cost: float = 0.0) -> None:
+        """Append the records from number `first` on so many times again, as `Repetition` says."""
+        past = len(self)
+        if first < past and times:
+            self._repetitions.append(Repetition(first, past, times, period, base, cost, self._rows))
 
-        if length(shape):
-            self.pack(len(self.tail))
-            self._chunks.add_template("repeated", (shape, pace), length(shape))
+    def _new_chunk(self, first: int) -> Chunk:
+        return Chunk(first, tuple([column(self._store.words) for column in self._layout]))
 
-    def add_samples(self, template: Template) -> None:
-        """Append samples of a moving axis, as one chunk (`sampled.py`)."""
-        from motionlang.log.sampled import length
+    def _seal(self) -> None:
+        first, arrays = self._open.first, self._open.arrays
+        location = self._store.put(b"".join([each.tobytes() for each in arrays]))
+        self._sealed.append(Chunk(first, (), location, tuple(map(len, arrays))))
+        self._open = self._new_chunk(self._rows)
 
-        self.pack(len(self.tail))
-        self._chunks.add_template("sampled", template, length(template))
+    def finish_updates(self) -> None:
+        """Drop an incomplete row or chunk after an interrupt."""
+        if self._sealed and self._sealed[-1].first == self._open.first:
+            del self._sealed[-1]
+        for column in self._open.columns:
+            column.cut(self._rows - self._open.first)
+
+    # ------------------------------------------------------------------------------------------- reading
 
     @property
     def first(self) -> int:
-        """The number of the oldest record that is stored."""
-        return self._chunks.first
-
-    @property
-    def packed(self) -> int:
-        """The number of records that are packed or dropped."""
-        return self._chunks.count
+        """The number of the oldest record that is left."""
+        return self._oldest[1]
 
     def __len__(self) -> int:
-        return self._chunks.count + len(self.tail)
+        return self._number(self._rows)
 
     def __bool__(self) -> bool:
-        return bool(self.tail) or len(self._chunks) > 0
+        return self.first < len(self)
+
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[T]: ...
+
+    def __getitem__(self, index: int | slice) -> T | list[T]:
+        if isinstance(index, slice):
+            numbers = range(len(self))[index]
+            if numbers.step == 1:
+                return list(self.between(max(numbers.start, self.first), numbers.stop))
+            return [self[number] for number in numbers if number >= self.first]
+        number = index + len(self) if index < 0 else index
+        if not self.first <= number < len(self):
+            raise IndexError(index)
+        return next(self.between(number, number + 1))
 
     def __iter__(self) -> Iterator[T]:
-        for number in range(len(self._chunks)):
-            yield from self._chunks.chunk(number)
-        yield from self._typed(self.tail)
+        return self.between(self.first, len(self))
 
-    def as_stored(self) -> Iterator[Any]:
-        """Yield all records; unpacked ones are yielded as the plain tuples written."""
-        chunks = map(self._chunks.chunk, range(len(self._chunks)))
-        return chain(chain.from_iterable(chunks), self.tail)
+    def between(self, first: int, past: int) -> Iterator[T]:
+        """Yield the records from `first` to `past` (exclusive)."""
+        for repetition, begin, end in self._parts(first, past):
+            if repetition is None:
+                yield from self._written(begin, end)
+                continue
+            length = repetition.past - repetition.first
+            while begin < end:
+                k, offset = divmod(begin - repetition.past, length)
+                count = min(length - offset, end - begin)
+                original = repetition.first + offset
+                for record in self.between(original, original + count):
+                    yield self._moved(record, repetition, k + 1)
+                begin += count
 
-    def __reversed__(self) -> Iterator[T]:
-        yield from reversed(self._typed(self.tail))
-        for number in reversed(range(len(self._chunks))):
-            yield from reversed(self._chunks.chunk(number))
+    def written(self) -> Iterator[T]:
+        """Yield the records without their repetitions."""
+        return self._written(self._oldest[0], self._rows)
 
-    if TYPE_CHECKING:
+    def condensed(self, most: int) -> Iterator[tuple[T, int]]:
+        """Yield records that stand for so many each: if more than `most` are repeated, for several repetitions."""
+        total = len(self) - self.first - (self._rows - self._oldest[0])
+        return self._condensed(self.first, len(self), max(1, -(-total // most)))
 
-        @overload
-        def __getitem__(self, index: int) -> T: ...
+    def _condensed(self, first: int, past: int, at_once: int) -> Iterator[tuple[T, int]]:
+        for repetition, begin, end in self._parts(first, past):
+            if repetition is None:
+                yield from ((record, 1) for record in self._written(begin, end))
+                continue
+            if (begin, end) != (repetition.past, repetition.end):
+                yield from ((record, 1) for record in self.between(begin, end))
+                continue
+            for k in range(1, repetition.times + 1, at_once):
+                count = min(at_once, repetition.times + 1 - k)
+                for record, inner in self._condensed(repetition.first, repetition.past, at_once):
+                    yield self._moved(record, repetition, k), inner * count
 
-        @overload
-        def __getitem__(self, index: slice) -> list[T]: ...
+    def _parts(self, first: int, past: int) -> Iterator[tuple[Repetition | None, int, int]]:
+        """Yield what the records from `first` to `past` are: records of a repetition, or rows (None)."""
+        k = bisect_right(self._repetitions, first, key=_begin)
+        while first < past:
+            last = self._repetitions[k - 1] if k else None
+            if last is not None and first < last.end:
+                end = min(last.end, past)
+                yield last, first, end
+            else:
+                end = min(self._repetitions[k].past, past) if k < len(self._repetitions) else past
+                row, number = self._oldest if last is None else (last.row, last.end)
+                yield None, row + first - number, row + end - number
+                k += 1
+            first = end
 
-        def __getitem__(self, index: int | slice) -> T | list[T]: ...
+    def _moved(self, record: Any, repetition: Repetition, repetitions: int) -> T:
+        later = {name: repetition.later(getattr(record, name), repetitions) for name in self._moments}
+        return record._replace(**later)  # type: ignore[no-any-return]
 
-    else:
+    def _written(self, first: int, past: int) -> Iterator[T]:
+        """Yield the records of some rows."""
+        make = self._kind._make  # type: ignore[attr-defined]
+        while first < past:
+            chunk, end = self._chunk_of(first)
+            begin, end = first - chunk.first, min(past, end) - chunk.first
+            yield from map(make, zip(*[column.read(begin, end) for column in chunk.columns], strict=True))
+            first = chunk.first + end
 
-        def __getitem__(self, index):
-            if isinstance(index, slice):
-                begin, end, step = index.indices(len(self))
-                return [self[i] for i in range(max(begin, self._chunks.first), end, step)]
-            index += len(self) if index < 0 else 0
-            behind = index - self._chunks.count
-            return self._newest(behind) if behind >= 0 else self._chunks.record(index)
+    def _chunk_of(self, row: int) -> tuple[Chunk, int]:
+        """Return the chunk with a row, and the number after its last row."""
+        if row >= self._open.first:
+            return self._open, self._rows
+        k = bisect_right(self._sealed, row, key=_first) - 1
+        sealed = self._sealed[k]
+        if self._loaded.first != sealed.first or self._loaded is self._open:
+            self._loaded = self._unsealed(sealed)
+        return self._loaded, self._sealed[k + 1].first if k + 1 < len(self._sealed) else self._open.first
+
+    def _unsealed(self, chunk: Chunk) -> Chunk:
+        """Return a sealed chunk with its columns."""
+        made, data, begin = self._new_chunk(chunk.first), self._store.get(chunk.location), 0
+        for each, size in zip(made.arrays, chunk.sizes, strict=True):
+            end = begin + size * each.itemsize
+            each.frombytes(data[begin:end])
+            begin = end
+        return made
+
+    def _number(self, row: int) -> int:
+        """Return the number of the record of a row."""
+        k = bisect_right(self._repetitions, row, key=_row)
+        last = self._repetitions[k - 1] if k else None
+        before, number = self._oldest if last is None else (last.row, last.end)
+        return number + row - before
+
+    # ------------------------------------------------------------------------------------------- dropping
 
     def forget(self, retained: int) -> None:
-        """Drop all but about `retained` newest records; the others retain their numbers."""
-        while len(self._chunks) and len(self) - self._chunks.first > 2 * retained:
-            self._chunks.forget()
-        if not len(self._chunks) and len(self.tail) > 2 * retained:
-            dropped = len(self.tail) - retained
-            del self.tail[:dropped]
-            self._chunks.count += dropped
+        """Drop all but about `retained` newest rows; their records retain their numbers."""
+        while self._sealed and self._rows - self._sealed[0].first > 2 * retained:
+            self._store.drop(self._sealed.pop(0).location)
+        if not self._sealed and self._rows - self._open.first > 2 * retained:
+            rows = list(self._written(self._rows - retained, self._rows))
+            self._open = self._loaded = self._new_chunk(self._rows - retained)
+            self._rows -= retained
+            for each in rows:
+                self.add(each)  # type: ignore[arg-type]
+        row = (self._sealed or [self._open])[0].first
+        self._oldest = row, self._number(row)
+        # A repetition goes with its originals, and so do the records before it.
+        for k in reversed(range(len(self._repetitions))):
+            if self._repetitions[k].first < self.first:
+                last = self._repetitions[k]
+                self._oldest = max(self._oldest, (last.row, last.end))
+                del self._repetitions[: k + 1]
+                break
 
-    def extent(self) -> Any:
+    def extent(self) -> int:
         """Return what `cut` needs to drop all records that are added from now on."""
         return len(self)
 
-    def cut(self, extent: Any) -> None:
+    def cut(self, extent: int) -> None:
         """Drop the records that have been added since `extent` was taken."""
-        self._cut(extent, extent)
-
-    def _cut(self, count: int, first: int) -> None:
-        """Drop all but the first `count` records; unpack those from number `first` on."""
-        chunks = self._chunks
-        if first < chunks.count:
-            number = max(bisect_right(chunks.firsts, first) - 1, 0)
-            rows: list[Any] = chunks.records(chunks.firsts[number], min(count, chunks.count))
-            self.tail[:0] = [tuple(row) if isinstance(row, tuple) else row for row in rows]  # type: ignore[misc]
-            chunks.cut(number)
-        del self.tail[count - chunks.count :]
-
-    def pack(self, count: int) -> None:
-        """Pack the `count` oldest records of the tail."""
-        while count > 0 and self.tail:
-            chunk = self.tail[: min(CHUNK_SIZE, count)]
-            self._chunks.pack(self._rows(chunk, self._chunks.count), self.tail)
-            count -= len(chunk)
-
-    def finish_updates(self) -> None:
-        """Complete partial packing after an interrupt, or drop the chunk."""
-        self._chunks.finish_updates(self.tail)
-
-    # ------------------------------------------------------------------------------- overridden by a subclass
-
-    def _rows(self, records: list[T], first: int) -> list[Any]:
-        """Return records in packed form; `first` is the number of the first one."""
-        return records
-
-    def _records(self, rows: list[Any], first: int) -> list[T]:
-        """Return records from their packed form; `first` is the number of the first one."""
-        return self._typed(rows)
-
-    def _newest(self, index: int) -> T:
-        """Return a record by its index in the tail."""
-        return self._typed([self.tail[index]])[0]
-
-    # -------------------------------------------------------------------------------------------- inside
-
-    def _typed(self, rows: list[Any]) -> list[T]:
-        if not self._kind:
-            return rows
-        if not rows:  # most reports have no event and need not import the type
-            return []
-        from motionlang.log.records import makers
-
-        return list(map(makers[self._kind], rows))
+        while self._repetitions and self._repetitions[-1].past >= extent:
+            del self._repetitions[-1]
+        self._rows -= len(self) - extent
+        while self._rows < self._open.first:
+            last = self._sealed.pop()
+            self._open = self._unsealed(last)
+            self._store.drop(last.location)
+        for column in self._open.columns:
+            column.cut(self._rows - self._open.first)
+        self._loaded = self._open
 
 
-def _from_template(kind: str, template: Any, make: Callable[[list[Any]], list[Any]]) -> Sequence[Any]:
-    """Return the records of a template, which are created on reading."""
-    if kind == "repeated":
-        from motionlang.log.repeated import RepeatedRecords
+def _first(chunk: Chunk) -> int:
+    return chunk.first
 
-        return RepeatedRecords(template, make)  # type: ignore[return-value]
-    from motionlang.log.sampled import SampledRecords
 
-    return SampledRecords(template, make)  # type: ignore[return-value]
+def _begin(repetition: Repetition) -> int:
+    return repetition.past
+
+
+def _row(repetition: Repetition) -> int:
+    return repetition.row

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from math import fsum
 
-from motionlang.log.stream import Stream
+from motionlang.log.records import TimeSlices, Waited
+from motionlang.log.stream import Store, Stream
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-    from typing import Any
-
-    from motionlang.log.records import TimeSlices
-    from motionlang.log.stream import Store
-
-    # The number of records, and how long each task has computed since the last one.
-    Mark = tuple[int, dict[str, float]]
-    TimeSlicesInOrder = Stream[TimeSlices]
-else:
-    TimeSlicesInOrder = Stream
+# The number of records, and how long each task has computed since the last one.
+Mark = tuple[int, dict[str, float]]
 
 
 class Life:
@@ -36,7 +27,7 @@ class Life:
         self.lived = 0.0
 
 
-class TimeSliceStream(TimeSlicesInOrder):
+class TimeSliceStream(Stream[TimeSlices]):
     """`TimeSlices` in order of time.
 
     Tasks that alternate without a wait form one record. While a task is the only one, its time slices are not
@@ -44,10 +35,8 @@ class TimeSliceStream(TimeSlicesInOrder):
     task has no records. `lives` has all tasks except the parent and handlers of events.
     """
 
-    __slots__ = ("_alone_since", "_began", "_rested", "lives", "seconds")
-
     def __init__(self, store: Store) -> None:
-        super().__init__(store, "TimeSlices")
+        super().__init__(store, TimeSlices)
         # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
@@ -77,10 +66,10 @@ class TimeSliceStream(TimeSlicesInOrder):
         if since is not None and since < now:
             self.add((since, now, (), ()))
 
-    def rested(self, count: int, waits: Iterable[Any]) -> None:
+    def rested(self, count: int, waits: Iterable[Waited]) -> None:
         """Record that the running task waited as often again, in skipped iterations."""
         if self._alone_since is None:
-            self._rested += count * fsum(wait[3] - wait[2] for wait in waits)
+            self._rested += count * fsum(wait.until - wait.since for wait in waits)
 
     def shared_by_all(self, seconds: float) -> None:
         """Record that all tasks have computed in a part of the present time slice, as in `repeat_since`."""
@@ -133,9 +122,9 @@ class TimeSliceStream(TimeSlicesInOrder):
         """Yield all records, with the current one as it would be written now."""
         yield from self
         if self.seconds:
-            yield from self._typed([(self._began, now, tuple(self.seconds), tuple(self.seconds.values()))])
+            yield TimeSlices(self._began, now, tuple(self.seconds), tuple(self.seconds.values()))
         if len(self) and self._alone_since is not None:
-            yield from self._typed([(self._alone_since, now, (), ())])
+            yield TimeSlices(self._alone_since, now, (), ())
 
     def close(self, now: float) -> None:
         """Write the current record, because a task begins or ends a wait."""

@@ -68,13 +68,13 @@ class WholeTrack:
         return older.in_force(time)
 
     def count(self, begin: float, end: float) -> int:
-        """Return the number of profiles begun between two times; 0 if none are packed."""
+        """Return the number of profiles begun between two times; 0 if none are rows of the log."""
         return 0 if self._a.older is None else self.index_at(end) - self.index_at(begin)
 
     def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
         """Return starts and profiles in force from `begin` to `end`, with the one before.
 
-        If none are packed, all of them are returned.
+        If none are rows of the log, all of them are returned.
         """
         if self._a.older is None:
             return self.starts, self.profiles

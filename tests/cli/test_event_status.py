@@ -21,7 +21,7 @@ def event(
 
 def run(*events: tuple[object, ...]) -> Any:
     """Return a run with events; the line of an offset is a tenth of it."""
-    log = SimpleNamespace(events=SimpleNamespace(as_stored=lambda: iter(events)))
+    log = SimpleNamespace(events=list(events))
     language = SimpleNamespace(locate=lambda source, at: (1 + at // 10, 1))
     return SimpleNamespace(machine=SimpleNamespace(log=log), dialect=language, source=Source("a.mnt", ""))
 

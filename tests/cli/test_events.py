@@ -173,8 +173,7 @@ def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
 
 
 def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in (("MAX_TAIL", 60), ("LEFT", 30), ("CHUNK_SIZE", 20)):
-        monkeypatch.setattr(stream, name, value)
+    monkeypatch.setattr(stream, "CHUNK", 20)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     cell.write("a.mnt", "Dim i As Integer\nLoop\ni = (i * 75 + 74) Mod 65537\nOUT(0) = i Mod 2\nEnd Loop\n")
     ran = cell("run", "a.mnt", "--format", "json", "--log-size", "1e-5")

@@ -35,9 +35,6 @@ class Log(list[Move]):
 
     packed = 0
 
-    def as_stored(self) -> Iterator[Move]:
-        return iter(self)
-
     def moved(self) -> set[int]:
         return {move.axis for move in self}
 

@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import fsum, isfinite, isnan
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 
 from motionlang.controller.move import Move
+from motionlang.log.records import Looped, Waited
 from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 from motionlang.views.table import render
@@ -55,7 +56,7 @@ def in_order(result: Run) -> Iterator[str]:
         before, after = next((two for two in pairwise(times) if not two[0] <= two[1]), (0.0, 0.0))
         if before != after:
             yield f"order: {name}: {before!r} s comes before {after!r} s"
-    for each in (*log.waits, *log.loops):
+    for each in chain[Waited | Looped](log.waits, log.loops):
         if each.since > each.until:
             yield f"order: {each} ends before it begins"
 

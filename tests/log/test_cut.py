@@ -5,17 +5,16 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.log import log, stream
+from motionlang.log import log
 from motionlang.log.track import WholeTrack
+from tests.log.small import shrink
 
 
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pack early."""
-    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("CHUNK_SIZE", 2)):
-        monkeypatch.setattr(stream, name, value)
-    for name, value in (("MAX_PROFILES", 12), ("LEFT_PROFILES", 3), ("FIRST_CHECK", 4)):
-        monkeypatch.setattr(log, name, value)
+    shrink(monkeypatch, left=3, most=12)
+    monkeypatch.setattr(log, "FIRST_CHECK", 4)
 
 
 def moved(controller: Controller, first: int, past: int) -> Controller:
@@ -49,11 +48,11 @@ def test_track_and_moves_are_cut_and_go_on(before: int, added: int) -> None:
     controller = moved(started(), 0, before)
     moves, axes = controller.log.moves, controller.axes
     expected, long_move, last = seen(controller), axes[0].move, axes[1].profiles[-1]
-    extents = [moves.extent(), *[a.extent() for a in axes.values()]]
+    extent, extents = moves.extent(), [a.extent() for a in axes.values()]
     moved(controller, before, before + added)
-    moves.cut(extents[0])
-    for a, extent in zip(axes.values(), extents[1:], strict=True):
-        a.cut(extent)
+    moves.cut(extent)
+    for a, own in zip(axes.values(), extents, strict=True):
+        a.cut(own)
     assert seen(controller) == expected
     assert moves[0] is long_move
     assert long_move is not None

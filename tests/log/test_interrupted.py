@@ -53,9 +53,9 @@ LOCATIONS = {
 # The functions that write moves to a track and the log, and that pack them.
 STEPS = {
     "/motionlang/log/log.py": {"make_room", "pack"},
-    "/motionlang/log/stream.py": {"pack"},
+    "/motionlang/log/stream.py": {"add", "_seal"},
     "/motionlang/log/moves.py": {"pack"},
-    "/motionlang/log/older_profiles.py": {"take_from"},
+    "/motionlang/log/profiles.py": {"take_from"},
 }
 # Moves that are read, one in motion and one completed, and others that are not read until they are packed.
 PLAIN = """Dim i As Integer

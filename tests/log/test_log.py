@@ -18,14 +18,14 @@ from motionlang.controller.faults import Rejected
 from motionlang.controller.joined import Followed
 from motionlang.controller.move import Move
 from motionlang.execution import run
-from motionlang.lang.machine.machine import Machine
 from motionlang.log import log as log_module
 from motionlang.log import stream
 from motionlang.log.log import Log
-from motionlang.log.stream import Store, Stream
+from motionlang.log.stream import Store
 from motionlang.log.track import WholeTrack
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.log.small import shrink
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
 SHUTTLE = """
@@ -48,14 +48,7 @@ Print "done"
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make a log pack at once, with almost all of its data on disk."""
-    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("CHUNK_SIZE", 2), ("MEMORY", 400)):
-        monkeypatch.setattr(stream, name, value)
-    monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
-    monkeypatch.setattr(log_module, "FIRST_CHECK", 1)
-    monkeypatch.setattr(log_module, "HURRY", 0.0)
-    monkeypatch.setattr(log_module, "MAX_PROFILES", 16)
-    monkeypatch.setattr(log_module, "MAX_FOLLOWED", 16)
-    monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
+    shrink(monkeypatch)
 
 
 STREAMS = [
@@ -85,15 +78,6 @@ def test_every_stream_of_a_run_without_motion_reads_as_a_list() -> None:
     """The run has its own process: a proved run, as in this suite, has a controller."""
     ran = subprocess.run([sys.executable, "-c", STILL], capture_output=True, text=True, check=False)
     assert ran.stdout == f"{[(0, [], [], [], False)] * 6}\n" * 2, ran.stderr
-
-
-def test_a_stream_read_before_power_up_has_what_happens_after_it() -> None:
-    machine = Machine()
-    streams = {name: getattr(machine.log, name) for name in STREAMS}
-    assert not any(streams.values())
-    machine.controller.move_to(0, 100.0)
-    assert [move.axis for move in streams["moves"]] == [0]
-    assert all(getattr(machine.log, name) is stream for name, stream in streams.items())
 
 
 def gallery() -> list[str]:
@@ -128,7 +112,7 @@ def living_moves() -> list[Move]:
 def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log_module, "MAX_PROFILES", 500)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
-    monkeypatch.setattr(stream, "CHUNK_SIZE", 200)
+    monkeypatch.setattr(stream, "CHUNK", 200)
     before = living_moves()  # of runs that earlier tests keep
     result = run(Source("shuttle.mnt", SHUTTLE))
     log = result.controller.log
@@ -239,18 +223,6 @@ PRINT ENCODER(0) - POS(0)
     assert float(packed.output[0]) == pytest.approx(2.0 * 600 * 2.0 * (0.01 / 1000.0) ** 0.5 / 20.0, rel=1e-4)
 
 
-def test_a_stream_forgets_and_keeps_its_numbers(small: None) -> None:
-    numbers: Stream[tuple[int]] = Stream(Store())
-    for k in range(100):
-        numbers.add((k,))
-    numbers.forget(10)
-    retained = [k for (k,) in numbers]
-    assert 10 <= len(retained) <= 20
-    assert (retained[-1], len(numbers), numbers[99]) == (99, 100, (99,))
-    with pytest.raises(IndexError):
-        numbers[0]
-
-
 def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) -> None:
     controller = Controller(log=Log(disk=2000))
 
@@ -320,7 +292,7 @@ def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytes
     count = len(Followed(a).starts)
     one_by_one = [(start, repr(Followed(a).profiles[k])) for k, start in enumerate(Followed(a).starts)]
     for most in 1024, 7, 3:
-        monkeypatch.setattr("motionlang.controller.joined._MAX_UNPACKED", most)
+        monkeypatch.setattr("motionlang.controller.joined._MAX_CACHED", most)
         track = Followed(a)
         for first in range(0, count + 1, 7):
             for past in (first, first + 1, first + 5, a.older.count, a.older.count + 1, count):

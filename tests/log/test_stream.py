@@ -1,87 +1,177 @@
-"""Streams of records: which are packed, and what is read, stored and dropped."""
+"""Streams of records: what is read is what was written, wherever its bytes are."""
 
 from __future__ import annotations
 
-from typing import Any
+from math import inf
+from random import Random
+from typing import Annotated, Any, NamedTuple
 
 import pytest
 
 from motionlang.controller.faults import Rejected
 from motionlang.log import stream
-from motionlang.log.stream import Chunks, Store, Stream
+from motionlang.log.columns import Numbers, Texts
+from motionlang.log.records import Changed
+from motionlang.log.stream import Store, Stream
 
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave three of six records, and pack two at a time."""
-    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("CHUNK_SIZE", 2)):
-        monkeypatch.setattr(stream, name, value)
+    """Seal two rows at a time."""
+    monkeypatch.setattr(stream, "CHUNK", 2)
 
 
-def rows(count: int) -> list[tuple[int]]:
-    return [(k,) for k in range(count)]
+class Everything(NamedTuple):
+    """A record with a field of each kind of column."""
+
+    time: float
+    what: object
+    text: Annotated[str, Texts]
+    numbers: Annotated[tuple[float, ...], Numbers]
 
 
-def numbers(count: int) -> Stream[tuple[int]]:
-    made: Stream[tuple[int]] = Stream(Store())
-    for row in rows(count):
-        made.add(row)
+ROWS: list[Any] = [
+    (0.0, 1, "", ()),
+    (-0.0, True, "plain", (1.0,)),
+    (inf, None, "größer", (1.5, -2.0, inf)),
+    (1e-300, 2**60, "\udcff", ()),
+    (2.5, 0.1, "a\nb", (3.0,)),
+    (3.0, ("a", 1, (None, 2)), "plain", (4.0, 5.0)),
+    (4.0, -7, "", (6.0,)),
+    (5.0, "text", "last", ()),
+    (6.0, False, "", ()),
+]
+
+
+@pytest.mark.parametrize("memory", [0, 100, 10_000])
+def test_values_are_read_as_they_were_written(memory: int, small: None) -> None:
+    """In columns, in chunks in memory, and in the file."""
+    found = Stream(Store(memory=memory), Everything)
+    for row in ROWS:
+        found.add(row)
+    assert repr([tuple(each) for each in found]) == repr(ROWS)
+    assert [found[k].what for k in range(-9, 9)] == 2 * [what for _, what, _, _ in ROWS]
+    assert [each.text for each in found[3:7]] == [text for _, _, text, _ in ROWS[3:7]]
+    assert [each.numbers for each in reversed(found)] == [numbers for *_, numbers in reversed(ROWS)]
+
+
+def at(time: float) -> tuple[float, int, float]:
+    return time, 3, time
+
+
+def times(found: Stream[Changed]) -> list[float]:
+    return [each.time for each in found]
+
+
+def changes(count: int) -> Stream[Changed]:
+    made = Stream(Store(), Changed)
+    for k in range(count):
+        made.add(at(float(k)))
     return made
 
 
-@pytest.mark.usefixtures("small")
-@pytest.mark.parametrize(
-    ("count", "packed", "firsts"),
-    [(0, 0, []), (5, 0, []), (6, 3, [0, 2]), (8, 3, [0, 2]), (9, 6, [0, 2, 3, 5])],
-)
-def test_the_sixth_record_packs_three(count: int, packed: int, firsts: list[int]) -> None:
-    found = numbers(count)
-    assert (found.packed, len(found.tail), found._chunks.firsts) == (packed, count - packed, firsts)
-    assert (len(found), bool(found), found.first) == (count, count > 0, 0)
-    assert list(found) == rows(count)
-    assert list(reversed(found)) == rows(count)[::-1]
-    assert [found[k] for k in range(-count, count)] == 2 * rows(count)
-    for some in (slice(None), slice(1, 7, 2), slice(-2, None), slice(4, 2)):
-        assert found[some] == rows(count)[some]
-    assert list(found.as_stored()) == rows(count)
-
-
-@pytest.mark.usefixtures("small")
-@pytest.mark.parametrize(
-    ("before", "added", "packed"),
-    [(0, 3, 0), (0, 5, 0), (0, 6, 3), (2, 3, 0), (2, 4, 3), (2, 7, 5), (5, 3, 5)],
-)
-def test_records_that_are_added_together_are_packed_too(before: int, added: int, packed: int) -> None:
-    """Three are added at a time; of six or more all but three are packed."""
-    found = numbers(before)
-    found.extend(rows(before + added)[before:])
-    assert (found.packed, list(found)) == (packed, rows(before + added))
-
-
-@pytest.mark.usefixtures("small")
-@pytest.mark.parametrize(
-    ("count", "retained", "first"),
-    [
-        (5, 2, 3),  # nothing is packed: the two newest are left
-        (5, 3, 0),
-        (4, 2, 0),
-        (12, 6, 0),  # chunks begin at 0, 2, 3, 5, 6 and 8; a chunk is dropped while more than 12 are left
-        (12, 5, 2),
-        (12, 4, 5),
-        (12, 1, 11),  # all chunks, and two of the three that are not packed
-    ],
-)
-def test_old_records_are_dropped_and_others_keep_their_numbers(count: int, retained: int, first: int) -> None:
-    found = numbers(count)
-    found.forget(retained)
-    assert (found.first, len(found), list(found)) == (first, count, rows(count)[first:])
-    assert found[0:count] == rows(count)[first:]
-    assert found[count - 1] == (count - 1,)
-    if first:
+@pytest.mark.parametrize("count", range(6))
+def test_a_stream_is_read_like_a_list(count: int, small: None) -> None:
+    found, expected = changes(count), [Changed(*at(float(k))) for k in range(count)]
+    assert (len(found), bool(found), list(found), list(reversed(found))) == (
+        count, count > 0, expected, expected[::-1]
+    )  # fmt: skip
+    for some in (slice(None), slice(1, 4, 2), slice(-2, None), slice(4, 2), slice(None, None, -1)):
+        assert found[some] == expected[some]
+    for wrong in (count, -count - 1):
         with pytest.raises(IndexError):
-            found[first - 1]
-    found.add((count,))
-    assert (list(found), bool(found)) == (rows(count + 1)[first:], True)
+            found[wrong]
+
+
+def test_records_occur_again_a_period_later(small: None) -> None:
+    """Records 1 and 2 three times more, 10 apart; then the last two of these with another one, twice, 100 apart."""
+    found = changes(3)
+    found.repeat(1, 3, 10.0)
+    found.add(at(40.0))
+    assert times(found) == [0, 1, 2, 11, 12, 21, 22, 31, 32, 40]
+    assert [each.time for each in found.written()] == [0, 1, 2, 40]
+    found.repeat(8, 2, 100.0)
+    assert times(found)[8:] == [32, 40, 132, 140, 232, 240]
+    found.add(at(300.0))
+    assert [found[k].time for k in range(-len(found), 0)] == times(found)
+    assert [each.time for each in found[4:13:3]] == [12, 31, 132]
+    assert [(each.time, count) for each, count in found.condensed(100)] == [
+        (time, 1) for time in times(found)
+    ]
+    # Of ten repeated records at most five: two repetitions are one.
+    assert [(each.time, count) for each, count in found.condensed(5)] == [
+        (0, 1), (1, 1), (2, 1), (11, 2), (12, 2), (31, 1), (32, 1), (40, 1), (132, 2), (140, 2), (300, 1)
+    ]  # fmt: skip
+
+
+def test_a_repeated_moment_is_that_of_a_repetition_that_is_carried_out() -> None:
+    """It is the base and the number of statements, not the original and a sum of periods."""
+    cost, base = 1e-5, 0.1
+    found = Stream(Store(), Changed)
+    found.add(at(base + 7.0 * cost))
+    found.repeat(0, 5000, 3.0 * cost, base, cost)
+    assert times(found) == [base + (7.0 + 3.0 * k) * cost for k in range(5001)]
+
+
+@pytest.mark.parametrize("retained", [0, 1, 3])
+def test_old_records_are_dropped_and_others_keep_their_numbers(retained: int, small: None) -> None:
+    found = changes(20)
+    found.forget(retained)
+    assert 2 * retained - 2 <= len(found) - found.first <= max(2 * retained, 0)
+    assert times(found) == [float(k) for k in range(found.first, 20)]
+    assert (len(found), bool(found)) == (20, retained > 0)
+    found.add(at(20.0))
+    assert found[20].time == 20.0
+    with pytest.raises(IndexError):
+        found[found.first - 1]
+
+
+def test_a_repetition_is_dropped_with_its_originals(small: None) -> None:
+    found = changes(4)
+    found.repeat(2, 3, 10.0)
+    found.add(at(50.0))
+    found.add(at(51.0))
+    before = list(found)
+    found.forget(2)
+    assert (found.first, list(found)) == (2, before[2:])
+    found.forget(1)
+    assert (found.first, times(found), found[10].time) == (10, [50.0, 51.0], 50.0)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_whatever_is_done_to_a_stream_it_reads_like_a_list(seed: int, small: None) -> None:
+    draw, found, expected = Random(seed), Stream(Store(memory=40), Changed), list[float]()
+    extents: list[tuple[int, list[float]]] = []
+    for k in range(60):
+        match draw.choice("aaaarec"):
+            case "a":
+                found.add(at(100.0 * k))
+                expected.append(100.0 * k)
+            case "r" if len(expected) < 2000:
+                first, count = draw.randint(0, len(expected)), draw.randint(0, 3)
+                found.repeat(first, count, 7.0)
+                expected += [time + 7.0 * n for n in range(1, count + 1) for time in expected[first:]]
+            case "e":
+                extents.append((found.extent(), list(expected)))
+            case "c" if extents:
+                extents = extents[: draw.randint(1, len(extents))]
+                extent, expected = extents[-1][0], list(extents[-1][1])
+                found.cut(extent)
+        assert times(found) == expected
+        first, past = sorted(draw.randint(0, len(expected)) for _ in range(2))
+        assert [each.time for each in found[first:past]] == expected[first:past]
+
+
+def test_a_cut_drops_the_bytes(small: None) -> None:
+    store = Store()
+    found = Stream(store, Changed)
+    for k in range(5):
+        found.add(at(float(k)))
+    extent, size = found.extent(), store.size
+    for k in range(40):
+        found.add(at(float(k)))
+    found.cut(extent)
+    assert (times(found), store.size) == ([0, 1, 2, 3, 4], size)
 
 
 def test_chunks_are_in_memory_first_then_in_the_file() -> None:
@@ -100,131 +190,37 @@ def test_chunks_are_in_memory_first_then_in_the_file() -> None:
     assert store.put(7 * b"i") == (5, 7)
 
 
-def chunks(*sizes: int) -> tuple[Chunks, list[list[int]]]:
-    """Return chunks of the numbers from 0 on, and a list of what is read."""
-    read: list[list[int]] = []
+class Interrupting:
+    """A value of a column that takes it only after an interrupt."""
 
-    def reader(rows: list[Any], first: int) -> list[Any]:
-        assert rows[0] == first
-        read.append(rows)
-        return rows
+    __class__ = property(lambda self: self._raise())
 
-    made = Chunks(Store(), reader)
-    for size in sizes:
-        tail = list(range(made.count, made.count + size + 1))
-        made.pack(tail[:size], tail)
-        assert tail == [made.count]
-    return made, read
+    def _raise(self) -> Any:
+        raise KeyboardInterrupt
 
 
-@pytest.mark.parametrize("first", range(7))
-@pytest.mark.parametrize("past", range(8))
-def test_records_of_several_chunks(first: int, past: int) -> None:
-    made, _ = chunks(2, 1, 4)
-    assert (len(made), made.first, made.count) == (3, 0, 7)
-    assert made.records(first, past) == list(range(first, past))
-    assert made.record(first) == first
-
-
-def test_a_chunk_is_read_once_until_another_one_is() -> None:
-    made, read = chunks(2, 1, 4)
-    assert [made.record(k) for k in (3, 6, 4)] == [3, 6, 4]
-    assert read == [[3, 4, 5, 6]]
-    made.reread()
-    assert [made.record(k) for k in (3, 0)] == [3, 0]
-    assert read == [[3, 4, 5, 6], [3, 4, 5, 6], [0, 1]]
-    assert [made.forget() for _ in range(3)] == [2, 1, 4]
-    assert (len(made), made.first, made.count) == (0, 7, 7)
-    with pytest.raises(IndexError):
-        made.record(6)
-
-
-def test_the_second_chunk_is_read_first() -> None:
-    made, _ = chunks(1, 1)
-    assert made.record(1) == 1
-    made.reread()
-    assert made.record(1) == 1
-
-
-class Interrupted(list[int]):
-    """A tail from which nothing can be removed the first time."""
-
-    armed = True
-
-    def __delitem__(self, index: Any) -> None:
-        if self.armed:
-            self.armed = False
-            raise KeyboardInterrupt
-        super().__delitem__(index)
-
-
-def test_a_chunk_that_is_interrupted_before_its_records_are_removed_is_completed() -> None:
-    """Of 1 to 5, two more are packed; the two tails have the rest."""
-    made, _ = chunks(1)
-    one, other = Interrupted([1, 2, 3, 4, 5]), [10, 20, 30, 40, 50]
+@pytest.mark.parametrize("count", [0, 1, 2, 3])
+def test_an_interrupt_while_a_record_is_written_leaves_the_others(count: int, small: None) -> None:
+    found = changes(count)
     with pytest.raises(KeyboardInterrupt):
-        made.pack([1, 2], one, other)
-    for _ in range(2):
-        made.finish_updates(one, other)
-        assert (one, other, made.count, made.firsts) == ([3, 4, 5], [30, 40, 50], 3, [0, 1])
-    assert made.records(0, 3) == [0, 1, 2]
+        found.add((9.0, Interrupting(), 9.0))
+    found.finish_updates()
+    found.add(at(7.0))
+    assert times(found) == [*map(float, range(count)), 7.0]
 
 
-@pytest.mark.parametrize("firsts", [[], [2]])
-def test_a_chunk_that_is_interrupted_before_it_is_counted_is_dropped(firsts: list[int]) -> None:
-    """Of 2 to 4, two more were to be packed, after one and one."""
-    made, _ = chunks(1, 1)
-    made._locations.append(made._store.put(b""))
-    made.firsts += firsts
-    made._total = 5
-    tail = [2, 3, 4]
-    made.finish_updates(tail)
-    assert (len(made), made.firsts, made.count, tail) == (2, [0, 1], 2, [2, 3, 4])
+def test_an_interrupt_while_a_chunk_is_sealed_leaves_its_records(
+    small: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = changes(3)
 
+    def interrupted(first: int) -> Any:
+        raise KeyboardInterrupt
 
-@pytest.mark.parametrize("sizes", [(), (1,), (2, 1)])
-def test_between_two_chunks_there_is_nothing_to_complete(sizes: tuple[int, ...]) -> None:
-    made, _ = chunks(*sizes)
-    tail = [7, 8, 9]
-    made.finish_updates(tail)
-    assert (len(made), tail) == (len(sizes), [7, 8, 9])
-
-
-@pytest.mark.usefixtures("small")
-@pytest.mark.parametrize("count", range(10))
-@pytest.mark.parametrize("added", [0, 1, 4, 20])
-def test_a_stream_is_cut_to_an_earlier_extent_and_goes_on(count: int, added: int) -> None:
-    found = numbers(count)
-    extent = found.extent()
-    found.extend([(-k,) for k in range(added)])
-    found.cut(extent)
-    assert (list(found), len(found)) == (rows(count), count)
-    found.extend(rows(count + 9)[count:])
-    assert list(found) == rows(count + 9)
-    assert [found[k] for k in range(count + 9)] == rows(count + 9)
-
-
-@pytest.mark.usefixtures("small")
-def test_a_cut_drops_repeated_records_and_their_bytes() -> None:
-    found = numbers(5)
-    extent = found.extent()
-    found.repeat(([(0, (0.0,), (7,))], 1000, 1, 0.0), (0.0, 0, 1e-3, 0.0))
-    assert len(found) == 1005
-    found.cut(extent)
-    assert list(found) == rows(5)
-    found.pack(5)
-    other = numbers(5)
-    other.pack(5)
-    assert found._chunks._store.in_memory == other._chunks._store.in_memory
-
-
-def test_records_with_names_are_cut_to_plain_rows(small: None) -> None:
-    found: Stream[Any] = Stream(Store(), "Printed")
-    for k in range(9):
-        found.add((float(k), str(k)))
-        if k == 4:
-            extent, expected = found.extent(), list(found)
-    found.cut(extent)
-    assert list(found) == expected
-    found.pack(5)
-    assert list(found) == expected
+    with monkeypatch.context() as m:
+        m.setattr(found, "_new_chunk", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            found.add(at(3.0))
+    found.finish_updates()
+    found.add(at(4.0))
+    assert times(found) == [0, 1, 2, 3, 4]

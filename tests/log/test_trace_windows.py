@@ -23,7 +23,7 @@ EVERY = ("position", "velocity", "acceleration")
 @pytest.fixture
 def packed(monkeypatch: pytest.MonkeyPatch) -> Controller:
     """Return five moves whose first seven profiles of eleven are packed."""
-    monkeypatch.setattr(stream, "CHUNK_SIZE", 2)
+    monkeypatch.setattr(stream, "CHUNK", 2)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
     controller = shuttled(5)
     controller.log.pack([controller.axes[0]])

@@ -48,7 +48,7 @@ def _times(run: Run, line: str | None, output: str | None, text: str | None) -> 
 
 def _waits(run: Run, line: int) -> Iterator[float]:
     lines: dict[int, int] = {}
-    for wait in run.machine.log.waits:
+    for wait in run.machine.log.waits.written():
         if wait.at not in lines:
             lines[wait.at] = run.dialect.locate(run.source, wait.at)[0]
         if lines[wait.at] == line:

@@ -269,8 +269,8 @@ def _has(reads: frozenset[Read], kind: str) -> bool:
 def _loops(run: Run) -> dict[str, list[Row]]:
     """Return the loops of each task, including those still running at the end."""
     found: dict[str, list[Row]] = {}
-    for row in run.machine.log.loops.as_stored():
-        found.setdefault(row[0], []).append(tuple(row))
+    for row in run.machine.log.loops:
+        found.setdefault(row[0], []).append(row)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
         for at, since, callers in reversed(task.loops):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from itertools import groupby
-from math import ceil, fsum
+from math import fsum
 from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import MOVING
@@ -62,13 +62,9 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
 
     Those of skipped iterations are among them.
     """
-    log = run.machine.log
     found: dict[str, list[Wait]] = {}
-    for name, waits in groupby(log.waits.as_stored(), itemgetter(0)):
+    for name, waits in groupby(_waits(run.machine.log), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
-    for name, waits in groupby(_repetitions(log), itemgetter(0)):
-        found.setdefault(name, []).extend(waits)
-        found[name].sort(key=itemgetter(3))
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
         current, mine = task.wait, found.setdefault(task.name, [])
@@ -79,20 +75,18 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
     return found
 
 
-def _repetitions(log: Log) -> Iterator[Wait]:
-    """Yield the waits of skipped iterations.
+def _waits(log: Log) -> Iterator[Wait]:
+    """Yield all waits.
 
-    If a run has more than `MAX_REPEATED` of them, several are one, in which each wait is as long as in all of these.
+    If more than `MAX_REPEATED` are of skipped iterations, those of several are one, as long as all of these.
     """
-    total = fsum(count for _, count, _ in log.repeated_waits.as_stored())
-    at_once = max(1, ceil(total / MAX_REPEATED))
-    for written, count, period in log.repeated_waits.as_stored():
-        for k in range(1, count + 1, at_once):
-            iterations, later = min(at_once, count + 1 - k), k * period
-            for task, at, since, until, *rest in written:
-                length = iterations * (until - since)
-                yield task, at, since + later, since + later + length, *rest
-                later += length - (until - since)
+    ends: dict[str, float] = {}
+    for wait, count in log.waits.condensed(MAX_REPEATED):
+        if count > 1:
+            since = max(wait.since, ends.get(wait.task, wait.since))
+            ends[wait.task] = until = since + count * (wait.until - wait.since)
+            wait = wait._replace(since=since, until=until)
+        yield wait
 
 
 def parent_of(run: Run) -> str:

@@ -493,7 +493,9 @@ def _cause(since: float, result: Run) -> tuple[int, int] | None:
     last = outputs[-1]
     if any(last.time < move.start_time <= since for move in log.moves):
         return None
-    if any(each.cause in ("input", "operator") and last.time < each.until < since for each in log.waits):
+    if any(
+        each.cause in ("input", "operator") and last.time < each.until < since for each in log.waits.written()
+    ):
         return None
     return int(last.channel), int(bool(last.value))
 
@@ -501,7 +503,7 @@ def _cause(since: float, result: Run) -> tuple[int, int] | None:
 def _entered(guesses: Guesses, result: Run, loop: InputRead) -> float:
     """Return when the last wait outside `loop` ended."""
     ends = [0.0]
-    for wait in result.machine.log.waits:
+    for wait in result.machine.log.waits.written():
         if not loop.line <= guesses.line(result, wait.at) <= loop.last:
             ends.append(wait.until)
     return max(ends)
@@ -512,13 +514,15 @@ def _last_act(result: Run) -> float:
     log = result.machine.log
     ends = [move.start_time + move.profile.duration for move in log.moves if move.profile is not None]
     ends += [each.time for each in log.outputs] + [each.time for each in log.prints]
-    ends += [each.until for each in log.waits if each.cause in ("input", "operator")]
+    ends += [each.until for each in log.waits.written() if each.cause in ("input", "operator")]
     return max((time for time in ends if time <= result.time), default=0.0)
 
 
 def _answered_at(result: Run) -> float:
     """Return when the program took its last answer; 0 if it has taken none."""
-    return max((each.until for each in result.machine.log.waits if each.cause == "operator"), default=0.0)
+    return max(
+        (each.until for each in result.machine.log.waits.written() if each.cause == "operator"), default=0.0
+    )
 
 
 def _acted_since_answer(result: Run) -> bool:

@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from motionlang.controller.io.sensor import Sensor
     from motionlang.log.log import Log
     from motionlang.log.records import Changed
-    from motionlang.log.sampled import Row
     from motionlang.log.stream import Stream
 
 
@@ -97,10 +96,11 @@ class AnalogueInputs(Channels):
     `computed` are, by channel, the sensors on moving axes whose samples are not events.
     """
 
-    __slots__ = ("_computes", "computed")
+    __slots__ = ("_computes", "_sampled", "computed")
 
     def __init__(self, clock: Clock, log: Log) -> None:
-        super().__init__(clock, log.analogue_inputs)
+        super().__init__(clock, log.changes_of_analogue_inputs)
+        self._sampled = log.sampled
         self.computed: dict[int, Sensor] = {}
         self._computes = False
         log.settle = self.settle
@@ -137,20 +137,7 @@ class AnalogueInputs(Channels):
 
     def settle(self) -> None:
         """Log the samples up to now."""
-        if not self.computed:
-            return
-        values, changes = self._values, self.changes
-        assert changes is not None
-        if (
-            len(self.computed) == 1
-        ):  # records are in the order of time, and those of a template belong to one sensor
-            ((channel, sensor),) = self.computed.items()
-            values[channel] = sensor.log_samples(changes, values.get(channel, 0))
-            return
-        rows: list[Row] = []
         for channel, sensor in self.computed.items():
-            found = sensor.samples(values.get(channel, 0))
-            if found:
-                values[channel] = found[-1][2]
-                rows = sorted(rows + found) if rows else found
-        changes.extend(rows)
+            value = sensor.log_samples(self._sampled)
+            if value is not None:
+                self._values[channel] = value

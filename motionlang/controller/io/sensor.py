@@ -3,36 +3,29 @@
 Examples are a force, a distance, the tension of a web. The sensor is sampled when a profile begins or ends, and
 at every tick of the profiler while the axis moves.
 
-The motion is known in advance, so the ticks need not be events. A sample is computed when it is read, and the
-samples of a profile are logged when it is over or the log is read (these sensors are in
-`AnalogueInputs.computed`). Most of them become a template, from which the log computes them (`log/sampled.py`).
-Programs that compare a sample with a level get the tick at which it passes the level from `until`. The ticks are
-events only if listeners must be notified of each sample, the language does not record dependencies, or the axis has a
-simulated motor.
+The motion is known in advance, so the ticks need not be events. A sample is computed when it is read; the log has which
+ticks were sampled, and computes the samples again when it is read (`log/samples.py`). Programs that compare a sample
+with a level get the tick at which it passes the level from `until`. The ticks are events only if listeners must be
+notified of each sample, the language does not record dependencies, or the axis has a simulated motor.
 """
 
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.log.sampled import Sampling
+from motionlang.log.records import Sampled
+from motionlang.log.samples import PERIOD, sample, value_at
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any
 
     from motionlang.controller.clock import Event
     from motionlang.controller.controller import Controller
-    from motionlang.log.sampled import Row
     from motionlang.log.stream import Stream
     from motionlang.planners import Profile
 
-# The period of the profiler, seconds.
-PERIOD = 1e-3
 # `until` searches FIRST_TICKS ahead, then twice as far, and so on, up to MAX_TICKS. It searches again from there.
 MAX_TICKS, FIRST_TICKS = 1 << 20, 1 << 10
-# The least number of samples that become a template, and the number of those at each end that do not.
-MIN_TEMPLATE, AT_ENDS = 64, 4
 
 
 def next_tick(now: float) -> float:
@@ -66,9 +59,9 @@ class Sensor:
         self.origin, self.value, self.per_unit = origin, value, per_unit
         self.active = False
         self._event: Event | None = None
-        # The first tick that is not logged, and the motion sampled there.
-        self._next = 0
-        self._sampling: Sampling
+        # What is sampled from the first tick on that is not logged, and the motion there.
+        self._sampled: Sampled
+        self._profile: Profile
         controller.axes[axis].followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
@@ -84,9 +77,8 @@ class Sensor:
         """Use the new scale of the axis for further samples."""
         if self._inputs.computed.get(self.channel) is self:
             self._inputs.settle()
-            value, per_unit, origin, datum, _ = self._sampling.conversion
             factors = self._controller.axes[self.axis].scale.factors[0]
-            self._sampling.conversion = value, per_unit, origin, datum, factors
+            self._sampled = self._sampled._replace(factors=factors)
 
     def tick(self) -> None:
         """Turn the ticks into events from now on."""
@@ -96,43 +88,20 @@ class Sensor:
 
     def level(self) -> float | None:
         """Return the latest sample, or None if the log already has it."""
-        number = _last(self._controller.clock.now)
-        return None if number < self._next else self._sampling.value(number)
+        tick = _last(self._controller.clock.now)
+        return None if tick < self._sampled.first else self._sample_at(tick)
 
-    def samples(self, last: float) -> list[Row]:
-        """Return the samples not yet logged, up to now, as (time, channel, value).
+    def log_samples(self, sampled: Stream[Sampled]) -> float | None:
+        """Log that samples were taken up to now; return the latest one, None if there is none."""
+        past = _last(self._controller.clock.now) + 1
+        if past <= self._sampled.first:
+            return None
+        sampled.add(self._sampled._replace(past=past))
+        self._sampled = self._sampled._replace(first=past)
+        return self._sample_at(past - 1)
 
-        A sample equal to the one before it is omitted; `last` is the latest logged value.
-        """
-        first, past = self._next, _last(self._controller.clock.now) + 1
-        if past <= first:
-            return []
-        self._next = past
-        return self._changes(range(first, past), last)
-
-    def log_samples(self, changes: Stream[Any], last: float) -> float:
-        """Log the samples up to now like `samples`; return the latest value."""
-        first, past = self._next, _last(self._controller.clock.now) + 1
-        begin, finish = first + AT_ENDS, past - AT_ENDS
-        sampling = self._sampling
-        if finish - begin < MIN_TEMPLATE or not sampling.is_distinct(begin - 1, finish):
-            rows = self.samples(last)
-            changes.extend(rows)
-            return rows[-1][2] if rows else last
-        self._next = past
-        before = self._changes(range(first, begin), last)
-        after = sampling.rows(range(finish, past))
-        changes.add_samples(sampling.template(before, after, begin, finish - begin))
-        return after[-1][2]
-
-    def _changes(self, ticks: range, last: float) -> list[Row]:
-        """Return the samples at some ticks that differ from those before them."""
-        rows = []
-        for row in self._sampling.rows(ticks):
-            if row[2] != last:
-                last = row[2]
-                rows.append(row)
-        return rows
+    def _sample_at(self, tick: int) -> float:
+        return sample(self._sampled, self._profile, tick)
 
     def until(self, shown: Callable[[float], float], level: float | tuple[float, float] | None) -> float:
         """Return the first tick at which a sample may have passed a level.
@@ -150,7 +119,7 @@ class Sensor:
         value = shown(self._inputs[self.channel] if found is None else found)
         if level is None:
             return (last + 1) * PERIOD
-        profile, start, sample_at = self._sampling.profile, self._sampling.start, self._sampling.value
+        profile, start, sample_at = self._profile, self._sampled.start, self._sample_at
         elapsed = now - start
         reversal: float | None = None
         if not profile.direction:
@@ -185,16 +154,18 @@ class Sensor:
     def _sample(self) -> None:
         self._cancel()
         controller, a = self._controller, self._controller.axes[self.axis]
-        conversion = self.value, self.per_unit, self.origin, a.datum, a.scale.factors[0]
-        sampling = Sampling(self.channel, PERIOD, a.starts[-1], conversion, a.profiles[-1])
-        self._inputs[self.channel] = sampling.value_at(controller.position(self.axis))
+        first = _next(controller.clock.now)
+        sampled = Sampled(
+            self.channel, self.axis, first, first, a.starts[-1],
+            self.value, self.per_unit, self.origin, a.datum, a.scale.factors[0],
+        )  # fmt: skip
+        self._inputs[self.channel] = value_at(sampled, controller.position(self.axis))
         if controller.is_still(self.axis):
             return
         if a.feedback is not None or not self._inputs.may_compute(self.channel):
             self.tick()
             return
-        self._next = _next(controller.clock.now)
-        self._sampling = sampling
+        self._sampled, self._profile = sampled, a.profiles[-1]
         self._inputs.computed[self.channel] = self
 
     def _cancel(self) -> None:

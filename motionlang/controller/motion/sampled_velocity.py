@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.controller.io.sensor import PERIOD, next_tick
+from motionlang.controller.io.sensor import next_tick
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.motion.reference import Reference
+from motionlang.log.samples import PERIOD
 from motionlang.planners import Profile
 from motionlang.planners.curve import far_end
 from motionlang.planners.dwell import rest

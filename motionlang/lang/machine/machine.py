@@ -234,9 +234,7 @@ class Machine:
         """Return the terminal of other output; its lines are shown with a label."""
         found = self.terminals.get(label)
         if found is None:
-            found = self.terminals[label] = labelled(
-                label, self.terminal, self.clock, self.log.new("Printed")
-            )
+            found = self.terminals[label] = labelled(label, self.terminal, self.clock, self.log.new_prints())
         return found
 
     def close_terminals(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from marshal import loads
+from typing import Any
 
 import pytest
 
@@ -11,10 +11,11 @@ from motionlang import run
 from motionlang.analysis.proof import checker, path_bounds, paths
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.controller.move import Move
-from motionlang.log import stream
 from motionlang.log.order import PathOrder
+from motionlang.log.stream import Chunk, Stream
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.log.small import shrink
 
 BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
 PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
@@ -115,16 +116,16 @@ def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
 ) -> None:
     """1 000 jogs without rests are some 8 chunks of 128 moves, and 8 of profiles."""
     count = 0
+    unsealed = Stream._unsealed
 
-    def counted(data: bytes) -> object:
+    def counted(stream: Stream[Any], chunk: Chunk) -> Chunk:
         nonlocal count
         count += 1
-        return loads(data)
+        return unsealed(stream, chunk)
 
-    for name, value in (("MAX_TAIL", 512), ("LEFT", 128), ("CHUNK_SIZE", 128)):
-        monkeypatch.setattr(stream, name, value)
+    shrink(monkeypatch, chunk=128, left=128)
     result = proved(JOGS.format(1000))
-    monkeypatch.setattr(stream, "loads", counted)
+    monkeypatch.setattr(Stream, "_unsealed", counted)
     proof = result.proof()
     assert proof.holds
     assert proof.counts["moves"] == 1000

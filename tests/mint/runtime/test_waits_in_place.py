@@ -328,13 +328,14 @@ End Sub
 
 def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
     program = "Dim n As Integer\nFor n = 1 To 30000\n  OUTX(1) = n Mod 2\n  WAIT(1)\nNext\n"
-    waits = execution.run(Source("waits.mnt", program)).machine.log.waits
-    assert waits.packed > 0
+    log = execution.run(Source("waits.mnt", program)).machine.log
+    waits = log.waits
+    assert log.store.size > 0
     assert len(waits) == 30_000
     # An iteration is a WAIT of 1 ms, and its three statements take 10 µs each.
     assert [round(wait.since, 9) for wait in waits[:3]] == [2e-5, 0.00105, 0.00208]
     assert all(before.until < wait.since for before, wait in pairwise(waits))
-    assert waits[0][4:] == waits[-1][4:] == ("time", (), "", ())  # packed or not
+    assert waits[0][4:] == waits[-1][4:] == ("time", (), "", ())  # sealed or not
 
 
 def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -> None:
