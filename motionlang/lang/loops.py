@@ -314,12 +314,15 @@ class Loops:
         return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
 
     def _begin(self) -> None:
-        """Begin to record what tasks read."""
+        """Begin to record what tasks read; of what was not recorded, nobody may find the list again."""
+        dependencies = self.world.dependencies
+        if self.task is not None:
+            self.task.notes = dependencies.notes
         for each in self._tasks:
             if each.notes is None:
                 each.notes = []
-        if self.world.dependencies.notes is None and self.task is not None:
-            self.world.dependencies.notes = self.task.notes
+        if self.task is not None:
+            dependencies.notes = self.task.notes
 
     def _mark(self, now: State) -> None:
         """Record how much has been read and compared before a state."""

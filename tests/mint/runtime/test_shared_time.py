@@ -59,3 +59,32 @@ def test_a_sub_takes_as_long_as_its_statements(body: str) -> None:
     inside = ran(f"fill\nEnd\nSub fill\n{body}\nEnd Sub")
     outside = ran(f"{body}\nEnd")
     assert told(inside) == told(outside)
+
+
+RELEASED = """
+Dim a As Integer
+Run Releasing
+Run Held
+WAIT(400)
+End
+Task Releasing
+  Repeat
+    WAIT(2)
+    a = 0
+  Until TIME > 900
+End Task
+Task Held
+  WAIT(100)
+  While TIME Mod 100 < 50
+    a = 1
+    While a = 1
+    End While
+  End While
+  PRINT TIME
+End Task
+"""
+
+
+def test_a_time_that_was_read_while_nothing_was_recorded_still_ends_a_loop() -> None:
+    """`Held` reads TIME just after its inner loop has failed to repeat; the loop of `Releasing` then seems to."""
+    assert run(Source("a.mnt", RELEASED)).output == ["150"]
