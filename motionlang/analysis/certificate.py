@@ -1,7 +1,6 @@
 """The limit certificate: machine file limits, extremes reached, and margins.
 
-The extremes come from the closed form of the motion (`extremes.py`). A second check of the motion, sampled by
-other code, must find nothing beyond them.
+The extremes come from the closed form of the motion (`log/extremes.py`).
 """
 
 from __future__ import annotations
@@ -30,8 +29,6 @@ LIMITS = {
 MOTOR = ("torque", "following_error")
 # A figure that exceeds a limit by less than this fraction of it equals it.
 SLACK = 1e-9
-# Samples of each axis for the second check.
-SAMPLES = 100_000
 HINT = "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000 to {}"
 # The derivative that jumps where another one is infinite.
 JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
@@ -116,15 +113,12 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
     return line
 
 
-def violations(
-    controller: Controller, lines: list[Limit], until: float, machine: str = "the machine file"
-) -> list[Diagnostic]:
-    """Return a diagnostic per exceeded or unknown limit and per contradiction.
+def violations(lines: list[Limit], machine: str = "the machine file") -> list[Diagnostic]:
+    """Return a diagnostic per exceeded or unknown limit.
 
     `machine` names the file or setting in which limits are set.
     """
     found = [_diagnostic_of(line) for line in lines if line.verdict != "within"]
-    found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
     if not lines:
         found.append(
             Diagnostic(
@@ -158,28 +152,3 @@ def least_margin(lines: list[Limit]) -> float | None:
         if line.margin is not None
     ]
     return min(shares, default=None)
-
-
-def contradictions(controller: Controller, lines: list[Limit], until: float) -> list[str]:
-    """Return the extremes by which the second check exceeds the certificate.
-
-    The list is normally empty.
-    """
-    found = []
-    rate = min(1000.0, SAMPLES / until) if until else 1.0
-    for number in {line.axis for line in lines}:
-        reached = extremes(controller.axes[number], until)
-        bounds = {
-            "position": (reached.lowest.value, reached.highest.value),
-            "velocity": (-reached.speed.value, reached.speed.value),
-            "acceleration": (-reached.acceleration.value, reached.acceleration.value),
-        }
-        for chunk in controller.trace.chunks(rate, (number,), until, tuple(bounds)):
-            for quantity, (low, high) in bounds.items():
-                values = chunk.get(number, quantity)
-                slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < inf else 0.0
-                if values.min() < low - slack or values.max() > high + slack:
-                    found.append(
-                        f"axis {number}: the {quantity} has samples outside its extremes {low:g} and {high:g}"
-                    )
-    return found

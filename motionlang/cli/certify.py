@@ -33,7 +33,7 @@ def certify(result: Run, machine: str | None) -> list[Limit]:
         stem = os.path.splitext(result.source.name)[0]
         of_none = result.source.name == STDIN_NAME
         machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX} next to the program"
-    result.diagnostics += violations(result.controller, lines, result.time, machine)
+    result.diagnostics += violations(lines, machine)
     return lines
 
 

@@ -200,7 +200,7 @@ class Worker:
             from motionlang.analysis.certificate import certificate, violations
 
             lines = certificate(found.controller, found.machine.settings, found.time)
-            diagnostics += violations(found.controller, lines, found.time)
+            diagnostics += violations(lines)
         return problem_of(diagnostics) if diagnostics else None
 
 

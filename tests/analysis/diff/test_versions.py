@@ -39,7 +39,7 @@ def old() -> dict[str, Any]:
 def new() -> dict[str, Any]:
     result = run(Source("press.mnt", PRESS), machine=LIMITS)
     result.certificate = certificate(result.controller, result.machine.settings, result.time)
-    result.diagnostics += violations(result.controller, result.certificate, result.time)
+    result.diagnostics += violations(result.certificate)
     return build(result)
 
 
