@@ -5,7 +5,7 @@ from __future__ import annotations
 REPORTS = ("table", "json", "none")
 TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
 PLOTS = (".png", ".svg", ".html")
-PROFILES = (".json", ".trace.json", ".speedscope.json")
+PROFILES = (".json", ".speedscope.json")
 RATE = 1000.0
 CPU = 60.0
 # TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.

@@ -298,7 +298,7 @@ def _report(result: Run, options: Options) -> None:
         from motionlang.analysis.cycle.export import json_pieces
         from motionlang.analysis.cycle.profile import TimeProfile
 
-        sys.stdout.writelines(json_pieces(TimeProfile(result)))
+        sys.stdout.writelines(json_pieces(TimeProfile(result).report()))
         return
     if options.report == "json":
         from motionlang.report import pieces

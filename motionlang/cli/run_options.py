@@ -152,8 +152,8 @@ _OPTIONS = (
            "line 12; motionlang sweep --help lists all", quantity_names, default=()),
     flag("--paths", "list the paths of several axes: length, path speed, corner angle and the reason for each stop"),
     flag("--profile", "show where the time goes, by cause, line and sub, along the critical path"),
-    option("--profile-to", "FILE", "write the time profile into FILE: .json, .trace.json (Perfetto) or "
-           ".speedscope.json"),
+    option("--profile-to", "FILE", "write the time profile into FILE: .json, or .speedscope.json, which speedscope "
+           "and Perfetto open"),
     flag("--certify", "check what each axis reached against [axis.N.limits] of the machine file and print a table to "
          "sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"),
     flag("--show-tree", "print the syntax tree of the program; do not run it"),

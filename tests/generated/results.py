@@ -367,7 +367,7 @@ def _init(program: Generated) -> str:
 
 def _profile(program: Generated) -> str:
     """Return the time profile of a run."""
-    form = (".json", ".trace.json", ".speedscope.json")[program.seed // 4 % 3]
+    form = (".json", ".speedscope.json", ".speedscope.json")[program.seed // 4 % 3]
     return _written(program, f"a{form}", "--profile-to", f"a{form}")
 
 

@@ -114,12 +114,9 @@ class TimeProfile:
         """
         return slacks(self._chain.motions, self._waits)
 
-    def report(self, *, critical_path: bool = True) -> dict[str, Any]:
-        """Return the profile as plain data, schema `motionlang.cycle/2`.
-
-        The critical path comes last; it is omitted unless `critical_path` is set.
-        """
-        document: dict[str, Any] = {
+    def report(self) -> dict[str, Any]:
+        """Return the profile as plain data, schema `motionlang.cycle/2`."""
+        return {
             "schema": SCHEMA,
             "program": self.run.source.name,
             "time": self.run.time,
@@ -131,12 +128,10 @@ class TimeProfile:
             "subs": list(map(_share, self.subs())),
             "waits": list(map(_share, self.waited_lines())),
             "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
+            "critical_path": [
+                {"begin": begin, "end": end, **_about_link(about)} for begin, end, about in self.spans()
+            ],
         }
-        if critical_path:
-            document["critical_path"] = [
-                {"begin": begin, "end": end, **about_link(about)} for begin, end, about in self.spans()
-            ]
-        return document
 
     def sub(self, line: int) -> str:
         """Return the sub that contains a line, "" for none."""
@@ -208,7 +203,7 @@ def _row(each: object, *names: str) -> dict[str, Any]:
     return {name: getattr(each, name) for name in names}
 
 
-def about_link(about: About) -> dict[str, Any]:
+def _about_link(about: About) -> dict[str, Any]:
     """Return all fields of a link in a report except its times."""
     cause, position, task, axes, waited = about
     where = {"line": position.line, "sub": position.sub, "callers": position.callers}

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import tracemalloc
 from math import fsum
 from pathlib import Path
 
 import pytest
 
-from motionlang.analysis.cycle.export import speedscope, trace_events, write_profile
+from motionlang.analysis.cycle.export import speedscope, write_profile
 from motionlang.analysis.cycle.profile import Share, TimeProfile
 from motionlang.analysis.cycle.tasks import TaskTime
 from motionlang.cli import main
@@ -213,88 +212,6 @@ def test_other_programs_read_it() -> None:
         "Stroke",
         deep[-1],
     ]
-    events = list(trace_events(made))
-    lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
-    assert [event["tid"] for event in events if event["name"] == "thread_name"] == [1, 2, 3, 4]
-    assert {event["pid"] for event in events} == {1}
-    assert {(event["tid"], event["cat"]) for event in events if event["ph"] == "X"} == {
-        (1, "critical path"), (2, "task"), (3, "axis"), (4, "axis"),
-    }  # fmt: skip
-    assert lanes == ["critical path", "task ParentTask", "axis 0", "axis 1"]
-    chain = {event["name"] for event in events if event.get("cat") == "critical path"}
-    assert {"accelerating, line 4", "dwell, line 6", "waiting for an input, line 9"} <= chain
-    assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
-        made.run.time * 1e6
-    )
-
-
-def test_all_trace_events_of_a_run_that_is_cut_short() -> None:
-    """A statement takes 1 ms, the move 0.5 s. At 0.4 s it is at speed."""
-    text = (
-        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
-        "MOVER(0) = 40 : GO(0)\nPAUSE POS(0) >= 5\nWAIT(100)\nPAUSE IDLE(0)\n"
-    )
-    made = profiled(text, machine={"controller.instruction_time": 0.001}, until=0.4)
-    name, *events = trace_events(made)
-    assert name == {"name": "process_name", "ph": "M", "pid": 1, "args": {"name": "cycle.mnt"}}
-    lanes = {event["tid"]: event["args"]["name"] for event in events if event["ph"] == "M"}
-    assert lanes == {1: "critical path", 2: "task ParentTask", 3: "axis 0"}
-    assert [
-        (event["tid"], event["cat"], event["name"], round(event["ts"]), round(event["dur"]), event["args"])
-        for event in events
-        if event["ph"] == "X"
-    ] == [
-        (1, "critical path", "computing, line 1", 0, 4000, {"line": 1, "axes": (), "task": "ParentTask"}),
-        (
-            1,
-            "critical path",
-            "accelerating, line 2",
-            4000,
-            100_000,
-            {"line": 2, "axes": (0,), "task": "ParentTask"},
-        ),
-        (
-            1,
-            "critical path",
-            "at speed, line 2",
-            104_000,
-            296_000,
-            {"line": 2, "axes": (0,), "task": "ParentTask"},
-        ),
-        (2, "task", "until POS(0) >= 5", 5000, 99_000, {"line": 3, "cause": "condition"}),
-        (2, "task", "for 0.1 s", 105_000, 100_000, {"line": 4, "cause": "time"}),
-        (2, "task", "until IDLE(0)", 206_000, 194_000, {"line": 5, "cause": "condition"}),
-        (3, "axis", "MOVER", 4000, 396_000, {"line": 2}),
-        (3, "axis", "accel", 4000, 100_000, {}),
-        (3, "axis", "slew", 104_000, 296_000, {}),
-    ]
-
-
-@pytest.mark.parametrize("text", ["", PROGRAM])
-def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_path: Path) -> None:
-    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.trace.json"
-    write_profile(made, str(path))
-    document = json.loads(path.read_text(encoding="utf-8"))
-    assert document["traceEvents"] == json.loads(json.dumps(list(trace_events(made))))
-    assert document["traceEvents"][0]["args"] == {"name": "cycle.mnt"}
-    assert document["otherData"]["version"].startswith("motionlang ")
-    assert len(path.read_text(encoding="utf-8").splitlines()) == len(document["traceEvents"]) + 3
-
-
-def test_a_trace_is_written_without_holding_it(tmp_path: Path) -> None:
-    """The spans of the critical path need less memory than the text of all events.
-
-    Events as rows would need ten times as much.
-    """
-    made = profiled("For k = 1 To 500\n  MOVER(0) = 3 : GO(0) : PAUSE IDLE(0)\nNext\n")
-    path = tmp_path / "cycle.trace.json"
-    tracemalloc.start()
-    try:
-        write_profile(made, str(path))
-        peak = tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-    assert peak < path.stat().st_size
 
 
 @pytest.mark.parametrize(
