@@ -5,29 +5,27 @@ A job is sent to other processes and machines; each of them computes the expensi
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
 
-from motionlang.analysis.quantities import quantity
+from motionlang.analysis.quantities import ResultValue, quantity
+from motionlang.analysis.sweeps.space import Value
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.lang.literals import Literal, bound, edited, has_address, literals
 from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any
-
-    from motionlang.analysis.quantities import ResultValue
-    from motionlang.analysis.sweeps.space import Value
     from motionlang.lang.program import Program
     from motionlang.result import Run
 
-    # A variant by its number and its values; a row by its number, its results, and its error.
-    Variant = tuple[int, tuple[Value, ...]]
-    Problem = dict[str, object]
-    Result = tuple[int, tuple[ResultValue, ...], Problem | None]
+# A variant by its number and its values; a row by its number, its results, and its error.
+Variant = tuple[int, tuple[Value, ...]]
+Problem = dict[str, object]
+Result = tuple[int, tuple[ResultValue, ...], Problem | None]
 
 # Names of a variant that represent complete machine files.
 MACHINE, SCENARIO = "machine", "scenario"
@@ -233,19 +231,12 @@ def worker_of(job: Job) -> Worker:
     return found
 
 
-def work(job: Job, variants: Sequence[Variant]) -> tuple[str, float, list[Result]]:
-    """Run some variants; return the process, the time taken in s, and the rows.
+def work(job: Job, variants: Sequence[Variant]) -> tuple[float, list[Result]]:
+    """Run some variants; return the time taken in s, and the rows.
 
     This is the function that a pool calls.
     """
-    import os
-    from time import perf_counter
-
     worker = worker_of(job)
     began = perf_counter()
     rows = [worker.result(each) for each in variants]
-    return (
-        f"{os.uname().nodename if hasattr(os, 'uname') else ''}:{os.getpid()}",
-        perf_counter() - began,
-        rows,
-    )
+    return perf_counter() - began, rows

@@ -1,4 +1,4 @@
-"""Chunks of a sweep: their size, how many are in progress, and lost workers.
+"""Chunks of a sweep: their size, how many are in progress, and those whose worker has died.
 
 The executors of these tests only record what they are given.
 """
@@ -6,41 +6,30 @@ The executors of these tests only record what they are given.
 from __future__ import annotations
 
 from concurrent.futures import Executor, Future
-from concurrent.futures.process import BrokenProcessPool
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang.analysis.sweeps import job, pool
-from motionlang.analysis.sweeps.pool import Hand, _Chunk
+from motionlang.analysis.sweeps.pool import Chunk, Hand
 
 
 class Recorded(Executor):
-    """An executor that starts nothing.
+    """An executor that starts nothing; `sizes` are the numbers of variants in its chunks."""
 
-    `sizes` are the numbers of variants in its chunks.
-    """
-
-    def __init__(self, broken: int = 0) -> None:
+    def __init__(self) -> None:
         self.sizes: list[int] = []
-        self.broken = broken
 
     def submit(self, call: Any, /, *given: Any, **named: Any) -> Future[Any]:
-        if self.broken:
-            self.broken -= 1
-            raise BrokenProcessPool
         self.sizes.append(len(given[1]))
         return Future()
 
 
 def hand(count: int, executor: Recorded | None = None, jobs: int = 2, cost: float = 0.0) -> Any:
-    """Return the hand of a sweep of `count` variants.
-
-    Without `executor` it has a pool of its own.
-    """
-    job: Any = SimpleNamespace(keep=("time", "peak"))
-    made: Any = Hand(job, ((k, (float(k),)) for k in range(count)), count, executor, jobs)
+    """Return the hand of a sweep of `count` variants; without `executor` it has a pool of its own."""
+    of_job: Any = SimpleNamespace(keep=("time", "peak"))
+    made: Any = Hand(of_job, ((k, (float(k),)) for k in range(count)), count, executor, jobs)
     made._cost = cost
     made._own = None if executor else Recorded()
     return made
@@ -57,22 +46,15 @@ def hand(count: int, executor: Recorded | None = None, jobs: int = 2, cost: floa
         (40, 0.001, 2, 10),  # half of the rest, divided among two workers
         (41, 0.001, 2, 11),
         (41, 0.001, 4, 6),
-        (2, 0.001, 1, 1),
         (1, 0.001, 4, 1),
     ],
 )
 def test_a_chunk_takes_a_tenth_of_a_second_and_less_towards_the_end(
     left: int, cost: float, jobs: int, size: int
 ) -> None:
-    assert hand(left, jobs=jobs, cost=cost)._size() == size
-
-
-@pytest.mark.parametrize(("seen", "size"), [(0, 20), (1, 20), (4, 5)])
-def test_a_given_executor_has_the_workers_that_have_answered(seen: int, size: int) -> None:
-    """Of 40 variants half are divided among them."""
-    made = hand(40, Recorded(), jobs=2, cost=0.001)
-    made._seen = {f"worker {k}" for k in range(seen)}
-    assert made._size() == size
+    made = hand(left, jobs=jobs, cost=cost)
+    assert [index for index, _ in made._next().variants] == list(range(size))
+    assert made._left == left - size
 
 
 def test_a_pool_of_two_has_six_chunks_in_progress_and_a_given_executor_512() -> None:
@@ -91,93 +73,43 @@ def test_nothing_is_in_progress_when_nothing_is_left() -> None:
     assert few._own.sizes == [1, 1, 1]  # half of the rest for two workers is less than one
 
 
-@pytest.mark.parametrize(
-    ("is_given", "tries", "sizes"),
-    [
-        (False, 0, [1, 4, 4, 4, 4, 4]),
-        (False, 1, [1]),  # a chunk that has ended a process of our own pool runs alone
-        (True, 1, [1] + [4] * 511),
-    ],
-)
-def test_a_chunk_is_tried_again_before_others(is_given: bool, tries: int, sizes: list[int]) -> None:
-    executor = Recorded()
-    made = hand(10_000, executor if is_given else None)
-    made._again.append(_Chunk([(0, (0.0,))], tries))
-    made._fill()
-    assert (executor if is_given else made._own).sizes == sizes
-    made._fill()
-    assert (executor if is_given else made._own).sizes == sizes
-
-
-def test_a_suspect_waits_until_the_others_are_done() -> None:
+def test_a_lost_chunk_runs_alone_when_the_others_are_done() -> None:
     made = hand(10_000)
     made._fill()
-    made._again.append(_Chunk([(0, (0.0,))], 1))
-    made._running.popitem()
+    first = next(iter(made._running))
+    first.set_exception(OSError())
+    assert list(made._taken(first)) == []
     made._fill()
-    assert len(made._own.sizes) == 6
+    assert made._own.sizes == [4] * 6
     made._running.clear()
     made._fill()
-    assert made._own.sizes == [4] * 6 + [1]
+    made._fill()
+    assert made._own.sizes == [4] * 7
+    assert [chunk.is_again for chunk in made._running.values()] == [True]
+    made._running.clear()
+    made._fill()
+    assert made._own.sizes == [4] * 13
 
 
-def test_a_broken_pool_is_started_again_and_a_given_executor_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The chunk that could not be submitted is the first one of the new pool."""
-    made, fresh = hand(10, cost=0.05), Recorded()
-    made._own = Recorded(broken=1)
-    monkeypatch.setattr(made, "_start", lambda jobs: setattr(made, "_own", fresh))
-    assert made._fill()
-    assert fresh.sizes[0] == 2
-    assert [index for index, _ in next(iter(made._running.values())).variants] == [0, 1]
-    with pytest.raises(BrokenProcessPool):
-        hand(10, Recorded(broken=1))._fill()
-
-
-@pytest.mark.parametrize(
-    ("is_given", "tries", "chunks"),
-    [
-        (False, 0, [([0], 1), ([1], 1), ([2], 1)]),  # our own pool: variant by variant at once
-        (True, 0, [([0, 1, 2], 1)]),
-        (True, 1, [([0], 2), ([1], 2), ([2], 2)]),
-        (True, 3, [([0], 4), ([1], 4), ([2], 4)]),
-    ],
-)
-def test_a_chunk_of_a_lost_worker_is_divided(
-    is_given: bool, tries: int, chunks: list[tuple[list[int], int]]
-) -> None:
-    made = hand(10, Recorded() if is_given else None)
-    assert list(made._failed(_Chunk([(k, ()) for k in range(3)], tries), OSError())) == []
-    assert [([index for index, _ in each.variants], each.tries) for each in made._again] == chunks
-
-
-def test_a_variant_that_was_tried_five_times_is_lost() -> None:
-    """Without any answer so far, the executor does not work."""
+def test_a_chunk_that_is_lost_twice_is_reported() -> None:
+    """If there was no answer so far, the executor does not work."""
     made = hand(10, Recorded())
-    chunk = _Chunk([(7, ())], 4)
+    chunk = Chunk([(7, ()), (8, ())], is_again=True)
     with pytest.raises(OSError, match="no worker"):
         list(made._failed(chunk, OSError("no worker")))
-    made._worked = True
-    ((index, values, problem),) = made._failed(chunk, OSError("no worker"))
-    assert (index, values) == (7, (None, None))
-    assert "the worker was lost 5 times: OSError: no worker" in str(problem)
-    assert list(made._failed(_Chunk([(7, ())], 3), OSError())) == []
-    assert [each.tries for each in made._again] == [4]
+    made._cost = 0.1
+    found = list(made._failed(chunk, OSError("no worker")))
+    assert [(index, values) for index, values, _ in found] == [(7, (None, None)), (8, (None, None))]
+    assert all("the worker was lost twice: OSError: no worker" in str(problem) for *_, problem in found)
 
 
-def test_rows_teach_how_long_a_variant_takes() -> None:
+def test_an_interrupt_ends_the_sweep() -> None:
     made = hand(10, Recorded())
-    for rows, cost in (([(0, ()), (1, ())], 0.25), ([], 0.25)):
-        future: Future[Any] = Future()
-        future.set_result(("worker", 0.5, rows))
-        made._running[future] = _Chunk([])
-        assert list(made._taken(future)) == rows
-        assert (made._cost, made._seen, made._worked) == (cost, {"worker"}, True)
     stopped: Future[Any] = Future()
     stopped.set_exception(KeyboardInterrupt())
-    made._running[stopped] = _Chunk([])
+    made._running[stopped] = Chunk([])
     with pytest.raises(KeyboardInterrupt):
         list(made._taken(stopped))
-    assert made._running == {}
 
 
 def test_a_small_sweep_needs_no_other_process(monkeypatch: pytest.MonkeyPatch) -> None:
