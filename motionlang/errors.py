@@ -7,7 +7,7 @@ raised for a feature whose library is not installed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 # The codes of diagnostics and their meanings. `cli/explanations.py` has an example and a fix for each.
 CODES: dict[str, str] = {
@@ -218,26 +218,6 @@ def shown(value: object) -> str:
 def clipped(text: str) -> str:
     """Return a quoted text, truncated to at most one line."""
     return text if len(text) <= _MAX_SHOWN else f"{text[:_MAX_SHOWN]}…"
-
-
-class OldName(DeprecationWarning):
-    """A warning: a name of the command line or of a machine file has a new spelling."""
-
-
-def warn_of_old_name(text: str) -> None:
-    """Issue a Python warning about an old name."""
-    import warnings
-
-    warnings.warn(text, OldName, stacklevel=4)
-
-
-# Reports an old name; the command line writes a note to standard error instead.
-report_old_name: Callable[[str], object] = warn_of_old_name
-
-
-def renamed(old: str, new: str, where: str) -> None:
-    """Report that an old spelling of a name was accepted."""
-    report_old_name(f"{where}: {old} is now {new}")
 
 
 class Spellings:

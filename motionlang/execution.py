@@ -252,12 +252,11 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
 def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
     """Return a caller's settings, checked against the machine file's keys."""
     if machine and not isinstance(machine, Checked):
-        from motionlang.lang.machine.file import current_key, first_mistake
+        from motionlang.lang.machine.file import first_mistake
 
         mistake = first_mistake(machine)
         if mistake:
             raise ValueError(mistake)
-        return {current_key(key): value for key, value in machine.items()}
     return dict(machine)
 
 

@@ -13,10 +13,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang.cli.commands import COMMANDS, build_parser
-from motionlang.cli.parser import OLD_OPTIONS
 
 PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
-_SECTION = re.compile(r"(<!-- (commands|old options|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(r"(<!-- (commands|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
 # Commands with a page of their own.
 PAGES = {
     "init": "old-machine.md",
@@ -67,10 +66,7 @@ def written(text: str) -> str:
     known = parsers()
 
     def section(found: re.Match[str]) -> str:
-        if found[3]:
-            body = "".join(_options(known[found[3]]))
-        else:
-            body = "".join(_commands() if found[2] == "commands" else _old_options())
+        body = "".join(_options(known[found[3]]) if found[3] else _commands())
         return f"{found[1]}{body}{found[4]}"
 
     return _SECTION.sub(section, text)
@@ -82,13 +78,6 @@ def _commands() -> Iterator[str]:
         page = f"[{PAGES[name]}]({PAGES[name]})" if name in PAGES else "here"
         section = "verbs-for-one-question" if name in OF_RUN else name
         yield f"| [`{name}`](#{section}) | {_cell(summary)} | {page} |\n"
-    yield "\n"
-
-
-def _old_options() -> Iterator[str]:
-    yield "\n| old | new |\n|---|---|\n"
-    for old, new in OLD_OPTIONS.items():
-        yield f"| `{old}` | `{new}` |\n"
     yield "\n"
 
 

@@ -48,8 +48,8 @@ run move.mnt --plot move.svg [plot]
 check move.mnt
 repl move.mnt
 plan --distance 10 --time 1 --rule third
-profiles
-profiles --plot profiles.png [plot]
+notes tn1069
+notes tn1069 --plot profiles.png [plot]
 keywords SPEED
 verify move.mnt --update
 verify move.mnt --jobs 1

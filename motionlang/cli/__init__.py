@@ -10,7 +10,6 @@ from __future__ import annotations
 import gc
 import sys
 
-from motionlang import errors
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.standard_streams import prepare, silence
 from motionlang.errors import Diagnostic, Terminated
@@ -32,24 +31,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     docs/cli.md lists the others. No error ends in a traceback.
     """
     given = sys.argv[1:] if arguments is None else list(arguments)
-    seen: set[str] = set()
-    errors.report_old_name = lambda text: _note(text, seen)
     try:
         with SIGNALS:
             return _guarded(given)
     except (KeyboardInterrupt, Terminated) as error:
         return status_of(error)
     finally:
-        errors.report_old_name = errors.warn_of_old_name
         if arguments is None and hasattr(gc, "freeze"):
             gc.freeze()  # the process ends, so the collector need not examine the remaining objects
-
-
-def _note(text: str, seen: set[str]) -> None:
-    """Print a note about an old name to standard error, once for each name."""
-    if text not in seen:
-        seen.add(text)
-        sys.stderr.write(f"note: {text}\n")
 
 
 def _guarded(given: list[str]) -> int:

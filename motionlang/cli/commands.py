@@ -49,9 +49,6 @@ COMMANDS = {
     "completion": ("completion", "print a completion script for bash, zsh or fish"),
 }
 
-# Old names of commands, which help does not show.
-OLD_COMMANDS = {"profiles": ("profiles", "compare the four velocity profiles of PMC's TN1069")}
-
 EPILOG = """\
 examples:
   motionlang run pick.mnt                        print its output, then a table of its moves
@@ -119,7 +116,4 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
             _add(module)(commands, summary)
         else:
             commands.add_parser(name, help=summary)
-    if command in OLD_COMMANDS:
-        module, summary = OLD_COMMANDS[command]
-        _add(module)(commands, summary)
     return parser

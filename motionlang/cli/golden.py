@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from motionlang.analysis.diff.reports import difference
 from motionlang.analysis.diff.tolerance import EXACT
 from motionlang.files import replacing
-from motionlang.report import SCHEMA, text
+from motionlang.report import text
 from motionlang.result import Run
 from motionlang.views.diff import diff_lines
 
@@ -44,22 +44,17 @@ def differences(program: str, result: Run) -> list[str]:
 
 
 def update(program: str, result: Run) -> bool:
-    """Rewrite a program's golden files if the run differs or their schema is old.
+    """Rewrite a program's golden files if the run differs.
 
     Returns True if they were rewritten. An OSError names the file.
     """
     try:
-        if not differences(program, result) and _is_current(golden_files(program)[0]):
+        if not differences(program, result):
             return False
     except (OSError, ValueError):
         pass  # A file is missing or is not JSON.
     write(program, text(result, whole=False), result.output)
     return True
-
-
-def _is_current(path: str) -> bool:
-    with open(path, encoding="utf-8") as file:
-        return bool(json.load(file)["schema"] == SCHEMA)
 
 
 def write(program: str, report: str, output: Sequence[str]) -> None:

@@ -10,7 +10,7 @@ from motionlang.cli.parser import add_all, option
 from motionlang.errors import ProgramError, clipped, shown
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.literals import canonical
-from motionlang.lang.machine.file import check_setting, current_key, read_value
+from motionlang.lang.machine.file import check_setting, read_value
 
 _MACHINE = (
     option("--machine", "M.toml", "the machine file; default: pick.machine.toml next to pick.mnt, if it exists"),
@@ -44,7 +44,7 @@ def set_values(
         if "." not in name:
             overrides[name] = _value(text)
             continue
-        name, value = current_key(name), _setting(text)
+        value = _setting(text)
         problem = check_setting(name, value, language)
         if problem is not None:
             parser.error(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")

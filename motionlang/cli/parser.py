@@ -8,7 +8,7 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias
 
-from motionlang.errors import nearest, renamed
+from motionlang.errors import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,23 +18,6 @@ if TYPE_CHECKING:
 
 # Numbers below zero are values, never options; argparse itself does not recognise those with an exponent.
 _NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
-
-
-# Old spellings of options, which are still accepted but not shown in help.
-OLD_OPTIONS = {
-    "--as-controller": "--trajectory-points",
-    "--as-printed": "--published",
-    "--by": "--transfer",
-    "--by-times": "--use-times",
-    "--hosts": "--max-hosts",
-    "--json": "--format=json",
-    "--look": "--poll-interval",
-    "--out": "--rows-to",
-    "--report": "--format",
-    "--rest": "--settle-time",
-    "--share": "--fraction",
-    "--without": "--skip",
-}
 
 
 class Formatter(argparse.RawDescriptionHelpFormatter):
@@ -116,23 +99,6 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = _NEGATIVE
         # The innermost command reports what it does not know.
         self.set_defaults(parser=self)
-
-    def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
-        """Replace old spellings of options, and parse.
-
-        Each old spelling is reported in a note.
-        """
-        return super().parse_known_args(None if args is None else list(map(self._current, args)), namespace)
-
-    def _current(self, word: str) -> str:
-        """Return an argument, with the current spelling if its option has an old one."""
-        old, equals, value = word.partition("=")
-        new = OLD_OPTIONS.get(old, old)
-        known = self._option_string_actions
-        if new == old or new.partition("=")[0] not in known or old in known:
-            return word
-        renamed(old, new.replace("=", " "), self.prog)
-        return f"{new}{equals}{value}"
 
     def error(self, message: str) -> NoReturn:
         """Report an error in two lines and exit with 2; --help has the usage line."""

@@ -47,11 +47,6 @@ OPTIONS = (
 )
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang profiles`, the old name of `motionlang notes tn1069`."""
-    add_options(commands, "profiles", summary)
-
-
 def add_options(commands: Commands, name: str, summary: str) -> None:
     """Add the command `name` with the options of the note."""
     parser = add_command(commands, name, summary, profiles_command)

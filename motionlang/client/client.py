@@ -77,7 +77,7 @@ class Client(Connection):
         line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
         """
         from motionlang.client.virtual import VirtualWire
-        from motionlang.lang.machine.file import current_key, first_mistake
+        from motionlang.lang.machine.file import first_mistake
         from motionlang.lang.machine.machine import Machine
         from motionlang.mccl.hosts.console import Console
 
@@ -87,8 +87,7 @@ class Client(Connection):
             mistake = first_mistake(board or {})
             if mistake:
                 raise ValueError(mistake)
-            settings = {current_key(key): value for key, value in (board or {}).items()}
-            console = Console(Machine(settings, first_axis=1))
+            console = Console(Machine(board, first_axis=1))
         return cls(VirtualWire(console, step), timeout)
 
     @classmethod

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import argparse
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -55,3 +57,15 @@ class Cell:
             status = int(end.code or 0)
         out, err = self._capsys.readouterr()
         return Outcome(status, out, err)
+
+
+def all_parsers(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:
+    """Yield a parser and those of its commands."""
+    yield parser
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for each in action.choices.values():
+                yield from all_parsers(each)
+
+
+ALL = list(all_parsers(build_parser("*")))

@@ -7,8 +7,7 @@ import json
 import pytest
 
 from motionlang import __version__
-from tests.cli.programs import Cell
-from tests.cli.test_old_names import ALL
+from tests.cli.programs import ALL, Cell
 
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 PLAN = ("--distance", "20", "--time", "0.6", "--rule", "third")
@@ -40,15 +39,6 @@ def test_a_wrong_command_line_leaves_the_old_file(program: Cell) -> None:
     path = program.write("out.json", "old")
     assert program("plan", "--distance", "20", "-o", "out.json").status == 2
     assert path.read_text() == "old"
-
-
-@pytest.mark.parametrize(("old", "new"), [("--report", "--format"), ("--json", "--format json")])
-def test_old_spellings_work_with_a_note(old: str, new: str, program: Cell) -> None:
-    given = ("run", "a.mnt", "--report", "json") if old == "--report" else ("plan", *PLAN, "--json")
-    ran = program(*given)
-    assert ran.status == 0
-    assert json.loads(ran.out)["schema"]
-    assert ran.err == f"note: motionlang {given[0]}: {old} is now {new}\n"
 
 
 def test_q_prints_no_report(program: Cell) -> None:
@@ -96,3 +86,14 @@ def test_rows_of_a_sweep_as_json(program: Cell) -> None:
     assert [row["time"] for row in rows] == [
         pytest.approx(5.0 / rate + rate / accel, abs=1e-4) for rate in (1.0, 2.0)
     ]
+
+
+def test_a_command_that_draws_has_no_option_to_draw(cell: Cell) -> None:
+    """`plot` names its file in place of the option, `trace` has both."""
+    cell.write("a.mnt", "MOVER(0) = 1 : GO(0)\n")
+    ran = cell("plot", "a.mnt", "a.html", "--plot", "b.html")
+    assert (ran.status, ran.err.splitlines()[0]) == (
+        2, "motionlang plot: error: unrecognized arguments: --plot b.html",
+    )  # fmt: skip
+    assert cell("trace", "a.mnt", "a.csv", "--plot", "b.html").status == 0
+    assert (cell.folder / "b.html").exists()

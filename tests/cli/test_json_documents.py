@@ -14,10 +14,6 @@ from tests.cli.programs import Cell
 
 PAGE = (Path(__file__).parents[2] / "docs" / "report.md").read_text(encoding="utf-8")
 SCHEMAS = re.findall(r"^\| `(motionlang\.\w+/\d)` \| `motionlang ([\w ]+?)[` -]", PAGE, re.MULTILINE)
-# Document, old name and new name of each field.
-RENAMED = re.findall(
-    r"^\| (\w+)(?: stream)?(?:, [\w ]+)? \| `(\w+)` \| `(\w+)`", PAGE.partition("## Other")[2], re.MULTILINE
-)
 START = "SPEED(0) = {speed} : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
 # It prints, exceeds a limit and ends with an error.
 PROGRAM = START.format(speed=100) + (
@@ -67,12 +63,3 @@ def test_a_command_prints_the_schema_that_the_page_names(cell: Cell, schema: str
 
 def test_the_page_has_every_document() -> None:
     assert [schema.split(".")[1].partition("/")[0] for schema, _ in SCHEMAS] == list(COMMANDS)
-
-
-@pytest.mark.parametrize("name", sorted({document for document, _, _ in RENAMED}))
-def test_the_fields_have_their_new_names_alone(cell: Cell, name: str) -> None:
-    found = set(names(document(cell, name)))
-    renamed = {old: new for each, old, new in RENAMED if each == name}
-    assert set(renamed.values()) <= found
-    # `old` and `new` are the two sides of a difference, too.
-    assert (renamed.keys() - {"new"}) & found == set()

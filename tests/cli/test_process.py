@@ -47,7 +47,6 @@ check moves.mnt
 check moves.mnt --format json
 keywords SPEED
 plan --distance 10 --time 1 --rule third
-profiles
 diff moves.mnt loud.mnt
 diff moves.mnt moves.mnt
 sweep moves.mnt --vary controller.axes=1,2

@@ -9,8 +9,7 @@ import re
 import pytest
 
 from tests.cases import cases
-from tests.cli.programs import Cell
-from tests.cli.test_old_names import ALL
+from tests.cli.programs import ALL, Cell
 
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.

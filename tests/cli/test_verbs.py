@@ -57,7 +57,6 @@ def test_the_notes_of_the_vendors(cell: Cell) -> None:
     listed = cell("notes").out
     for name in ("tn1069", "an00115", "chapter12"):
         assert f"motionlang notes {name}" in listed
-    assert cell("notes", "tn1069").out == cell("profiles").out
     assert "distance    Sp (Ta + Ts)\n" in cell("notes", "an00115").out
     assert cell("notes", "chapter12", "12.3").out == cell("servo", "figure", "12.3").out
 
@@ -66,9 +65,3 @@ def test_an_unknown_note_is_an_error_with_the_choices(cell: Cell) -> None:
     ran = cell("notes", "tn1070")
     assert ran.status == 2
     assert "did you mean tn1069?" in ran.err
-
-
-def test_old_commands_are_hidden(cell: Cell) -> None:
-    shown = cell("--help").out
-    assert "profiles " not in shown
-    assert "profile " in shown

@@ -7,7 +7,6 @@ import pytest
 from motionlang.errors import (
     Diagnostic,
     MissingExtra,
-    OldName,
     ProgramError,
     Spellings,
     Terminated,
@@ -15,7 +14,6 @@ from motionlang.errors import (
     clipped,
     missing,
     nearest,
-    renamed,
     shown,
 )
 
@@ -58,18 +56,6 @@ def test_a_value_in_a_message_has_60_characters(length: int, text: str) -> None:
 def test_a_number_without_a_text_is_described() -> None:
     assert shown(10**5000) == "the text there"
     assert shown("a\nb") == "'a\\nb'"
-
-
-def test_a_warning_of_an_old_name_is_at_the_caller_of_the_function_that_reads_it() -> None:
-    def read() -> None:
-        renamed("old", "new", "key")
-
-    def user() -> None:
-        read()
-
-    with pytest.warns(OldName, match="key: old is now new") as found:
-        user()
-    assert found[0].lineno == user.__code__.co_firstlineno + 1
 
 
 # A word, known words, and the one that was probably meant. The ratio of two words is twice the number of equal letters

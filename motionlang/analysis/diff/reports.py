@@ -17,7 +17,7 @@ from typing import Any
 from motionlang.analysis.diff.align import aligned, common
 from motionlang.analysis.diff.timeline import Timeline
 from motionlang.analysis.diff.tolerance import EXACT, Tolerance
-from motionlang.analysis.diff.versions import current
+from motionlang.report import SCHEMA
 
 Report = Mapping[str, Any]
 Move = dict[str, Any]
@@ -135,13 +135,11 @@ def end_of(report: Report) -> Move:
 
 
 def checked(report: object) -> dict[str, Any]:
-    """Return a report of either version under its current names.
-
-    Raise ValueError if it is not a report or is incomplete.
-    """
+    """Return a report; raise ValueError if it is none, is incomplete, or has another version."""
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is not a report of a run")
-    report = current(report)
+    if report["schema"] != SCHEMA:
+        raise ValueError(f"its schema is {report['schema']}, and only {SCHEMA} can be read")
     for name in ("moves", "output", "events", "diagnostics"):
         if not isinstance(report.get(name, []), list):
             raise ValueError(f"its {name} are not a list")
@@ -164,7 +162,7 @@ def checked(report: object) -> dict[str, Any]:
 
 
 def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
-    """Compare two reports of any version; ValueError if one of them is not a report."""
+    """Compare two reports; ValueError if one of them is not a report."""
     old, new = checked(old), checked(new)
     found = Difference()
     if not tolerance.same(old.get("time"), new.get("time"), "time"):

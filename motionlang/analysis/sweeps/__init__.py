@@ -143,11 +143,11 @@ class Sweep:
 
     def _check(self, source: Source, language: Dialect) -> None:
         """Report the mistakes of every variant once, before any run."""
-        from motionlang.lang.machine.file import check_setting, current_key
+        from motionlang.lang.machine.file import check_setting
 
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
-            problem = check_setting(current_key(name), value) if "." in name else None
+            problem = check_setting(name, value) if "." in name else None
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, given = self.job.of(values)

@@ -76,18 +76,12 @@ class Job:
 
                 world = self.worlds[name][str(value)]
                 settings = dict(world) if name == MACHINE else layered(settings, world)
-        changed = {_key(name): v for name, v in zip(self.names, values, strict=True) if "." in name}
+        changed = {name: v for name, v in zip(self.names, values, strict=True) if "." in name}
         settings = {**settings, **changed} if changed else settings
         for name, value in zip(self.names, values, strict=True):
             if "." not in name and name not in self.worlds:
                 overrides[name] = value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
         return settings, overrides
-
-
-def _key(name: str) -> str:
-    from motionlang.lang.machine.file import current_key
-
-    return current_key(name)
 
 
 class Worker:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, renamed, shown
+from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, shown
 from motionlang.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.lang.machine.keys import (
     BUS_EVENTS,
@@ -22,7 +22,6 @@ from motionlang.lang.machine.keys import (
     NODE_EVENTS,
     OF_A_NODE,
     OF_DIALECTS,
-    OLD_SECTIONS,
     OUTCOMES,
     REQUIRED,
     SERVO,
@@ -62,11 +61,10 @@ def read_machine(
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
-        name = current_key(key)
-        problems = list(_problems(name, _with_some_channel(name, value) if is_layer else value, language))
+        problems = list(_problems(key, _with_some_channel(key, value) if is_layer else value, language))
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
-            settings[name] = value
+            settings[key] = value
     if any(".plant." in key or ".servo." in key for key in settings):
         from motionlang.servo.settings import mistakes as servo_mistakes
 
@@ -107,18 +105,6 @@ def read_toml(source: Source) -> dict[str, object]:
 def read_value(text: str) -> object:
     """Return one value written as in a machine file; raise ProgramError if invalid."""
     return read_toml(Source("value", f"value = {text}"))["value"]
-
-
-def current_key(key: str) -> str:
-    """Return a key under the present name of its section.
-
-    The first use of an old name is reported as a note.
-    """
-    for old, new in OLD_SECTIONS.items():
-        if key.startswith(old):
-            renamed(f"[{old[:-1]}]", f"[{new[:-1]}]", "machine file")
-            return new + key.removeprefix(old)
-    return key
 
 
 def _keys_below(key: str) -> str:
@@ -179,7 +165,7 @@ def first_mistake(settings: Mapping[str, object]) -> str:
     Returns an empty text if all are valid.
     """
     for key, value in settings.items():
-        for message, hint, *_ in _problems(current_key(key), value):
+        for message, hint, *_ in _problems(key, value):
             return f"{message} ({hint})"
     return ""
 

@@ -91,8 +91,6 @@ KEYS: dict[str, tuple[str, str]] = {
 }
 # The sections of a simulated motor and its servo loop; their keys are in `servo/settings.py`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")
-# Old names of sections, which are still accepted: the old and the new beginning of a key.
-OLD_SECTIONS = {"readings.": "assumptions.", "mint.readings.": "mint.values."}
 # The section of a dialect, whose keys the dialect checks.
 OF_DIALECTS = ("mint.values.", "mint.words.")
 # Tables of events: table -> key -> (kind, help).

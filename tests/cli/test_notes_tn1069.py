@@ -1,4 +1,4 @@
-"""`motionlang profiles`: the comparison of TN1069, exact and as printed."""
+"""`motionlang notes tn1069`: the comparison of TN1069, exact and as printed."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ the whole move  duration                      1400  1628.318531      1444.444444
 
 
 def test_the_exact_table(cell: Cell) -> None:
-    assert cell("profiles").out == TABLE
+    assert cell("notes", "tn1069").out == TABLE
 
 
 def test_as_printed_with_every_erratum(cell: Cell) -> None:
-    lines = cell("profiles", "--published").out.splitlines()
+    lines = cell("notes", "tn1069", "--published").out.splitlines()
     printed = [line.split()[2:] for line in lines if line.strip().startswith("as printed")]
     assert printed == [
         ["400", "628", "444", "800"],
@@ -51,7 +51,7 @@ def test_as_printed_with_every_erratum(cell: Cell) -> None:
 
 
 def test_json_has_full_precision(cell: Cell) -> None:
-    document = json.loads(cell("profiles", "--format", "json").out)
+    document = json.loads(cell("notes", "tn1069", "--format", "json").out)
     rows = {row["name"]: row for row in document["rows"]}
     assert rows["T_A"]["exact"][1] == pytest.approx(628.3185307179587, rel=1e-12)
     assert rows["S_V"]["exact"][3] is None
@@ -60,7 +60,7 @@ def test_json_has_full_precision(cell: Cell) -> None:
 
 
 def test_a_move_of_ones_own(cell: Cell) -> None:
-    line = "profiles --acceleration 200 --deceleration 100 --velocity 50 --distance 1000 --ramp 0.25"
+    line = "notes tn1069 --acceleration 200 --deceleration 100 --velocity 50 --distance 1000 --ramp 0.25"
     out = cell(*line.split()).out
     assert "A = 200 counts/s², D = 100 counts/s², V = 50 counts/s, S = 1000 counts;" in out
     assert "trapezoidal 0.25" in out
@@ -75,7 +75,7 @@ def test_a_move_of_ones_own(cell: Cell) -> None:
 def test_it_is_drawn(cell: Cell, tmp_path: Path, kind: str, head: bytes) -> None:
     pytest.importorskip("matplotlib")
     path = tmp_path / f"a.{kind}"
-    ran = cell("profiles", "--velocity", "20000", "--plot", str(path))
+    ran = cell("notes", "tn1069", "--velocity", "20000", "--plot", str(path))
     assert (ran.status, ran.err) == (0, "")
     assert path.read_bytes().startswith(head)
 
@@ -86,7 +86,7 @@ def test_the_move_of_the_options_is_drawn(cell: Cell, tmp_path: Path) -> None:
     pictures = []
     with described():
         for velocity in ("20000", "30000"):
-            assert cell("profiles", "--velocity", velocity, "--plot", str(path)).status == 0
+            assert cell("notes", "tn1069", "--velocity", velocity, "--plot", str(path)).status == 0
             pictures.append(path.read_text(encoding="utf-8"))
     assert pictures[0] != pictures[1]
 
@@ -104,13 +104,13 @@ def test_the_move_of_the_options_is_drawn(cell: Cell, tmp_path: Path) -> None:
     ],
 )
 def test_a_move_that_there_is_not(cell: Cell, line: str, message: str) -> None:
-    ran = cell("profiles", *line.split())
+    ran = cell("notes", "tn1069", *line.split())
     assert (ran.status, ran.out) == (2, "")
-    assert ran.err.startswith(f"motionlang profiles: error: {message}")
+    assert ran.err.startswith(f"motionlang notes tn1069: error: {message}")
 
 
 def test_a_plot_that_cannot_be_written(cell: Cell, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    ran = cell("profiles", "--plot", str(tmp_path / "no" / "a.png"))
+    ran = cell("notes", "tn1069", "--plot", str(tmp_path / "no" / "a.png"))
     assert (ran.status, ran.out) == (1, "")
     assert "cannot be written: no such file or directory" in ran.err
