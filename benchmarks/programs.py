@@ -192,6 +192,6 @@ PROGRAMS: dict[str, Program] = {
     "shift": Program(shift, "x real time", 60_000.0, True),
     "parse": Program(parsing, "ms/kB", 5.0, False),
     "start": Program(start, "x an empty Python", 20.0, False),
-    "motors": Program(motors, "x real time", 150.0, True),
+    "motors": Program(motors, "x real time", 25.0, True),
     "hosts": Program(hosts, "x 1TP", 1.3, False),
 }

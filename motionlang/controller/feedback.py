@@ -8,7 +8,7 @@ even if no program reads it.
 Idea. The servo is simulated ahead of the clock, in blocks, on the assumption that no further command affects
 the axis. A reading is a lookup in the block. Everything that waits for the motor is searched for in the block
 and becomes an event of the clock, at the time of its sample. A new profile or gain makes the rest of the block
-wrong. Then the simulation is rolled back to the present sample and continues from there.
+wrong. Then the block is dropped and the simulation continues from the present sample.
 
     samples ─────────┬──────────────┬──────────────────┬───────────
              dropped │ searched     │ to come          │ not computed
@@ -27,16 +27,16 @@ the program gives the axis another zero.
 Invariants.
 - A sample does not depend on where a block begins or ends, nor on the readings and their times.
 - All events found up to `scanned` have happened. `_next_check` is the sample at which the search continues.
-- The present sample and those before it are never rolled back.
-- The simulation assumes that the axis rests at the end of a move, so that rest causes no rollback.
+- The present sample and those before it never change.
+- The simulation assumes that the axis rests at the end of a move, so that rest drops no samples.
 - A future time is exact, or, if the block does not show it, the time at which to check again.
 
 Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are
-computed at once. The first `FIRST` samples after a change may be several blocks (`SpeculativeServo.first_blocks`), and
-each further block is four times as long, up to `LONG` seconds: frequent changes waste little, and undisturbed motion
-has little overhead. Standstill is detected by the long blocks, whose ends depend on the time of the change alone. A
-rollback repeats at most the last block. A motor that has come to a standstill for good (`StandstillDetector`)
-costs nothing until something affects it.
+computed at once. After a change the blocks are short and become longer, up to `LONG` seconds: frequent changes waste
+little, and undisturbed motion has little overhead. Standstill is detected by the long blocks, whose ends depend on the
+time of the change alone. A change drops the rest of a block and repeats its samples up to the present one, from the
+servo as it was before the block. A motor that has come to a standstill for good (`StandstillDetector`) costs nothing
+until something affects it.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ from motionlang.controller.joined import Followed
 from motionlang.controller.triggers.watch import margin, watched_position
 from motionlang.planners import hold
 from motionlang.servo.axis_loop import axis_loop
-from motionlang.servo.closed_form import ClosedFormServo
-from motionlang.servo.lookahead import (
+from motionlang.servo.replay import apply, rests_until, run_to
+from motionlang.servo.samples import (
     REST_ERROR,
     REST_TIME,
     SampleBlock,
@@ -61,12 +61,11 @@ from motionlang.servo.lookahead import (
     next_other_side,
     next_side,
     rests_as_seen,
-    seen,
+    seen_of,
 )
-from motionlang.servo.replay import apply, run_to, sample_at, stays_at_rest
+from motionlang.servo.servo import Servo, sample_at
 from motionlang.servo.settings import make_plant
-from motionlang.servo.speculative import FIRST, SpeculativeServo, seen_of
-from motionlang.servo.standstill import StandstillDetector, extent
+from motionlang.servo.standstill import StandstillDetector, extent, is_still
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -82,7 +81,9 @@ if TYPE_CHECKING:
 
     Section = Mapping[str, object]
 
+# The longest block, seconds, and the sizes of the first ones after a change.
 LONG = 0.5
+FIRST = (64, 192)
 _NEVER = 1 << 62
 # Counts: a smaller error is rounding.
 _ROUNDING = 1e-9
@@ -117,11 +118,13 @@ class Feedback:
             "program": Window(error=0.5, announced=False),
         }
         self._gains: Gains = {}
-        self._servo: SpeculativeServo | None = None
+        # The servo after the last sample computed, and as it was before the last block.
+        self._servo: Servo | None = None
+        self._before: Servo | None = None
         self._samples: SampleBlock | None = None
-        # The first blocks after a change that have not run, and the sizes of the next one and of a long one.
-        self._first: list[int] = []
-        self._size = self._long = 0
+        # The sizes of the blocks after a change, of which the last repeats, and the number of the next one.
+        self._sizes: tuple[int, ...] = ()
+        self._block = 0
         # The event of the next check, and its sample.
         self._event: Event | None = None
         self._next_check = _NEVER
@@ -376,16 +379,14 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        servo = ClosedFormServo(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
-        self._servo = servo
+        self._servo = servo = Servo(self.first_loop, self.plant, Followed(self._axis))
         last = None
         for change in self.changes:
             last = run_to(servo, sample_at(change[0], self._rate)) or last
             apply(servo, change)
         last = run_to(servo, self._now) or last
         assert last is not None
-        self._long = max(round(LONG * self._rate), 1)
-        self._begin_short(servo)
+        self._sizes = _sizes(max(round(LONG * self._rate), 1))
         self._samples = SampleBlock(servo.sample - len(last), seen_of(last))
         self._samples.keep(self._now, servo.sample)
         self.scanned = self._now
@@ -421,30 +422,26 @@ class Feedback:
         for window in self.windows.values():
             window.pass_by(samples, self._target, first + 1)
         samples.keep(first, samples.end)
-        if self._first:
-            samples.extend(servo.run_block(self._first.pop(0)))
-            return
-        samples.extend(servo.run_block(self._size))
-        if self._size == self._long:
+        self._before = servo.copy()
+        samples.extend(seen_of(servo.run(self._sizes[self._block])))
+        if self._block + 1 < len(self._sizes):
+            self._block += 1
+        else:
             self._check_standstill(samples, now)
-        self._size = min(4 * self._size, self._long)
-
-    def _begin_short(self, servo: SpeculativeServo) -> None:
-        """Make the next blocks short ones, as after a change."""
-        self._first, self._size = list(servo.first_blocks), min(4 * FIRST, self._long)
 
     def _check_standstill(self, samples: SampleBlock, now: int) -> None:
         """Decide whether the motor is at standstill for good.
 
         It is if its commanded position rests and the last block reached no new state.
         """
-        servo, was_at_standstill = self._servo, self.at_standstill
+        servo, before, was_at_standstill = self._servo, self._before, self.at_standstill
         assert servo is not None
-        new = None
-        if stays_at_rest(servo, self._long, servo.sample):
-            new = extent(samples.encoder[-self._long :], samples.output[-self._long :])
-        self._standstill.check(new, LONG)
-        if self.at_standstill and now > servo.sample and servo.state == servo.began:
+        assert before is not None
+        long = self._sizes[-1]
+        reach = extent(samples.encoder[-long:], samples.output[-long:])
+        rests = rests_until(servo, long, servo.sample) == servo.sample
+        self._standstill.check(reach if rests else None, LONG)
+        if self.at_standstill and now > servo.sample and is_still(reach, before.state, servo.state):
             samples.keep(samples.end - 1, samples.end)
             samples.first = now - 1
             servo.skip(now - servo.sample)
@@ -453,15 +450,16 @@ class Feedback:
 
     def _forget(self) -> None:
         """Drop the samples after the present one, which are now invalid."""
-        servo, samples = self._servo, self._samples
-        assert servo is not None
+        samples = self._samples
         assert samples is not None
         here = self._here()  # may drop past samples, so that `_samples` begins later
         until = samples.first + here + 1
         if until < samples.end:
-            servo.back(until)
+            assert self._before is not None
+            self._servo = self._before
+            self._servo.advance((until - 1) / self._rate)
             samples.keep(samples.first, until)
-        self._begin_short(servo)
+        self._block = 0
         self.search_again()
 
     # ------------------------------------------------------------------------------------------------- events
@@ -549,3 +547,13 @@ class Feedback:
             self.warned()
         if trips and self._is_armed:
             self.tripped()
+
+
+def _sizes(longest: int) -> tuple[int, ...]:
+    """Return the sizes of the blocks after a change, up to the longest, which repeats."""
+    sizes = list(FIRST)
+    size = 4 * sum(sizes)
+    while size < longest:
+        sizes.append(size)
+        size *= 4
+    return (*sizes, longest)

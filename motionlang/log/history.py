@@ -15,8 +15,8 @@ import numpy as np
 
 from motionlang.controller.joined import Followed
 from motionlang.servo.axis_loop import has_gains
-from motionlang.servo.lookahead import REST_ERROR
 from motionlang.servo.replay import replay, whole
+from motionlang.servo.samples import REST_ERROR
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -2,7 +2,7 @@
 
 `Loop` and its forms define how the error becomes a voltage, `Motor` and `Drive` the effect of the voltage.
 `simulate` runs a complete track, `Servo` runs it up to a clock's time. A run without a motor imports nothing
-of this package; NumPy is imported only for long computations or for columns.
+of this package; NumPy is imported only for columns.
 """
 
 from __future__ import annotations

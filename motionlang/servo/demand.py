@@ -21,11 +21,6 @@ if TYPE_CHECKING:
 
     from motionlang.planners import Profile
 
-    # The command over trajectory cycles: the coefficients of 1, c, c² and c³, counts.
-    Cubic = tuple[float, float, float, float]
-
-SHORT = 200
-"""Below this many points plain floats are quicker than a table of the pieces."""
 FOR_EVER = 1 << 62
 """The last cycle of an endless profile."""
 _JUMP = 1e-6
@@ -174,60 +169,14 @@ class Generator:
         k = self.in_force(cycle)
         return self.offset(k) + self.track.profiles[k].position(cycle * self.period - self.track.starts[k])
 
-    def points(
-        self, cycle: int, count: int, known: Sequence[float] = ()
-    ) -> Sequence[float] | NDArray[np.float64]:
-        """Return `known` and the points at the ends of `count` cycles from `cycle`.
-
-        Many points are returned as an array.
-        """
-        if count > SHORT:
-            import numpy as np
-
-            return np.concatenate((known, self.table(cycle, count)))
-        k = self.in_force(cycle)
-        if k != self.in_force(cycle + count - 1):
-            return [*known, *(self.point(i) for i in range(cycle, cycle + count))]
-        period, start, offset = self.period, self.track.starts[k], self.offset(k)
-        times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]
-        return [*known, *(position + offset for position in self.track.profiles[k].positions(times))]
-
-    def point(self, cycle: int) -> float:
-        """Return the point for the end of a cycle."""
-        k = self.in_force(cycle)
-        time = (cycle + 1) * self.period - self.track.starts[k]
-        return self.track.profiles[k].position(time) + self.offset(k)
-
-    def table(self, cycle: int, count: int) -> NDArray[np.float64]:
-        """Return the end points of `count` cycles from `cycle`, computed by NumPy."""
-        import numpy as np
-
-        from motionlang.planners.sample import PieceTable
-
-        first, last = self.in_force(cycle), self.in_force(cycle + count - 1)
-        begins, profiles = self.track.starts[first : last + 1], self.track.profiles[first : last + 1]
-        starts, table = np.array(begins), PieceTable(begins, profiles)
-        made = table.sample((cycle + 1) * self.period, self.period, count)
-        offset = self.offset(last)
-        if first == last:
-            if offset:
-                made += offset
-            return made
-        offsets = self.offsets(first, last + 1)
-        if offsets.any():
-            owners = (
-                np.searchsorted(starts, np.arange(cycle + 1, cycle + count + 1) * self.period, "right") - 1
-            )
-            made += offsets[np.maximum(owners, 0)]
-        # A profile that begins in a cycle does not affect its end yet; where the zero moves, rounding must
-        # not decide.
-        begun = starts[1:] / self.period - cycle
-        near = np.rint(begun[np.diff(offsets) != 0.0])
-        redone = np.unique(
-            np.concatenate((np.floor(begun + _AT_ONCE), near - 2.0, near - 1.0, near, near + 1.0))
-        )
-        for i in redone[(redone >= 0.0) & (redone < count)].astype(int).tolist():
-            k = max(bisect_right(begins, (cycle + i - _AT_ONCE) * self.period) - 1, 0)
-            time = (cycle + i + 1) * self.period - begins[k]
-            made[i] = profiles[k].position(time) + self.offset(first + k)
+    def points(self, cycle: int, count: int) -> list[float]:
+        """Return the points at the ends of `count` cycles from `cycle`."""
+        made: list[float] = []
+        until = cycle + count
+        while cycle < until:
+            k = self.in_force(cycle)
+            past, start, offset = min(self.past(k), until), self.track.starts[k], self.offset(k)
+            times = [(i + 1) * self.period - start for i in range(cycle, past)]
+            made += [position + offset for position in self.track.profiles[k].positions(times)]
+            cycle = past
         return made

@@ -10,8 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf, isfinite
 
-from motionlang.servo.scalars import take_python_numbers
-
 ARITHMETICS = ("real", "chapter12", "lm628")
 LIMIT_STYLES = ("sum", "term")
 INTEGRAL_MODES: dict[str, str] = {
@@ -50,7 +48,6 @@ class Override:
     speed: float
 
     def __post_init__(self) -> None:
-        take_python_numbers(self)
         _check(self.steps >= 1, f"the DAC override must allow at least 1 step, not {self.steps}")
         _check(self.hold >= 1, f"the DAC must be held at least 1 update, not {self.hold}")
         _check(0.0 < self.speed < inf, f"the speed at full scale must be greater than zero, not {self.speed}")
@@ -91,7 +88,6 @@ class Loop:
     trajectory_rate: float = 1000.0
 
     def __post_init__(self) -> None:
-        take_python_numbers(self)
         _check_numbers(self)
         _check(self.arithmetic in ARITHMETICS, f"there is no arithmetic {self.arithmetic!r}")
         _check(self.limit_style in LIMIT_STYLES, f"there is no limit style {self.limit_style!r}")

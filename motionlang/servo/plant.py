@@ -11,8 +11,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf, pi
 
-from motionlang.servo.scalars import take_python_numbers
-
 AMPLIFIERS = ("voltage", "current")
 ENCODER_SIDES = ("motor", "load")
 
@@ -46,7 +44,6 @@ class Motor:
     amplifier_gain: float = 2.4
 
     def __post_init__(self) -> None:
-        take_python_numbers(self)
         for name in ("resistance", "torque_constant", "inertia", "counts_per_rev", "amplifier_gain"):
             _positive(name, getattr(self, name))
         for name in (
@@ -112,7 +109,6 @@ class Drive:
     quantised: bool = False
 
     def __post_init__(self) -> None:
-        take_python_numbers(self)
         _positive("speed_per_volt", self.speed_per_volt)
         _positive("time_constant", self.time_constant)
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from math import floor
+from math import ceil
 from typing import TYPE_CHECKING
 
-from motionlang.servo.servo import Servo
+from motionlang.servo.servo import Servo, sample_at
+from motionlang.servo.standstill import extent, is_still
+from motionlang.servo.trace import joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -34,13 +36,8 @@ def apply(servo: Servo, change: Change) -> None:
         servo.retune(what)
 
 
-def sample_at(time: float, rate: float) -> int:
-    """Return the number of the last sample up to and including a time."""
-    return floor(time * rate + 1e-6)
-
-
 def run_to(servo: Servo, sample: int) -> ServoTrace | None:
-    """Run to `sample` (inclusive) and return the last block; periodic rest is skipped."""
+    """Run to `sample` (inclusive) and return the last block; rest in which nothing moves is skipped."""
     last = None
     for chunk in chunks(servo, sample):
         last = chunk
@@ -48,27 +45,30 @@ def run_to(servo: Servo, sample: int) -> ServoTrace | None:
 
 
 def chunks(servo: Servo, sample: int) -> Iterator[ServoTrace]:
-    """Run to `sample` (inclusive) and yield each block; skip periodic rest.
+    """Run to `sample` (inclusive) and yield each block; skip rest in which nothing moves.
 
-    Only its first block is yielded.
+    Only the first block of such a rest is yielded.
     """
     while servo.sample <= sample:
-        count = min(sample + 1 - servo.sample, BLOCK)
-        state = servo.state
-        yield servo.run(count)
-        rest = sample + 1 - servo.sample
-        if rest > BLOCK and servo.state == state and stays_at_rest(servo, BLOCK, sample):
+        before = servo.state
+        block = servo.run(min(sample + 1 - servo.sample, BLOCK))
+        yield block
+        rest = rests_until(servo, len(block), sample) + 1 - servo.sample
+        if rest > BLOCK and is_still(extent(block.encoder, block.output), before, servo.state):
             servo.skip(rest)
 
 
-def stays_at_rest(servo: Servo, count: int, until: int) -> bool:
-    """True if the command rests over the last `count` samples and until `until`."""
+def rests_until(servo: Servo, count: int, until: int) -> int:
+    """Return the last sample, up to `until`, of a rest of the command that has lasted for `count` samples.
+
+    If the command does not rest, it is the last sample that was run.
+    """
     starts, rate = servo.track.starts, servo.loop.servo_rate
     since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate
     k = servo.in_force_at(since)
     if starts[k] > since or servo.track.profiles[k].shape != "hold":
-        return False
-    return k + 1 == len(starts) or starts[k + 1] > until / rate
+        return servo.sample - 1
+    return until if k + 1 == len(starts) else min(until, ceil(starts[k + 1] * rate - 1e-6) - 1)
 
 
 def replay(
@@ -97,10 +97,10 @@ def whole(
     track: Demanded, loop: Loop, plant: Motor | Drive, changes: Sequence[Change], until: float
 ) -> ServoTrace:
     """Return the run as one trace, in which skipped rest is filled in."""
-    servo = Servo(loop, plant, track, record=True)
+    servo, traces = Servo(loop, plant, track), []
     for change in changes:
         if change[0] <= until:
-            servo.advance(change[0])
+            traces.append(servo.run(sample_at(change[0], loop.servo_rate) + 1 - servo.sample))
             apply(servo, change)
-    servo.advance(until)
-    return servo.trace
+    traces.append(servo.run(sample_at(until, loop.servo_rate) + 1 - servo.sample))
+    return joined(traces)

@@ -5,24 +5,26 @@ All but the step response need a linear pair.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import inf, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.servo.discrete import discretise
-from motionlang.servo.linear import Probe
-from motionlang.servo.steps import COLUMNS, initial_state
-from motionlang.servo.stretch import run_stretch
-from motionlang.servo.trace import joined
+from motionlang.planners import hold
+from motionlang.servo.demand import Track
+from motionlang.servo.discrete import STATES, discretise
+from motionlang.servo.servo import Servo
+from motionlang.servo.step import MEMORY, Step, at_rest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from motionlang.servo.discrete import Discrete
     from motionlang.servo.loop import Loop
     from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.step import State
     from motionlang.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
@@ -83,11 +85,9 @@ def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float)
 
     Feed-forward sees no motion.
     """
-    count = max(2, round(seconds * loop.servo_rate))
-    points = [size] * (-(-count // loop.ratio) + 2)
-    state = initial_state(discretise(plant, loop.period), 0.0)
-    made, _ = run_stretch(loop, plant, COLUMNS, points, 0, count, state)
-    return joined(loop, plant, COLUMNS, [made])
+    servo = Servo(loop, plant, Track([0.0], [hold(size)]))
+    servo.state = at_rest(0.0)
+    return servo.run(max(2, round(seconds * loop.servo_rate)))
 
 
 def step_figures(trace: ServoTrace, size: float) -> StepFigures:
@@ -169,8 +169,36 @@ def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
         )
     if loop.derivative and loop.derivative_every > 1:
         raise ValueError("a frequency response needs the derivative sampled at the servo rate")
-    step, outputs = Probe(loop, plant, ("position",)).sampled
-    return step[:, :-3], step[:, -3], outputs[0, :-3]
+    states = _states(loop, discretise(plant, loop.period))
+    unlimited = replace(loop, output_limit=inf, integral_limit=inf if loop.has_integral else 0.0)
+    step, size = Step(unlimited, plant), len(states)
+
+    def after(*values: float) -> Array:
+        full = [0.0] * (len(STATES) + len(MEMORY))
+        for index, value in zip(states, values, strict=False):
+            full[index] = value
+        state: State = tuple(full[: len(STATES)]), tuple(full[len(STATES) :])  # type: ignore[assignment]
+        (motion, memory), _ = step(state, values[-1], 0.0, True)
+        return np.array([(*motion, *memory)[index] for index in states])
+
+    zero = after(*[0.0] * (size + 1))
+    *f, g = (after(*unit) - zero for unit in np.eye(size + 1).tolist())
+    return np.array(f).T, g, np.eye(size)[0]
+
+
+def _states(loop: Loop, plant: Discrete) -> list[int]:
+    """Return the indices of the states that the linear loop has, among those of `State`."""
+    memory = {
+        "total": loop.has_integral,
+        "last_error": bool(loop.derivative),
+        "last_measured": bool(loop.velocity_feedback),
+    }
+    has_current = bool(plant.current[STATES.index("current")])
+    return [
+        *range(2 + has_current),
+        *[STATES.index("twist"), STATES.index("load_velocity")] * plant.has_twist,
+        *(len(STATES) + MEMORY.index(name) for name, used in memory.items() if used),
+    ]
 
 
 def is_stable(loop: Loop, plant: Motor | Drive) -> bool:

@@ -1,153 +1,191 @@
 """Running a track through a loop and a motor, at once or along with a clock.
 
-`Servo.advance` runs every servo sample up to a time and leaves the readings of the last one. `simulate` does
-this over a complete track and records all columns. The numbers do not depend on how a run is divided, except
-for rounding.
+`Servo.advance` runs every servo sample up to a time and leaves the readings of the last one. `simulate` does this
+over a complete track and returns all columns. The numbers do not depend on how a run is divided.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
-from math import floor, inf
+from copy import copy
+from math import floor
 from typing import TYPE_CHECKING
 
 from motionlang.servo.demand import Generator
-from motionlang.servo.discrete import discretise
-from motionlang.servo.steps import COLUMNS, initial_state
-from motionlang.servo.stretch import Stretch, run_stretch
+from motionlang.servo.step import COLUMNS, Step, at_rest
 
 if TYPE_CHECKING:
     from motionlang.servo.demand import Demanded
     from motionlang.servo.loop import Loop
     from motionlang.servo.plant import Drive, Motor
-    from motionlang.servo.steps import State
-    from motionlang.servo.stretch import Floats
+    from motionlang.servo.step import Reading, State
     from motionlang.servo.trace import ServoTrace
 
-SPAN = 1 << 18
-"""Samples that are run at once, a bound of the memory of a servo without a record."""
-WATCH = 4096
-"""Samples that are run at once while the following error is watched."""
+# Samples whose readings are in tuples, which are four times as large as arrays.
+_CHUNK = 1 << 13
+# Counts in a trajectory cycle, and as a fraction of the position, below which the command does not move.
+_STILL, _ROUNDING = 1e-9, 4e-15
 
 
 class Servo:
     """The simulated servo of one axis, from its track's position at time 0.
 
-    The readings are those of the last sample, only of `columns`; with `record` those of all samples are stored for
-    `trace`.
+    The readings are those of the last sample.
     """
 
-    points_of: type[Generator] = Generator
-    """The class that makes the points of its track."""
-
-    def __init__(
-        self,
-        loop: Loop,
-        plant: Motor | Drive,
-        track: Demanded,
-        *,
-        record: bool = False,
-        columns: tuple[str, ...] = COLUMNS,
-    ) -> None:
-        for name in columns:
-            if name not in COLUMNS:
-                raise ValueError(f"a servo has no column {name!r}; it has {', '.join(COLUMNS)}")
+    def __init__(self, loop: Loop, plant: Motor | Drive, track: Demanded) -> None:
         self.loop, self.plant = loop, plant
-        self.peak_error = 0.0
-        self._columns = columns
-        self._generator = self.points_of(track, 1.0 / loop.trajectory_rate)
-        self._open_output: float | None = None
-        self._sample = 0
-        self._stored: list[Stretch] | None = [] if record else None
+        self._step = Step(loop, plant)
+        self._generator = Generator(track, 1.0 / loop.trajectory_rate)
         start = self._generator.first()
-        # The trajectory point before this cycle, its beginning, and its end.
-        self._points = [start, start, start]
-        self._state: State = initial_state(discretise(plant, loop.period), start)
-        self._row = dict.fromkeys(COLUMNS, 0.0) | {"position": start, "demand": start}
-        self._row["measured"] = self._measured()
+        # The state before the next sample, and its number.
+        self.state: State = at_rest(start)
+        self.sample = 0
+        # The trajectory points before the cycle of the last sample, at its beginning, and at its end.
+        self._points = (start, start, start)
+        self._reading: Reading = (start, self._step.measured(self.state[0]), start, 0.0, 0.0, 0.0, 0.0)
+        self._open_output: float | None = None
+
+    def copy(self) -> Servo:
+        """Return a servo that continues from here by itself."""
+        return copy(self)
 
     # -- readings of the last sample
 
     @property
     def time(self) -> float:
         """Time of the last sample, seconds (before the first: minus one period)."""
-        return (self._sample - 1) * self.loop.period
+        return (self.sample - 1) * self.loop.period
 
     @property
     def demand(self) -> float:
         """Commanded position, counts, in the program's coordinates."""
-        return self._row["demand"] - self._offset
+        return self._read("demand") - self._offset
 
     @property
     def position(self) -> float:
         """Measured position, counts, in the program's coordinates."""
-        return self._row["measured"] - self._offset
+        return self._read("measured") - self._offset
 
     @property
     def error(self) -> float:
         """Following error: commanded minus measured position, counts."""
-        return self._row["demand"] - self._row["measured"]
+        return self._read("demand") - self._read("measured")
 
     @property
     def velocity(self) -> float:
         """Velocity, counts/s."""
-        return self._row["velocity"]
+        return self._read("velocity")
 
     @property
     def integral(self) -> float:
         """The integral's contribution to the output, volts."""
-        return self._row["integral"]
+        return self._read("integral")
 
     @property
     def output(self) -> float:
         """Output, volts."""
-        return self._row["output"]
+        return self._read("output")
 
     @property
     def current(self) -> float:
         """Motor current, A."""
-        return self._row["current"]
+        return self._read("current")
 
     @property
     def torque(self) -> float:
         """Motor torque, N m; 0 for a `Drive`."""
         constant: float = getattr(self.plant, "torque_constant", 0.0)
-        return self._row["current"] * constant
+        return self.current * constant
+
+    def _read(self, column: str) -> float:
+        return self._reading[COLUMNS.index(column)]
 
     @property
-    def trace(self) -> ServoTrace:
-        """The record so far; imports numpy."""
-        from motionlang.servo.trace import joined
+    def _offset(self) -> float:
+        """The program's offset at the last sample."""
+        return self._generator.shifts(self.sample - 1, self.sample, self.loop.servo_rate)[-1][1]
 
-        if self._stored is None:
-            raise ValueError("this servo records nothing: create it with record=True")
-        return joined(self.loop, self.plant, self._columns, self._stored)
+    # -- the track
+
+    @property
+    def track(self) -> Demanded:
+        """The track that the servo follows."""
+        return self._generator.track
+
+    @property
+    def offset(self) -> float:
+        """Counts to add to the motor's own coordinates for those of the program, now."""
+        return self._generator.offset(len(self._generator.track.starts) - 1)
+
+    def in_force_at(self, time: float) -> int:
+        """Return the index of the profile in force at a time."""
+        return self._generator.in_force_at(time)
 
     # -- running
 
-    def advance(self, to: float, error_limit: float = inf) -> float | None:
-        """Run every sample up to the time `to` (seconds, inclusive).
+    def advance(self, to: float) -> None:
+        """Run every sample up to the time `to` (seconds, inclusive)."""
+        until = sample_at(to, self.loop.servo_rate) + 1
+        while self.sample < until:
+            self._run(min(until - self.sample, _CHUNK))
 
-        With an `error_limit` (counts) it stops at the first sample whose following error exceeds the limit, and returns
-        that sample's time. If there is none, it returns None.
+    def run(self, count: int) -> ServoTrace:
+        """Run and return `count` samples; imports numpy."""
+        from motionlang.servo.trace import ServoTrace, columns_of
+
+        first, until, chunks = self.sample, self.sample + count, []
+        while self.sample < until:
+            chunks.append(columns_of(self._run(min(until - self.sample, _CHUNK))))
+        shifts = self._generator.shifts(first, until, self.loop.servo_rate)
+        return ServoTrace(self.loop, self.plant, chunks, shifts)
+
+    def skip(self, count: int) -> None:
+        """Count `count` samples without computing them; the state must be a fixed point."""
+        self.sample += count
+
+    def _run(self, count: int) -> list[Reading]:
+        """Run and return one or more samples, computing each cycle's point as it begins."""
+        step, state, ratio = self._step, self.state, self.loop.ratio
+        until = self.sample + count
+        cycle = -(-self.sample // ratio)  # the first one that begins
+        coming = iter(self._generator.points(cycle, -(-until // ratio) - cycle))
+        before, here, there = self._points
+        slope, (feed, acts) = (there - here) / ratio, self._command(before, here, there)
+        readings = []
+        for sample in range(self.sample, until):
+            k = sample % ratio
+            if k == 0:
+                before, here, there = here, there, next(coming)
+                slope, (feed, acts) = (there - here) / ratio, self._command(before, here, there)
+            state, reading = step(state, here + k * slope, feed, acts)
+            readings.append(reading)
+        self.state, self.sample, self._points = state, until, (before, here, there)
+        self._reading = readings[-1]
+        return readings
+
+    def _command(self, before: float, here: float, there: float) -> tuple[float, bool]:
+        """Return the feed-forward of a cycle in volts, and true if the integral acts in it.
+
+        The points are at the beginning of the cycle before, of this one, and at its end. The integral acts by
+        `loop.INTEGRAL_MODES`; rounding of the points is no motion.
         """
-        until = floor(to * self.loop.servo_rate + 1e-6) + 1
-        span = SPAN if error_limit == inf else WATCH
-        while self._sample < until:
-            before = self._state, self._sample, self._points
-            self._run(min(until, before[1] + span))
-            if error_limit < inf and self._peak() > error_limit:
-                trip = before[1] + self._first_beyond(error_limit)
-                self._state, self._sample, self._points = before
-                self._run(trip + 1)
-            self._store()
-            if error_limit < inf and abs(self.error) > error_limit:
-                return self.time
-        return None
+        loop, rate = self.loop, self.loop.trajectory_rate
+        last, now = here - before, there - here
+        change = now - last
+        is_slowing = change * (now + last) < 0.0
+        gain = loop.decel_ff if is_slowing else loop.accel_ff
+        feed = loop.velocity_ff * rate * now + gain * rate * rate * change
+        if loop.integral_mode == "always":
+            return feed, True
+        motion = there - 2.0 * here + before if loop.integral_mode == "steady" else now
+        return feed, abs(motion) <= _STILL + _ROUNDING * abs(here)
+
+    # -- changes of the loop
 
     def open(self, output: float = 0.0) -> None:
         """Open the loop and apply `output` volts to the motor (0: it coasts)."""
         self._open_output = output
+        self._step = Step(self.loop, self.plant, output)
 
     def close(self, profile: int | None = None) -> None:
         """Close the loop at the motor's position, without wind-up.
@@ -155,13 +193,11 @@ class Servo:
         The track must already be at the motor's position. `profile` is the index of the profile in force, needed if the
         track continues after the present time.
         """
-        measured = self._row["measured"]
-        self._generator.rebase(-(-self._sample // self.loop.ratio), measured, profile)
-        self._points = [measured, measured, measured]
-        fresh = initial_state(discretise(self.plant, self.loop.period), measured)
-        plant_states = len(discretise(self.plant, self.loop.period).names)
-        self._state = self._state[:plant_states] + fresh[plant_states:]
-        self._open_output = None
+        measured = self._read("measured")
+        self._generator.rebase(-(-self.sample // self.loop.ratio), measured, profile)
+        self._points = (measured, measured, measured)
+        self.state = self.state[0], at_rest(measured)[1]
+        self._open_output, self._step = None, Step(self.loop, self.plant)
 
     def retune(self, loop: Loop) -> None:
         """Continue with other gains; rates and arithmetic must not change."""
@@ -169,123 +205,17 @@ class Servo:
             if getattr(loop, name) != getattr(self.loop, name):
                 raise ValueError(f"the {name.replace('_', ' ')} cannot change while the loop runs")
         self.loop = loop
-
-    # -- from block to block
-
-    @property
-    def sample(self) -> int:
-        """The number of the next sample, whose time is that number of periods."""
-        return self._sample
-
-    @property
-    def track(self) -> Demanded:
-        """The track that the servo follows."""
-        return self._generator.track
-
-    def in_force_at(self, time: float) -> int:
-        """Return the index of the profile in force at a time."""
-        return self._generator.in_force_at(time)
-
-    @property
-    def state(self) -> State:
-        """The plant's state and the loop's memory before the next sample."""
-        return self._state
-
-    @property
-    def offset(self) -> float:
-        """Counts to add to the motor's own coordinates for those of the program, now."""
-        return self._generator.offset(len(self._generator.track.starts) - 1)
-
-    def run(self, count: int) -> ServoTrace:
-        """Run and return `count` samples, in motor coordinates.
-
-        Only `demand` and `position` are in the program's coordinates.
-        """
-        from motionlang.servo.trace import joined
-
-        self._run(self._sample + count)
-        self._store()
-        return joined(self.loop, self.plant, self._columns, [self._stretch])
-
-    def skip(self, count: int) -> None:
-        """Count `count` samples without computing them; the state must be a fixed point."""
-        self._sample += count
-
-    # -- inside
-
-    @property
-    def _offset(self) -> float:
-        """The program's offset at the last sample."""
-        return self._generator.shifts(self._sample - 1, self._sample, self.loop.servo_rate)[-1][1]
-
-    def _run(self, until: int) -> None:
-        """Run to sample `until` (exclusive), computing each cycle's point as it begins."""
-        ratio, first = self.loop.ratio, self._sample
-        cycle, offset = divmod(first, ratio)
-        cycles = -(-until // ratio) - cycle
-        known = 3 if offset else 2
-        points = self._generator.points(cycle + known - 2, cycles + 2 - known, self._points[:known])
-        self._stretch, self._state = self._stretched(points, offset, until - first)
-        self._stretch.shifts = self._generator.shifts(first, until, self.loop.servo_rate)
-        final = [float(point) for point in points[-3:]]
-        self._points = [*final[1:], final[2]] if until % ratio == 0 else final
-        self._sample = until
-
-    def _stretched(self, points: Floats, offset: int, count: int) -> tuple[Stretch, State]:
-        return run_stretch(self._in_charge, self.plant, self._columns, points, offset, count, self._state)
-
-    def _store(self) -> None:
-        stretch = self._stretch
-        self._row = {
-            name: float(column[-1]) for name, column in zip(self._columns, stretch.columns, strict=True)
-        }
-        self._row["demand"] = stretch.last_demand(len(stretch.columns[0]))
-        self._row["measured"] = self._measured()
-        if self._stored is not None:
-            self._stored.append(stretch)
-
-    def _peak(self) -> float:
-        from motionlang.servo.trace import joined
-
-        return joined(self.loop, self.plant, self._columns, [self._stretch]).peak_error
-
-    def _first_beyond(self, limit: float) -> int:
-        from motionlang.servo.trace import joined
-
-        seen = joined(self.loop, self.plant, self._columns, [self._stretch])
-        return round(seen.first_beyond(limit) * self.loop.servo_rate)
-
-    @property
-    def _in_charge(self) -> Loop:
-        """The loop, or while it is open a loop without gains.
-
-        That one has the open-loop voltage as its output offset; only output limits and DAC act on it.
-        """
-        if self._open_output is None:
-            return self.loop
-        names = ("proportional", "integral", "derivative", "velocity_feedback")
-        none = dict.fromkeys((*names, "velocity_ff", "accel_ff", "decel_ff", "output_deadband"), 0.0)
-        bare = replace(self.loop, arithmetic="real", override=None, reversed=False, **none)  # type: ignore[arg-type]
-        return replace(bare, output_offset=self._open_output)
-
-    def _measured(self) -> float:
-        made = discretise(self.plant, self.loop.period)
-        position = self._row["position"] - (self._row["twist"] if made.load_encoder else 0.0)
-        return float(round(position)) if made.quantised or self.loop.arithmetic != "real" else position
+        self._step = Step(loop, self.plant, self._open_output)
 
 
-def simulate(
-    track: Demanded,
-    loop: Loop,
-    plant: Motor | Drive,
-    *,
-    until: float,
-    columns: tuple[str, ...] = COLUMNS,
-) -> ServoTrace:
+def simulate(track: Demanded, loop: Loop, plant: Motor | Drive, *, until: float) -> ServoTrace:
     """Run a track through a loop and a motor from time 0 to `until` seconds.
 
     The track is an `Axis`, or a `Track` of profiles.
     """
-    servo = Servo(loop, plant, track, record=True, columns=columns)
-    servo.advance(until)
-    return servo.trace
+    return Servo(loop, plant, track).run(sample_at(until, loop.servo_rate) + 1)
+
+
+def sample_at(time: float, rate: float) -> int:
+    """Return the number of the last sample up to and including a time."""
+    return floor(time * rate + 1e-6)

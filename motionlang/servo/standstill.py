@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from itertools import chain
 from operator import sub
 
 # Seconds of rest after which a motor that hunts, but no further than before, counts as at standstill.
 HUNTING = 20.0
 # The allowed difference of two blocks of a motor at rest: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
+# The rounding of a motor that stays: in any unit, and as a fraction.
+_STILL, _ROUNDING = 1e-9, 1e-14
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+
+    from motionlang.servo.step import State
 
     Extent = tuple[float, ...]
 
@@ -20,6 +25,16 @@ if TYPE_CHECKING:
 def extent(position: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
     """Return the range of a motor's position and output over some samples."""
     return -float(position.min()), float(position.max()), -float(output.min()), float(output.max())
+
+
+def is_still(extent: Extent, before: State, after: State) -> bool:
+    """True if only rounding moves a motor, so that further samples repeat the present one.
+
+    `extent` is its range of position and output over some samples; the states are those before and after them.
+    """
+    low, high, least, most = extent
+    ranges = ((-low, high), (-least, most), *zip(chain(*before), chain(*after), strict=True))
+    return all(abs(b - a) <= _STILL + _ROUNDING * abs(a) for a, b in ranges)
 
 
 class StandstillDetector:

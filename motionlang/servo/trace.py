@@ -10,15 +10,16 @@ import numpy as np
 
 from motionlang.servo.discrete import discretise
 from motionlang.servo.plant import Drive
+from motionlang.servo.step import COLUMNS
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
     from motionlang.servo.loop import Loop
     from motionlang.servo.plant import Motor
-    from motionlang.servo.stretch import Stretch
+    from motionlang.servo.step import Reading
 
     Array = NDArray[np.float64]
 
@@ -38,49 +39,48 @@ UNITS = {
 """Every column of a trace, and its unit."""
 
 
-def joined(
-    loop: Loop, plant: Motor | Drive, columns: tuple[str, ...], stretches: Sequence[Stretch]
-) -> ServoTrace:
-    """Return the trace of consecutive stretches."""
-    if not stretches:
-        return ServoTrace(loop, plant, dict.fromkeys(columns, np.zeros(0)), ())
-    merged = {name: _end_to_end([each.columns[i] for each in stretches]) for i, name in enumerate(columns)}
-    return ServoTrace(loop, plant, merged, stretches)
+def columns_of(readings: Sequence[Reading]) -> Array:
+    """Return a row for each of `COLUMNS`."""
+    return np.array(list(zip(*readings, strict=True)), dtype=np.float64)
 
 
-def _end_to_end(columns: Sequence[Sequence[float] | Array]) -> Array:
-    made = [np.asarray(column, dtype=np.float64) for column in columns]
-    return made[0] if len(made) == 1 else np.concatenate(made)
+def joined(traces: Sequence[ServoTrace]) -> ServoTrace:
+    """Return consecutive traces as one, with the loop of the last."""
+    shifts = [shift for each in traces for shift in each.shifts]
+    return ServoTrace(traces[-1].loop, traces[-1].plant, [each.columns for each in traces], shifts)
 
 
 class ServoTrace:
-    """Columns of one axis, one row per servo sample from time 0, as the loop sees it.
+    """Columns of one axis, one row per servo sample, as the loop sees it.
 
-    `demand` and `position` are in the program's coordinates. The trace has only the recorded columns, and those of
-    `UNITS` that follow from them.
+    `demand` and `position` are in the program's coordinates. `columns` has a row for each of `step.COLUMNS`, in motor
+    coordinates, and `shifts` are the samples of the run from which the program's zero is moved, with the distance.
     """
 
     def __init__(
-        self, loop: Loop, plant: Motor | Drive, columns: Mapping[str, Array], stretches: Sequence[Stretch]
+        self, loop: Loop, plant: Motor | Drive, chunks: Sequence[Array], shifts: Sequence[tuple[int, float]]
     ) -> None:
-        self.loop, self.plant = loop, plant
-        self._columns, self._stretches = dict(columns), stretches
+        self.loop, self.plant, self.shifts = loop, plant, shifts
+        self.columns = np.concatenate([np.zeros((len(COLUMNS), 0)), *chunks], axis=1)
 
     def __len__(self) -> int:
-        return len(next(iter(self._columns.values())))
+        return int(self.columns.shape[1])
 
-    @cached_property
+    def _column(self, name: str) -> Array:
+        column: Array = self.columns[COLUMNS.index(name)]
+        return column
+
+    @property
     def commanded(self) -> Array:
         """The commanded position in the motor's own coordinates, counts."""
-        return _end_to_end([each.demand(len(each.columns[0])) for each in self._stretches] or [np.zeros(0)])
+        return self._column("demand")
 
     @cached_property
     def _offset(self) -> Array:
         """The displacement of the program's zero at every sample, counts."""
-        shifts = [shift for each in self._stretches for shift in each.shifts] or [(0, 0.0)]
-        first = shifts[0][0]
-        edges = [*(sample - first for sample, _ in shifts), len(self)]
-        made: Array = np.repeat(np.array([value for _, value in shifts]), np.diff(edges))
+        first = self.shifts[0][0]
+        edges = [*(sample - first for sample, _ in self.shifts), len(self)]
+        made: Array = np.repeat(np.array([value for _, value in self.shifts]), np.diff(edges))
         return made
 
     def __getitem__(self, name: str) -> Array:
@@ -103,29 +103,22 @@ class ServoTrace:
     @property
     def position(self) -> Array:
         """True position of the motor, counts."""
-        return self._columns["position"] - self._offset
+        return self._column("position") - self._offset
 
     @property
     def measured(self) -> Array:
         """Position measured by the encoder, counts."""
-        made: Array = self.encoder - self._offset
-        return made
+        return self.encoder - self._offset
 
     @property
     def encoder(self) -> Array:
         """Measured position in the motor's own coordinates, unaffected by a new zero."""
-        position = self._columns["position"]
-        made = discretise(self.plant, self.loop.period)
-        if made.load_encoder:
-            position = position - self._columns["twist"]
-        whole = made.quantised or self.loop.arithmetic != "real"
-        made_whole: Array = np.rint(position) if whole else position
-        return made_whole
+        return self._column("measured")
 
     @property
     def velocity(self) -> Array:
         """Velocity of the motor, counts/s."""
-        return self._columns["velocity"]
+        return self._column("velocity")
 
     @property
     def error(self) -> Array:
@@ -135,17 +128,17 @@ class ServoTrace:
     @property
     def integral(self) -> Array:
         """The integral's contribution to the output, volts."""
-        return self._columns["integral"]
+        return self._column("integral")
 
     @property
     def output(self) -> Array:
         """The controller's output, volts."""
-        return self._columns["output"]
+        return self._column("output")
 
     @property
     def current(self) -> Array:
         """Motor current, A; zero for a `Drive`, which does not report it."""
-        return self._columns["current"]
+        return self._column("current")
 
     @property
     def torque(self) -> Array:
@@ -165,16 +158,12 @@ class ServoTrace:
         It shows the immediate effect of a DAC step, without friction.
         """
         made = discretise(self.plant, self.loop.period)
-        row = next(iter(made.regimes.values())).drive
-        total: Array = row[-2] * self.output + row[-1]
-        for name, factor in zip(made.names, row, strict=False):
-            if factor and name not in self._columns:
-                raise ValueError(
-                    f"the onset of the acceleration needs the {name.replace('_', ' ')}, not recorded"
-                )
-            if factor:
-                total = total + factor * self._columns[name]
-        return total
+        if made.has_twist:
+            raise ValueError(
+                "the onset of the acceleration needs the velocity of the load, which is not recorded"
+            )
+        _, by_velocity, by_current, _, _, by_output, one = next(iter(made.regimes.values())).drive
+        return by_output * self.output + one + by_velocity * self.velocity + by_current * self.current
 
     @property
     def jerk(self) -> Array:
@@ -224,8 +213,3 @@ class ServoTrace:
             return inf
         settled = float(self.time[outside[-1] + 1]) if len(outside) else 0.0
         return max(settled, after)
-
-    def first_beyond(self, limit: float) -> float:
-        """Return when the following error first exceeds `limit` counts; inf if never."""
-        beyond = np.flatnonzero(np.abs(self.error) > limit)
-        return float(self.time[beyond[0]]) if len(beyond) else inf

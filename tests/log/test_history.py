@@ -22,7 +22,7 @@ from motionlang.log.history import (
     servo_trace,
     window_of,
 )
-from motionlang.servo.lookahead import REST_ERROR
+from motionlang.servo.samples import REST_ERROR
 from motionlang.servo.trace import ServoTrace
 from tests.servo.test_trace_figures import trace
 

@@ -292,7 +292,7 @@ def test_the_listings_pid_is_the_loops() -> None:
 
     track = Points()
     track.profiles = (track,)  # type: ignore[attr-defined]
-    trace = simulate(track, loop, drive, until=0.15, columns=("position", "output"))  # type: ignore[arg-type]
+    trace = simulate(track, loop, drive, until=0.15)  # type: ignore[arg-type]
     steps = trace.dac_steps.astype(int).tolist()
     # The listing advances its trajectory before it measures; the loop measures at the beginning of a cycle.
     assert steps[1:] == list(made.dac[:150])

@@ -1,17 +1,15 @@
-"""Points and cubics of a trajectory, cycle by cycle, by hand.
+"""Points of a trajectory, cycle by cycle, by hand.
 
 A cycle takes 0.1 s. After a rest of 0.55 s the command follows two cubics of 1 s each.
 """
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
-from motionlang.planners import hold, plan, plan_velocity
+from motionlang.planners import hold, plan_velocity
 from motionlang.planners.curve import from_curve
-from motionlang.servo.cubics import cubic_behind, moved, value
-from motionlang.servo.demand import FOR_EVER, SHORT, Generator, Track
+from motionlang.servo.demand import FOR_EVER, Generator, Track
 
 # 1 + 2t + 3t² + 4t³ for 1 s, then from 10 on 20t - 10t² for 1 s: at its end it is at rest at 20.
 BEGIN, MIDDLE = 0.55, 1.55
@@ -50,46 +48,16 @@ def test_a_point_is_that_of_the_end_of_its_cycle_in_the_profile_before_it(period
         1.0 if round(cycle * period / 0.025) <= 22 else by_hand((cycle + 1) * period)
         for cycle in range(count)
     ]
-    assert [generator.point(cycle) for cycle in range(count)] == pytest.approx(expected)
-    assert list(generator.points(0, count, [7.0])) == pytest.approx([7.0, *expected])
-    assert generator.table(3, count - 3).tolist() == pytest.approx(expected[3:])
+    assert generator.points(0, count) == pytest.approx(expected)
+    assert [generator.points(cycle, 1) for cycle in range(count)] == [
+        [each] for each in generator.points(0, count)
+    ]
+    assert generator.points(3, 0) == []
     assert [generator.first(cycle) for cycle in (0, 4, 8)] == pytest.approx(
         [by_hand(cycle * period) for cycle in (0, 4, 8)]
     )
     middle = round(0.8 / period)
-    assert list(generator.points(middle, 4, [7.0])) == pytest.approx([7.0, *expected[middle : middle + 4]])
-
-
-@pytest.mark.parametrize("period", [0.1, 0.025])
-def test_a_cubic_has_the_points_of_all_its_cycles(period: float) -> None:
-    generator, cycle, found = Generator(TRACK, period), 0, []
-    while True:
-        cubic, until = cubic_behind(generator, cycle)
-        assert cubic is not None
-        for each in range(cycle, min(until, cycle + 60)):
-            assert value(cubic, each + 1 - cycle) == pytest.approx(generator.point(each)), each
-        assert cubic_behind(generator, cycle, until - cycle)[0] == cubic
-        found.append(until)
-        if until == FOR_EVER:
-            break
-        assert cubic_behind(generator, cycle, until - cycle + 1) == (None, until)
-        cycle = until
-    # The first cycle after 0.55 s; those that end at or after 1.55 s and 2.55 s; and the first one after 2.55 s.
-    assert found == ([6, 15, 25, 26, FOR_EVER] if period == 0.1 else [23, 61, 101, 103, FOR_EVER])
-
-
-def test_waves_are_no_cubics_and_a_rest_after_a_move_is_one() -> None:
-    wave = plan("sinusoidal", 0.0, 10.0, 10.0, 50.0, 50.0, ramp=0.2)
-    generator = Generator(Track([0.0], [wave]), 0.05)
-    assert cubic_behind(generator, 0)[0] is None
-    last = int(wave.duration / 0.05) + 1
-    assert cubic_behind(generator, last) == ((10.0, 0.0, 0.0, 0.0), FOR_EVER)
-
-
-def test_a_cubic_is_counted_from_a_later_time() -> None:
-    """1 + 2t + 3t² + 4t³ at t = 2 + x: 49 + 62 x + 27 x² + 4 x³."""
-    assert moved((1.0, 2.0, 3.0, 4.0), 2.0) == (49.0, 62.0, 27.0, 4.0)
-    assert value((49.0, 62.0, 27.0, 4.0), 0.5) == 49.0 + 31.0 + 6.75 + 0.5
+    assert generator.points(middle, 4) == pytest.approx(expected[middle : middle + 4])
 
 
 def test_a_new_zero_is_no_step_of_the_command() -> None:
@@ -102,8 +70,7 @@ def test_a_new_zero_is_no_step_of_the_command() -> None:
     generator = Generator(track, 0.1)
     assert [generator.offset(k) for k in (0, 3, 1, 2)] == [0.0, -3.0, 3.0, -3.0]
     assert Generator(track, 0.1).offsets(1, 4).tolist() == [3.0, -3.0, -3.0]
-    for count in (40, SHORT + 5):
-        assert list(generator.points(0, count)) == pytest.approx([5.0] * count, abs=1e-6)
+    assert generator.points(0, 40) == pytest.approx([5.0] * 40, abs=1e-6)
     assert Generator(track, 0.1).shifts(0, 100, 20.0) == [(0, 0.0), (21, 3.0), (41, -3.0)]
     cases = (
         ((20, 100), [(20, 0.0), (21, 3.0), (41, -3.0)]),
@@ -136,16 +103,10 @@ def test_a_new_zero_in_motion_is_none_of_the_motion() -> None:
     generator = Generator(track, 0.1)
     assert [generator.offset(k) for k in range(3)] == pytest.approx([0.0, 7.0, 14.0])
     expected = [10.0 * (0.1 * (cycle + 1) - 2.0) for cycle in range(20, 50)]
-    assert [generator.point(cycle) for cycle in range(20, 50)] == pytest.approx(expected)
-    assert list(generator.points(20, 30)) == pytest.approx(expected)
-    assert list(generator.points(36, 4)) == pytest.approx(expected[16:20])
-    assert generator.table(20, 30).tolist() == pytest.approx(expected)
-    cubic, until = cubic_behind(generator, 32)
-    assert cubic == pytest.approx((12.0, 1.0, 0.0, 0.0))
-    assert until == 36
+    assert generator.points(20, 30) == pytest.approx(expected)
+    assert generator.points(36, 4) == pytest.approx(expected[16:20])
     generator.rebase(38, 100.0)
-    assert generator.point(37) == pytest.approx(100.0)
-    assert generator.point(38) == pytest.approx(101.0)
+    assert generator.points(37, 2) == pytest.approx([100.0, 101.0])
 
 
 @pytest.mark.parametrize(("starts", "count"), [([], 0), ([0.0], 0), ([0.0, 1.0], 1), ([0.0], 2)])
@@ -162,4 +123,4 @@ def test_the_first_cycle_of_the_next_profile() -> None:
     generator = Generator(Track([0.0, 0.5, 0.55, 0.6], [hold(0.0)] * 4), 0.1)
     assert [generator.past(k) for k in range(4)] == [6, 6, 7, FOR_EVER]
     assert [generator.in_force(cycle) for cycle in (0, 5, 6, 7, 100)] == [0, 0, 2, 3, 3]
-    assert np.all(generator.table(0, 10) == 0.0)
+    assert generator.points(0, 10) == [0.0] * 10

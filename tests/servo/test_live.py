@@ -16,8 +16,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.feedback import Feedback
 from motionlang.log.history import figures, servo_trace
 from motionlang.result import Run
-from motionlang.servo import Drive, Motor, Servo, lookahead, simulate
-from motionlang.servo.speculative import SpeculativeServo
+from motionlang.servo import simulate
 from motionlang.source import Source
 from tests.cases import examples
 
@@ -278,7 +277,7 @@ STALLED = {**MOTOR, "coulomb": 5.0}
 
 
 def test_a_stalled_motor_faults_at_the_very_sample() -> None:
-    """The trip is at the same time as in a servo with this limit that is never read."""
+    """The trip is at the first sample beyond the limit of a later simulation."""
     result = run(
         "FOLERRORFATAL(0) = 3\n" + MOVE + "WAIT = 1000\nPRINT AXISERROR(0), DRIVEENABLE(0)",
         STALLED,
@@ -290,8 +289,8 @@ def test_a_stalled_motor_faults_at_the_very_sample() -> None:
     trip = move["start_time"] + move["duration"]
     assert a.feedback is not None
     assert a.feedback.chosen is not None
-    servo = Servo(a.feedback.chosen.loop, a.feedback.plant, a)
-    assert servo.advance(1.0, 3.0) == pytest.approx(trip, abs=1e-9)
+    error = simulate(a, a.feedback.chosen.loop, a.feedback.plant, until=1.0).error
+    assert np.flatnonzero(np.abs(error) > 3.0)[0] / RATE == pytest.approx(trip, abs=1e-9)
 
 
 def test_the_handler_of_errors_is_called() -> None:
@@ -332,38 +331,31 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
     assert real.controller.faults(0) == 4
 
 
-# ------------------------------------------------------------------------------------------------ speculation
+# ----------------------------------------------------------------------------------------- samples ahead
 
 
 @pytest.mark.parametrize("plant", [MOTOR, ROUGH], ids=["linear", "rough"])
 def test_the_rest_behind_a_move_is_what_was_seen_of_it(
     plant: dict[str, object], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is rolled back at the end of a move, because nothing would change."""
+    """No sample is dropped at the end of a move, because none would change."""
     text = (
         "Dim n As Integer\nFor n = 1 To 3\n"
         + MOVE
         + 'PAUSE IDLE(0)\nPRINT TIME, " ", POS(0), " ", VEL(0)\nWAIT = 30 * n\nPRINT POS(0), " ", FOLERROR(0)\nNext\n'
     )
-    thrown: list[float] = []
-    back = SpeculativeServo.back
+    thrown: list[Feedback] = []
+    forget = Feedback._forget
 
-    def counted(servo: SpeculativeServo, sample: int) -> None:
-        thrown.append(servo.time)
-        back(servo, sample)
+    def counted(each: Feedback) -> None:
+        thrown.append(each)
+        forget(each)
 
-    monkeypatch.setattr(SpeculativeServo, "back", counted)
+    monkeypatch.setattr(Feedback, "_forget", counted)
     seen, few = printed(text, plant, servo=GAINS), len(thrown)
     monkeypatch.setattr(feedback, "rests_as_seen", lambda track: False)
     assert printed(text, plant, servo=GAINS) == seen
     assert len(thrown) - few > few
-
-
-def test_an_unused_column_is_not_made() -> None:
-    plants = Motor(), Motor(resonance=80.0, load_inertia=1e-5), Drive(5000.0, 2e-3)
-    plain = ("position", "velocity", "current", "output")
-    with_twist = ("position", "velocity", "current", "twist", "output")
-    assert [lookahead.seen(plant) for plant in plants] == [plain, with_twist, plain]
 
 
 # ------------------------------------------------------------------------------------------------ torque, off and on

@@ -106,7 +106,7 @@ def test_dotted_and_inline_tables_are_sections_too() -> None:
 
 @pytest.mark.parametrize(
     ("key", "checked"),
-    [("start", []), ("servo.proportional", ["", ".loop", ".plant", ".scalars", ".settings"])],
+    [("start", []), ("servo.proportional", ["", ".loop", ".plant", ".settings"])],
 )
 def test_a_run_without_a_plant_imports_neither_numpy_nor_the_servo(key: str, checked: list[str]) -> None:
     """Keys of a loop import only its checks; other keys and gains import nothing."""

@@ -11,14 +11,24 @@ from motionlang.planners import hold, plan_trapezoid
 from motionlang.servo.demand import Track
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Motor
-from motionlang.servo.replay import BLOCK, apply, chunks, replay, run_to, sample_at, stays_at_rest
-from motionlang.servo.servo import Servo
+from motionlang.servo.replay import BLOCK, apply, chunks, replay, rests_until, run_to
+from motionlang.servo.servo import Servo, sample_at
 
 # 4096 samples a second: a block takes 2 s.
 LOOP = Loop(proportional=0.01, derivative=0.1, servo_rate=4096.0, trajectory_rate=1024.0)
 AT_REST = Track([0.0], [hold(0.0)])
 # 10 counts from 0 s to 1 s.
 MOVING = Track([0.0, 1.0], [plan_trapezoid(0.0, 10.0, 50.0, 40.0, 40.0), hold(10.0)])
+
+
+def test_rest_up_to_a_later_motion_is_skipped() -> None:
+    """Behind the rest of 100 s, the samples are those of a run without the skip."""
+    later = Track([0.0, 100.0], [hold(0.0), plan_trapezoid(0.0, 10.0, 50.0, 40.0, 40.0)])
+    servo, twin = Servo(LOOP, Motor(), later), Servo(LOOP, Motor(), later)
+    *_, last = chunks(servo, 411_000)
+    twin.advance(411_000 / 4096.0)
+    assert servo.state == twin.state
+    assert last.error[-1] == twin.error > 0.0
 
 
 @pytest.mark.parametrize(
@@ -52,16 +62,17 @@ def test_a_run_to_a_sample_has_its_last_block() -> None:
     assert run_to(servo, BLOCK + 4) is None
 
 
-# The starts and shapes of a track, how many samples have passed, and until which sample it is to rest. A block of
-# 64 samples takes 2 s, and a trajectory point 0.125 s; so the rest has to begin 2.125 s earlier.
-RESTS: dict[str, tuple[list[tuple[float, str]], int, int, bool]] = {
-    "always": ([(0.0, "hold")], 96, 999, True),
-    "not yet for a block": ([(1.0, "hold")], 96, 999, False),
-    "just since a block and a point": ([(0.0, "jog"), (0.875, "hold")], 96, 999, True),
-    "since a little later": ([(0.0, "jog"), (0.876, "hold")], 96, 999, False),
-    "in motion": ([(0.0, "jog")], 96, 999, False),
-    "until a later motion": ([(0.0, "hold"), (5.0, "jog")], 96, 159, True),
-    "until the motion": ([(0.0, "hold"), (5.0, "jog")], 96, 160, False),
+# The starts and shapes of a track, how many samples have passed, and until which sample the rest matters and lasts. A
+# block of 64 samples takes 2 s, and a trajectory point 0.125 s; so the rest has to begin 2.125 s earlier.
+RESTS: dict[str, tuple[list[tuple[float, str]], int, int, int]] = {
+    "always": ([(0.0, "hold")], 96, 999, 999),
+    "not yet for a block": ([(1.0, "hold")], 96, 999, 95),
+    "just since a block and a point": ([(0.0, "jog"), (0.875, "hold")], 96, 999, 999),
+    "since a little later": ([(0.0, "jog"), (0.876, "hold")], 96, 999, 95),
+    "in motion": ([(0.0, "jog")], 96, 999, 95),
+    "before a later motion": ([(0.0, "hold"), (5.0, "jog")], 96, 159, 159),
+    "up to the motion": ([(0.0, "hold"), (5.0, "jog")], 96, 160, 159),
+    "up to a motion between samples": ([(0.0, "hold"), (5.01, "jog")], 96, 999, 160),
 }  # fmt: skip
 
 
@@ -75,7 +86,7 @@ def test_a_command_rests_before_and_after(name: str) -> None:
         track=SimpleNamespace(starts=starts, profiles=[SimpleNamespace(shape=each) for _, each in entries]),
         in_force_at=lambda time: max([k for k, start in enumerate(starts) if start <= time], default=0),
     )
-    assert stays_at_rest(servo, 64, until) is rests
+    assert rests_until(servo, 64, until) == rests
 
 
 @pytest.mark.parametrize(

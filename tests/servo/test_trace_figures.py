@@ -16,16 +16,10 @@ from motionlang.servo.trace import ServoTrace
 
 def trace(error: list[float], output: list[float], current: list[float]) -> ServoTrace:
     """Return a trace of a motor held at 0, with a sample every millisecond."""
-    columns = {
-        "position": -np.array(error),
-        "velocity": np.zeros(len(error)),
-        "output": np.array(output),
-        "current": np.array(current),
-    }
+    still, position = np.zeros(len(error)), -np.array(error)
+    columns = np.array([still, position, position, still, current, still, output])
     motor = Motor(torque_constant=0.5, quantised=False)
-    made = ServoTrace(Loop(servo_rate=1000.0, trajectory_rate=1000.0), motor, columns, ())
-    made.commanded = np.zeros(len(error))
-    return made
+    return ServoTrace(Loop(servo_rate=1000.0, trajectory_rate=1000.0), motor, [columns], [(0, 0.0)])
 
 
 def of_errors(*errors: float) -> ServoTrace:
@@ -64,13 +58,6 @@ def test_peaks_are_those_of_either_sign() -> None:
 def test_the_time_from_which_the_error_stays_small(window: float, after: float, settled: float) -> None:
     """The errors are 5, -2, 3, 1 and -1. An error on the window is within it."""
     assert of_errors(5.0, -2.0, 3.0, 1.0, -1.0).settled_at(window, after) == pytest.approx(settled)
-
-
-@pytest.mark.parametrize(
-    ("limit", "time"), [(0.5, 0.0), (1.0, 0.001), (2.0, 0.002), (2.9, 0.002), (3.0, inf)]
-)
-def test_the_time_at_which_the_error_first_exceeds_a_limit(limit: float, time: float) -> None:
-    assert of_errors(1.0, -2.0, 3.0).first_beyond(limit) == time
 
 
 @pytest.mark.parametrize("cut", range(11))

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.planners import hold, plan, plan_trapezoid
 from motionlang.servo.demand import Track
-from motionlang.servo.lookahead import (
+from motionlang.servo.samples import (
     SampleBlock,
     Window,
     crossing,

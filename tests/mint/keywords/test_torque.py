@@ -6,7 +6,6 @@ import pytest
 
 from motionlang import run
 from motionlang.result import Run
-from motionlang.servo.closed_form import closed_form
 from motionlang.source import Source
 
 MOTOR = {
@@ -26,14 +25,6 @@ def ran(text: str, **machine: object) -> Run:
 
 def numbers(text: str, **machine: object) -> list[float]:
     return [float(line) for line in ran(text, **machine).output]
-
-
-def test_a_torque_that_rises_makes_no_table_for_each_of_its_values() -> None:
-    """The torque rises in loops of 1 ms for a tenth of a second; few values need a table."""
-    before = closed_form.cache_info().misses
-    text = "TORQUEREFRISETIME(0) = 200\nTORQUEREF(0) = 50 : WAIT = 200\nPRINT TORQUEDEMAND(0)\nCANCEL(0)"
-    assert numbers(text) == [50.0]
-    assert closed_form.cache_info().misses - before <= 4
 
 
 @pytest.mark.parametrize("word", ["TORQUEREF", "TORQUE"])

@@ -1,4 +1,4 @@
-"""The samples of a block ahead of the clock, and the searches in them."""
+"""Samples of a motor, and the searches in them."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.servo.steps import COLUMNS as RUN
-
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from motionlang.servo.demand import Demanded
-    from motionlang.servo.plant import Drive, Motor
+    from motionlang.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
 
+SEEN = ("encoder", "velocity", "error", "output", "current")
+"""The columns of a sample: motor position (counts), counts/s, counts, V, A."""
 # Seconds: a profile that ends this much later counts as ended.
 _AT_ONCE = 1e-9
 # Counts within which a motor is at a position.
@@ -25,10 +25,9 @@ _ON = 1e-6
 REST_ERROR, REST_TIME = 1.0, 0.02
 
 
-def seen(plant: Motor | Drive) -> tuple[str, ...]:
-    """Return the names of the servo run's columns that make up a `SampleBlock`."""
-    twists = getattr(plant, "resonance", 0.0) > 0.0
-    return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
+def seen_of(trace: ServoTrace) -> Array:
+    """Return the rows of `SEEN` of a trace."""
+    return np.array([trace.encoder, trace.velocity, trace.error, trace.output, trace.current])
 
 
 def rests_as_seen(track: Demanded) -> bool:
