@@ -61,7 +61,6 @@ from motionlang.servo.samples import (
     next_other_side,
     next_side,
     rests_as_seen,
-    seen_of,
 )
 from motionlang.servo.servo import Servo, sample_at
 from motionlang.servo.settings import make_plant
@@ -387,7 +386,7 @@ class Feedback:
         last = run_to(servo, self._now) or last
         assert last is not None
         self._sizes = _sizes(max(round(LONG * self._rate), 1))
-        self._samples = SampleBlock(servo.sample - len(last), seen_of(last))
+        self._samples = SampleBlock(servo.sample - len(last), last.columns)
         self._samples.keep(self._now, servo.sample)
         self.scanned = self._now
 
@@ -423,7 +422,7 @@ class Feedback:
             window.pass_by(samples, self._target, first + 1)
         samples.keep(first, samples.end)
         self._before = servo.copy()
-        samples.extend(seen_of(servo.run(self._sizes[self._block])))
+        samples.extend(servo.run(self._sizes[self._block]).columns)
         if self._block + 1 < len(self._sizes):
             self._block += 1
         else:

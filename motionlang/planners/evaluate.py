@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-from math import sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,46 +25,6 @@ def evaluate(profile: Profile, times: Array, order: int) -> Array:
     if inside.any():
         out[inside] = _inside(profile, times[inside], order)
     return out
-
-
-def positions(profile: Profile, times: Array) -> Array:
-    """Return `Profile.positions` at rising times, equal to the last bit.
-
-    The operations and their order are the same. Sines are computed one by one, because NumPy's sines depend on
-    the processor.
-    """
-    if not profile.pieced:
-        return np.array(profile.positions(times.tolist()))
-    knots, pieces, _ = profile.curve
-    made = np.empty(len(times))
-    begun, over = int(times.searchsorted(0.0, "right")), int(times.searchsorted(profile.duration))
-    made[:begun] = profile.start
-    made[over:] = profile.end
-    velocity = profile.end_velocity
-    if velocity and over < len(times):
-        made[over:] += velocity * (times[over:] - profile.duration)
-    if begun >= over:
-        return made
-    edges = np.searchsorted(times[begun:over], knots[1 : len(pieces)]).tolist()
-    for k, (first, last) in enumerate(pairwise([begun, *(begun + edge for edge in edges), over])):
-        if first == last:
-            continue
-        c0, c1, c2, c3, amplitude, omega, phase = pieces[k]
-        x = times[first:last] - knots[k]
-        p = made[first:last]
-        np.multiply(x, c3, out=p)
-        p += c2
-        p *= x
-        p += c1
-        p *= x
-        p += c0
-        if x[0] == 0.0:
-            p[0] = c0
-        if amplitude:
-            x *= omega
-            x += phase
-            p += amplitude * np.array([sin(angle) for angle in x.tolist()])
-    return made
 
 
 def _outside(profile: Profile, times: Array, order: int) -> Array:

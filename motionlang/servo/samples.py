@@ -7,27 +7,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.servo.step import COLUMNS
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from motionlang.servo.demand import Demanded
-    from motionlang.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
 
-SEEN = ("encoder", "velocity", "error", "output", "current")
-"""The columns of a sample: motor position (counts), counts/s, counts, V, A."""
 # Seconds: a profile that ends this much later counts as ended.
 _AT_ONCE = 1e-9
 # Counts within which a motor is at a position.
 _ON = 1e-6
 # A motor is at rest when its following error has been this small, counts, for so many seconds.
 REST_ERROR, REST_TIME = 1.0, 0.02
-
-
-def seen_of(trace: ServoTrace) -> Array:
-    """Return the rows of `SEEN` of a trace."""
-    return np.array([trace.encoder, trace.velocity, trace.error, trace.output, trace.current])
 
 
 def rests_as_seen(track: Demanded) -> bool:
@@ -46,7 +40,7 @@ def rests_as_seen(track: Demanded) -> bool:
 
 
 class SampleBlock:
-    """Consecutive samples from number `first` on, with a row for each of `SEEN`.
+    """Consecutive samples from number `first` on, with a row for each of `step.COLUMNS`.
 
     `encoder` is the measured position in the motor's own coordinates, counts; velocity is in counts/s, error in
     counts, output in volts, current in A.
@@ -68,30 +62,30 @@ class SampleBlock:
     @property
     def encoder(self) -> Array:
         """Measured positions."""
-        return self._row(0)
+        return self._row("measured")
 
     @property
     def velocity(self) -> Array:
         """Velocities."""
-        return self._row(1)
+        return self._row("velocity")
 
     @property
     def error(self) -> Array:
         """Following errors."""
-        return self._row(2)
+        return self._row("demand") - self._row("measured")
 
     @property
     def output(self) -> Array:
         """Outputs of the controller."""
-        return self._row(3)
+        return self._row("output")
 
     @property
     def current(self) -> Array:
         """Currents."""
-        return self._row(4)
+        return self._row("current")
 
-    def _row(self, number: int) -> Array:
-        row: Array = self.rows[number]
+    def _row(self, column: str) -> Array:
+        row: Array = self.rows[COLUMNS.index(column)]
         return row
 
     def keep(self, first: int, until: int) -> None:

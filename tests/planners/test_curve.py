@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.planners import Profile, hold, plan, plan_trapezoid
 from motionlang.planners.curve import from_curve, relabelled
-from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import table_curve
 from tests.planners.cases import Move, moves, quick
@@ -70,9 +68,7 @@ def test_positions_one_after_the_other_are_the_same_to_the_last_bit(move: Move, 
     times = sorted([*(share * made.duration for share in shares), *made.knots])
     one_by_one = [made.position(time) for time in times]
     assert made.positions(times) == one_by_one
-    assert positions(made, np.array(times)).tolist() == one_by_one
-    rest = [-1.0, 0.0, 1e9]
-    assert hold(3.5).positions(rest) == positions(hold(3.5), np.array(rest)).tolist() == [3.5, 3.5, 3.5]
+    assert hold(3.5).positions([-1.0, 0.0, 1e9]) == [3.5, 3.5, 3.5]
 
 
 def test_the_end_is_reached_at_the_end() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from motionlang.planners import Profile, hold, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity
-from motionlang.planners.evaluate import evaluate, positions
+from motionlang.planners.evaluate import evaluate
 from motionlang.planners.superposition import Superposed, added
 
 MOTIONS: dict[str, Profile] = {
@@ -87,5 +87,4 @@ def test_many_times_at_once_have_the_values_of_each(name: str) -> None:
             for time, within in zip(times.tolist(), inside, strict=True)
         ]
         assert evaluate(profile, times, order).tolist() == pytest.approx(wanted, abs=1e-6)
-    assert positions(profile, times).tolist() == profile.positions(times.tolist())
-    assert positions(profile, times).tolist() == pytest.approx(evaluate(profile, times, 0).tolist())
+    assert profile.positions(times.tolist()) == pytest.approx(evaluate(profile, times, 0).tolist())

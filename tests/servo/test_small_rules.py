@@ -16,10 +16,10 @@ from motionlang.servo.discrete import discretise
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.response import DROP, _crossing, _first_fall
-from motionlang.servo.samples import SEEN, SampleBlock, Window, next_other_side, next_side
+from motionlang.servo.samples import SampleBlock, Window, next_other_side, next_side
 from motionlang.servo.servo import simulate
 from motionlang.servo.settings import make_loop
-from motionlang.servo.step import Step, at_rest
+from motionlang.servo.step import COLUMNS, Step, at_rest
 
 
 @pytest.mark.parametrize(
@@ -28,8 +28,8 @@ from motionlang.servo.step import Step, at_rest
 def test_a_window_is_met_since_the_sample_after_the_last_one_outside(
     error: list[float], since: float
 ) -> None:
-    rows = np.zeros((len(SEEN), len(error)))
-    rows[SEEN.index("error")] = error
+    rows = np.zeros((len(COLUMNS), len(error)))
+    rows[COLUMNS.index("demand")] = error
     window = Window(error=1.0)
     window.pass_by(SampleBlock(100, rows), 0.0, 100 + len(error))
     assert window.since == since

@@ -17,13 +17,15 @@ from motionlang.servo.samples import (
     next_side,
     rests_as_seen,
 )
+from motionlang.servo.step import COLUMNS
 
 
 def block(first: int, error: list[float], velocity: list[float] | None = None) -> SampleBlock:
     """Return samples from number `first` on; the encoder is at 100 - error."""
-    rows = np.zeros((5, len(error)))
-    rows[0], rows[2] = 100.0 - np.array(error), error
-    rows[1] = velocity or [0.0] * len(error)
+    rows = np.zeros((len(COLUMNS), len(error)))
+    rows[COLUMNS.index("demand")] = 100.0
+    rows[COLUMNS.index("measured")] = 100.0 - np.array(error)
+    rows[COLUMNS.index("velocity")] = velocity or [0.0] * len(error)
     return SampleBlock(first, rows)
 
 
@@ -47,8 +49,9 @@ def test_a_motor_settles_after_its_hold_in_the_window(
     An error of 1 is inside.
     """
     window = Window(error=1.0, hold=0.002, at_target=at_target)
-    samples = block(50, [9.0] * 4 if at_target else error)
-    samples.rows[0] = 100.0 - np.array(error)
+    samples = block(50, error)
+    if at_target:  # the command is elsewhere
+        samples.rows[COLUMNS.index("demand")] += 9.0
     assert window.onsets(samples, 100.0, 1000.0) == onsets
     found = tuple(window.settled(samples, 100.0, now, 1000.0) for now in (50, 53))
     assert found == settled
