@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -52,6 +53,9 @@ FULL_SPEED = 10.0 * 2.4 / (0.05 + 1e-5 / 0.05) * 4000.0 / (2.0 * pi)
 CHAPTER12 = Loop(100, 4, 600, integral_limit=2000, arithmetic="chapter12", dac_bits=12, servo_rate=1000.0)
 WHOLE = {
     "chapter 12": CHAPTER12,
+    "chapter 12, reversed": replace(
+        CHAPTER12, proportional=-100, integral=-4, derivative=-600, reversed=True
+    ),
     "chapter 12, 16 bits": Loop(40, 4, 400, integral_limit=4000, arithmetic="chapter12", dac_bits=16),
     "chapter 12, override": Loop(
         100,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from motionlang.servo.standstill import HUNTING, StandstillDetector, extent
+from motionlang.servo.standstill import HUNTING, StandstillDetector, extent, is_still
+from motionlang.servo.step import State, at_rest
 
 # Extents: lowest position (negated), highest, lowest output (negated), highest.
 CALM = (-5.0, 5.0, 0.0, 0.0)
@@ -67,3 +68,24 @@ def test_a_motor_that_hunts_rests_after_20_seconds_in_its_range() -> None:
     detector.disturb()
     detector.check((-4.0, 5.0, 0.0, 0.0), 5.0)
     assert not detector.at_standstill
+
+
+@pytest.mark.parametrize(
+    ("position", "output", "moved", "still"),
+    [
+        ([5.0, 5.0], [1.0, 1.0], 0.0, True),
+        ([5.0, 5.0 + 9e-10], [1.0, 1.0 - 9e-10], 9e-10, True),
+        ([5.0, 5.0 + 2e-9], [1.0, 1.0], 0.0, False),
+        ([5.0, 5.0], [1.0, 1.0 - 2e-9], 0.0, False),
+        ([5.0, 5.0], [1.0, 1.0], -2e-9, False),
+        ([1e9, 1e9 + 5e-6], [1.0, 1.0], 0.0, True),  # at 1e9 counts a float has steps of 1e-7
+        ([-1e9, -1e9 - 5e-6], [1.0, 1.0], 5e-6, False),
+    ],
+)
+def test_a_motor_is_still_if_only_rounding_moves_it(
+    position: list[float], output: list[float], moved: float, still: bool
+) -> None:
+    """`moved` is the change of its velocity."""
+    before = at_rest(position[0])
+    after: State = (position[0], moved, 0.0, 0.0, 0.0), before[1]
+    assert is_still(extent(np.array(position), np.array(output)), before, after) is still

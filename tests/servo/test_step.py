@@ -19,7 +19,7 @@ from motionlang.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoi
 from motionlang.planners.curve import from_curve
 from motionlang.servo import Drive, Loop, Motor, Servo, Track, servo, simulate
 from motionlang.servo.discrete import exponential
-from motionlang.servo.step import at_rest
+from motionlang.servo.step import at_rest, truncated
 from motionlang.source import Source
 from tests.cases import examples
 from tests.servo.test_oracle import LOOPS, PLANTS, WHOLE
@@ -295,3 +295,29 @@ def test_an_hour_at_rest_costs_nothing(plant: dict[str, object], monkeypatch: py
     result = run(Source("rest.mnt", text), machine=machine)
     assert len(result.report["moves"]) == 2
     assert sum(ran) < 100_000
+
+
+def test_a_dac_ends_one_step_below_full_scale() -> None:
+    """A DAC of 12 bits has 2047 steps of 10/2048 V above zero, and 2048 below."""
+    for volts, steps in ((10.0, 2047), (-10.0, -2048), (0.004, 1), (0.002, 0)):
+        made = Servo(Loop(dac_bits=12), Drive(), Track([0.0], [hold(0.0)]))
+        made.open(volts)
+        assert set(made.run(5).output) == {steps * 10.0 / 2048.0}
+
+
+def test_a_loop_that_is_closed_within_a_cycle_follows_from_the_next_one_on() -> None:
+    """A cycle has 4 samples; the command moves by 2 counts in each."""
+    jog = plan_trapezoid(0.0, 1e6, 2000.0, 1e9, 1e9)
+    made = Servo(Loop(0.01), Drive(), Track([0.0], [jog]))
+    made.open(1.0)
+    made.run(202)
+    here = made.position
+    made.close()
+    assert (made.run(11).commanded - here).tolist() == pytest.approx(
+        [0.0, 0.0, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]
+    )
+
+
+def test_a_quotient_is_rounded_towards_zero() -> None:
+    values = (-257.0, -256.0, -255.0, -1.0, 0.0, 1.0, 255.0, 256.0, 511.0)
+    assert [truncated(value, 256.0) for value in values] == [-1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0]
