@@ -33,7 +33,7 @@ from tests.lowest import SUPPORTED, lowest
 pytestmark = pytest.mark.slow
 
 # Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
-UNUSED = {"dev", "bench", "dask", "site"}
+UNUSED = {"dev", "dask", "site"}
 links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
 
 
