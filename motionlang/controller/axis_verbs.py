@@ -68,8 +68,6 @@ class AxisVerbs(Core):
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
-        if self.expected_motion is not None and name in ("blend_mode", "blend_distance"):
-            self.expected_motion.prompt(a, name)
         if name == "accel":
             a.accel_time = None
         elif name == "decel":
@@ -226,8 +224,6 @@ class AxisVerbs(Core):
         """Release all moves in the buffers of `axes`; idle axes start now, together."""
         for axis in axes:
             a = self.movable(axis)
-            if self.expected_motion is not None:
-                self.expected_motion.prompt(a, "go")
             for move in a.buffer:
                 if move.action is None:
                     move.released = True
@@ -334,8 +330,6 @@ class AxisVerbs(Core):
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Remove a reason for suspension; continue if none remains."""
         a = self.axes[axis]
-        if self.expected_motion is not None:
-            self.expected_motion.prompt(a, "resume")
         motion.halt.resume(self, a, reason)
         if not a.suspended and a.move is None and a.buffer:
             self.start_next(a)

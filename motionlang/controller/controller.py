@@ -153,8 +153,6 @@ class Controller(AxisVerbs):
 
     def blend(self, axis: int) -> None:
         """Begin the next path of the axis now, superposed on the rest of the present one."""
-        if self.expected_motion is not None:
-            self.expected_motion.prompt(self.axes[axis], "blend")
         run = moves.path.run_of(self.axes[axis])
         if run is not None:
             run.blend()

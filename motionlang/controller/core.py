@@ -258,8 +258,6 @@ class Core(Readings):
 
     def _begin_waiting(self, a: Axis) -> None:
         """Schedule the start of the buffer after all other events of this time."""
-        if self.expected_motion is not None:
-            self.expected_motion.prompt(a, "drop")
 
         def begin() -> None:
             if a.index in self.homings or not a.buffer:

@@ -175,7 +175,6 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
     """Return a writer of one of `SETTINGS`, bound to an axis and a unit."""
     a, configure = controller.axes[axis], controller.configure
     clock, add = controller.clock, controller.log.settings.add
-    blends = name in ("blend_mode", "blend_distance")
     live, time = name in LIVE, f"{name}_time" if name in ("accel", "decel") else ""
     power, factors = POWERS.get(unit), a.scale.factors
 
@@ -188,8 +187,6 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
             return
         if getattr(a, name) != value:
             add((clock.now, axis, name, value))
-            if blends and controller.expected_motion is not None:
-                controller.expected_motion.prompt(a, name)
         setattr(a, name, value)
         if time:
             setattr(a, time, None)

@@ -66,7 +66,6 @@ class ExpectedMotion:
         self.offsets: dict[tuple[int, float], tuple[int, float]] = {}
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
         self.stops: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
-        self.prompts: dict[int, list[tuple[float, str]]] = {number: [] for number in axes}
         self.refused: dict[int, float] = {}
         # When each axis was first stopped with each keyword.
         self._first_stops: dict[tuple[int, str], float] = {}
@@ -154,7 +153,6 @@ class ExpectedMotion:
             self.begun,
             self.stops,
             self._first_stops,
-            self.prompts,
             self.refused,
             self._scales,
         ):
@@ -322,8 +320,6 @@ class ExpectedMotion:
             if action.policy is not None or began is None or not _own_speed(a, leader) > 0.0:
                 return  # while a speed is not above zero every plan is rejected
             wanted = _path(action, leader, self._nth[action], began[1])
-            assert wanted.path is not None
-            wanted = wanted._replace(path=wanted.path._replace(ahead=_ahead(action)))
             move = leader
         elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
             return
@@ -352,18 +348,6 @@ class ExpectedMotion:
         if last.kind == "jog" and last.goal != goal:
             key = a.index, self._controller.clock.now
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
-
-    def prompt(self, a: Axis, word: str) -> None:
-        """Record an event that may start a blend.
-
-        It is a release, BLEND, a setting of blends, or the end of a suspension.
-        """
-        self.prompts[a.index].append((self._controller.clock.now, word))
-
-    def prompted(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
-        """Return the events that may start a blend of an axis between two times."""
-        prompts = self.prompts[axis]
-        return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
 
     def refuse(self, a: Axis) -> None:
         """Record that a buffered move, or a step of a homing, is rejected as it begins."""
@@ -404,11 +388,6 @@ class ExpectedMotion:
         now = self._controller.clock.now
         self.stops[a.index].append((now, ended))
         self._first_stops.setdefault((a.index, ended), now)
-
-
-def _ahead(action: PathMove) -> tuple[Order, ...]:
-    """Return the orders of the paths that a path continues into."""
-    return tuple(_path(each, each.moves[0], 0, -1) for each in _paths_ahead(action))
 
 
 def _paths_ahead(action: PathMove) -> list[PathMove]:
@@ -560,9 +539,8 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         most_accel=tuple(each.max_accel for each in axes),
         most_decel=most_decel,
         angle_into=0.0,
-        blend=master.blend_distance if master.blend_mode else 0.0,
         comes_to_rest=comes_to_rest,
-        ahead=_ahead(action) if comes_to_rest else (),
+        leads_on=comes_to_rest and bool(_paths_ahead(action)),
         entry=entry,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)

@@ -28,9 +28,8 @@ class PathOrder(NamedTuple):
 
     Sequence. `begun` is the start time. The path is the `nth` of the run, since several may begin at one time.
     `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not
-    begun. `blend` is the distance before the end of the previous path at which it has to begin, 0 for at the
-    end. `tails` are the earlier paths with which it is blended. A path that `comes_to_rest` was stopped or
-    suspended: it may come to rest anywhere, possibly on one of the paths `ahead`.
+    begun. `tails` are the earlier paths with which it is blended. A path that `comes_to_rest` was stopped or
+    suspended: it may come to rest anywhere, and if it `leads_on`, on a later path that it continues into.
     """
 
     members: tuple[int, ...]
@@ -48,9 +47,8 @@ class PathOrder(NamedTuple):
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
     angle_into: float
-    blend: float = 0.0
     comes_to_rest: bool = False
-    ahead: tuple[Order, ...] = ()
+    leads_on: bool = False
     entry: int = -1
     tails: tuple[Order, ...] = ()
 

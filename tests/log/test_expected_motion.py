@@ -21,18 +21,16 @@ from tests.log.orders import orders_of, recorded, short
 from tests.log.test_figures import machine
 
 SETTINGS = "SPEED(0, 1) = 50, 40 : ACCEL(0, 1) = 500, 500 : DECEL(0, 1) = 250, 250\n"
-PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 blend=5 entry="
-PATH_1 = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False line=30/40 blend=5 entry="
+PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 entry="
+PATH_1 = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False line=30/40 entry="
 PATHS_AT_9 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=True line=30/0"
 ARC = "path=members=0/1 scales=1/1 begun=0.856667 nth=1 relative=True centre=0/10 angle=90"
-AHEAD = (
-    "ahead=(path:6 speed=30 rates=500/250 path=members=0/1 scales=1/1 begun=0 nth=0 relative=True line=0/5)"
-)
+AHEAD = "leads_on=True"
 SCALED = (
     "path:4 speed=0.5 rates=5/2.5 path=members=0/1 scales=100/100 begun=8e-09 nth=0 relative=True line=3000/4000 "
     "most=6000/inf most_accel=inf/60000 most_decel=inf/30000"
 )
-BLENDED_ARC = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False centre=30/20 angle=90 blend=5"
+BLENDED_ARC = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False centre=30/20 angle=90"
 CAM = "TableCam:5 rates=500/250 tie=master=0 curve=35 table=0/10/20/30/0/10/30/35/linear"
 PROGRAMS: dict[str, tuple[str, dict[int, list[str]]]] = {
     "a move whose speed and zero change, and a stop whose rate does not": (
@@ -223,14 +221,13 @@ def observed() -> tuple[Controller, ExpectedMotion]:
     return controller, ExpectedMotion(controller)
 
 
-def test_stops_and_prompts_between_two_times() -> None:
+def test_stops_between_two_times() -> None:
     controller, found = observed()
     a = controller.axes[0]
     controller.move_to(0, 1000.0)
     for time, word in ((1.0, "stop"), (2.0, "fault"), (2.0, "stop"), (3.0, "stop")):
         controller.clock.advance(time)
         found.stop(a, word)
-        found.prompt(a, word)
     for first, last, count in (
         (0.0, 9.0, 4),
         (1.0, 2.0, 3),
@@ -239,7 +236,7 @@ def test_stops_and_prompts_between_two_times() -> None:
         (2.1, 3.0, 1),
         (3.1, 9.0, 0),
     ):
-        assert len(found.stopped(0, first, last)) == len(found.prompted(0, first, last)) == count
+        assert len(found.stopped(0, first, last)) == count
     assert found.stopped(0, 1.5, 2.5) == [(2.0, "fault"), (2.0, "stop")]
     assert [found.was_stopped(0, "fault", time) for time in (1.9, 2.0, 2.1)] == [False, True, True]
     assert found.was_stopped(0, "stop", 1.0)
@@ -277,7 +274,7 @@ def test_so_many_profiles_are_recorded(most: int, is_full: bool, monkeypatch: py
     controller.clock.advance(2.0)
     assert found.is_full is is_full
     assert (controller.expected_motion is None) is is_full
-    everything: list[Any] = [found.of, found.data, found.begun, found.stops, found.prompts, found.standstills]
+    everything: list[Any] = [found.of, found.data, found.begun, found.stops, found.standstills]
     if is_full:
         assert not any(everything)
     else:

@@ -148,13 +148,9 @@ class Run:
         # A log creates its entries on each read; those of paths and offsets, by number, are cached.
         self._log = moves
         self._stored: dict[int, Move] = {}
-        # The entries of paths by axis, beginning and number, as the orders refer to them; and as a list.
+        # The entries of paths by axis, beginning and number, as the orders refer to them.
         self.entries: dict[tuple[int, float, int], Move] = {}
-        self.paths: dict[int, list[Move]] = {}
-        # The index of each path entry in that list; and by axis the latest end of any entry up to each.
-        self._numbers: dict[int, int] = {}
-        # For each path entry the log number of the entry before it on its axis, of any kind.
-        self._previous: dict[int, int] = {}
+        # By axis the latest end of all path entries up to each.
         self._ends: dict[int, list[float]] = {}
         # For each path entry that continues another one: that entry, and where the path began.
         self._rest_of: dict[int, Move] = {}
@@ -162,8 +158,6 @@ class Run:
         # The entries of each path, in the order in which the paths began, and the index of each entry's path.
         self._chains: dict[int, list[list[Move]]] = {}
         self._chain_of: dict[int, int] = {}
-        # For each path entry the length of the paths that follow it without a rest.
-        self.beyond: dict[int, float] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was checked, and its distance.
         self.offset_goals: dict[int, tuple[Move, float]] = {}
@@ -178,13 +172,11 @@ class Run:
         }
         # The path entries of each axis that were continued, and are still without the entry that does so.
         full: dict[int, list[Move]] = {}
-        last: dict[int, int] = {}
         for number, move in enumerate(moves):
             if move.overlaid:
                 self._stored[number] = move
                 self.offsets.setdefault(move.axis, Offsets()).add(move)
                 continue
-            previous, last[move.axis] = last.get(move.axis, -1), number
             before = _continued_by(move, full.get(move.axis, ()))
             order = ordered.get(number)
             if before is not None:
@@ -193,7 +185,6 @@ class Run:
                 self._stored[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
                 self._add_path(move, before)
                 self._order_of[id(move)] = order
-                self._previous[id(move)] = previous
                 if before is not None:
                     full[move.axis].remove(before)
                     self._rest_of[id(move)] = before
@@ -206,10 +197,8 @@ class Run:
             self._ends[axis] = list(accumulate(ends, max))
 
     def _add_path(self, move: Move, before: Move | None) -> None:
-        """Add a path entry to the entries of its axis; it continues `before`."""
-        entries, chains = self.paths.setdefault(move.axis, []), self._chains.setdefault(move.axis, [])
-        self._numbers[id(move)] = len(entries)
-        entries.append(move)
+        """Add a path entry to those of its axis; it continues `before`."""
+        chains = self._chains.setdefault(move.axis, [])
         if before is None:
             self._chain_of[id(move)] = len(chains)
             chains.append([move])
@@ -282,16 +271,6 @@ class Run:
         """Return the entries of a path."""
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
-
-    def path_before(self, move: Move) -> Move | None:
-        """Return the previous path entry on the axis; None if that is not of a path."""
-        return self._stored.get(self._previous[id(move)])
-
-    def path_after(self, move: Move) -> Move | None:
-        """Return the next path entry on the axis; None if that is not of a path."""
-        entries, k = self.paths[move.axis], self._numbers[id(move)] + 1
-        after = entries[k] if k < len(entries) else None
-        return after if after is not None and self.path_before(after) is move else None
 
     def is_blended(self, a: WholeTrack, time: float) -> bool:
         """True if an axis is on two paths at once."""

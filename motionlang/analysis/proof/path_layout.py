@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import atan2, ceil, copysign, cos, fsum, hypot, pi, sin
 
 from motionlang.analysis.proof.segments import rotation
@@ -87,25 +87,6 @@ class PathLayout:
                 found.append(angle + k * 0.5 * pi)
                 k += 1
         return found
-
-    def turning(self) -> Iterator[tuple[int, float, float]]:
-        """Yield the axes of an arc with centripetal acceleration and share of the limits.
-
-        Each is the index of an axis, its centripetal acceleration in counts at path speed 1, and the share of
-        its limits that is reserved for this and for changes of speed, respectively.
-        """
-        if self.unit is not None:
-            return
-        x, y = self.path.plane
-        angles = self._angles(0.0, self.length, 0.0)
-        for index, along, across in ((x, sin, cos), (y, cos, sin)):
-            most, least = (max(abs(each(angle)) for angle in angles) for each in (along, across))
-            if not most or not least:
-                continue
-            summit = atan2(least, most) if index == x else atan2(most, least)
-            met = self._angles(0.0, self.length, summit)
-            share = 1.0 / max(abs(along(a)) / most + abs(across(a)) / least for a in met)
-            yield index, self.flat * self.angle_rate * abs(self.path.scales[index]) * least, share
 
     def at(self, along: float) -> list[float]:
         """Return the position, counts, at a distance along an arc."""

@@ -44,15 +44,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 
-from motionlang.analysis.proof.axes import PLANNED, check_profile, rounded_positions
-from motionlang.analysis.proof.blends import check_blend
+from motionlang.analysis.proof.axes import PLANNED, check_profile
 from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
 from motionlang.analysis.proof.entries import Ends, check_ends, take_entry
-from motionlang.analysis.proof.flanks import is_without_flank
 from motionlang.analysis.proof.followers import check_points, check_reference, check_tie
 from motionlang.analysis.proof.offsets import check_missing
 from motionlang.analysis.proof.outputs import check_report, check_trace
-from motionlang.analysis.proof.paths import check_path, check_path_end, plan_in_force
+from motionlang.analysis.proof.paths import check_blended, check_path, check_path_end, in_force
 from motionlang.analysis.proof.segments import half_angle
 from motionlang.analysis.proof.settings import check_settings
 from motionlang.controller.move import Move
@@ -94,23 +92,23 @@ def prove(
         assert expected_motion.was_cut or len(records) == len(a.starts), (
             f"axis {number} has a profile that was not recorded"
         )
-        size = 0.0
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
-            shifted = expected_motion.data[number][i] != expected_motion.data[number][max(i - 1, 0)]
-            size = rounded_positions(a, i, shifted, size)
             if end > begin:
-                plan = plan_in_force(run, a, i, order)
-                check_profile(proof, a, i, plan, records[max(i - 1, 0)], shifted, end - begin, size)
+                plan = order
+                if order.path is not None:
+                    master = run.axes[order.path.members[0]]
+                    plan = in_force(run, master, master.index_at(begin), order)
+                check_profile(proof, a, i, plan, records[max(i - 1, 0)], end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     check_path(proof, run, a, i, order, end)
-                    check_blend(proof, run, a, i, order, end)
+                    check_blended(proof, run, a, i, order, end)
                 elif order.tie is not None:
                     check_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
                     check_points(proof, a, i, order)
                 elif order.kind == "reference":
-                    check_reference(proof, run, a, i, order, shifted)
+                    check_reference(proof, a, i, order)
             if i:
                 _check_join(proof, run, a, i)
     check_settings(proof, run)
@@ -171,7 +169,7 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
     elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
         bend = abs(after.acceleration - before.acceleration)
-        if earlier.kind == "stop" and is_without_flank(a.profiles[i - 1], time - a.starts[i - 1]):
+        if earlier.kind == "stop" and i > 1 and not expected_motion.of[a.index][i - 2].bends:
             bend = min(bend, abs(after.acceleration))  # it stopped as planned before, by a trapezoid
         if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")

@@ -7,8 +7,7 @@ closed form.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Sequence
 from math import acos, asin, ceil, copysign, cos, floor, fsum, isfinite, pi, sin, sqrt
 
 from motionlang.planners import Profile
@@ -26,10 +25,6 @@ class Span:
     def at(self, x: float) -> tuple[float, float, float, float]:
         """Return position, velocity, acceleration and jerk `x` seconds after its start."""
         return derivatives(self.piece, x)
-
-    def section(self, first: float, last: float) -> Span:
-        """Return the segment from `first` to `last` seconds after its start."""
-        return Span(self.begin + first, last - first, _from(self.piece, first))
 
     def cuts(self) -> list[float]:
         """Return its ends, and the zeros and extrema of velocity and acceleration inside."""
@@ -49,17 +44,6 @@ class Span:
     def peak(self, order: int) -> float:
         """Return the largest magnitude of derivative 1 velocity, 2 acceleration or 3 jerk."""
         return max(abs(self.at(x)[order]) for x in self.cuts())
-
-    def sides(self) -> Iterator[tuple[float, tuple[float, ...], tuple[float, ...]]]:
-        """Yield the sections of speeding up or slowing down.
-
-        Each is the power, whose sign states the direction, and the states at both ends.
-        """
-        cuts = self.cuts()
-        states = [self.at(x) for x in cuts]
-        for (x, left), (y, right) in pairwise(zip(cuts, states, strict=True)):
-            _, v, a, _ = self.at(0.5 * (x + y))
-            yield v * a, left, right
 
 
 def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:

@@ -1,15 +1,16 @@
-"""Checks of settings written in motion: the profile is replaced, or it continues.
+"""Checks of settings written in motion: the profile is replaced, or it observes them.
 
-If a planner continues its plan, the plan is checked against the setting from that time on. New rates may come
-too late: a move that could not stop at its end with them continues unchanged.
+Rates may come too late: a motion that could not stop at its end with them continues by its plan.
 """
 
 from __future__ import annotations
 
-from motionlang.analysis.proof.blends import suspended_by
+from motionlang.analysis.proof.axes import check_bounds
 from motionlang.analysis.proof.checker import SLACK, Proof, Run
-from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
-from motionlang.analysis.proof.time_bounds import law, lead
+from motionlang.analysis.proof.path_bounds import could_stop
+from motionlang.analysis.proof.paths import check_rest, in_force, rest_along
+from motionlang.analysis.proof.segments import spans
+from motionlang.analysis.proof.stretches import stopping_distance
 from motionlang.log.order import Order
 from motionlang.log.track import WholeTrack
 
@@ -31,20 +32,8 @@ def _check_setting(
     time, end = span
     where = f"axis {a.index} at {time:.6f} s"
     if order.path is not None and wanted.path is not None:
-        if order.path.comes_to_rest or order.path.entry != wanted.path.entry:
-            return
-        if not same_law(order, wanted) and not stops_within(run, wanted, time):
-            return  # by the present settings it would stop after its end, where it comes to rest as planned
-        # Only lower values: a path may keep its speed if it could not stop at its end without it.
-        path = order.path._replace(
-            most=tuple(map(min, order.path.most, wanted.path.most)),
-            most_accel=tuple(map(min, order.path.most_accel, wanted.path.most_accel)),
-            most_decel=tuple(map(min, order.path.most_decel, wanted.path.most_decel)),
-            comes_to_rest=wanted.path.comes_to_rest,
-        )
-        rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
-        lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
-        check_tail(proof, run, lower, time, end - time, suspended_by(run, a, i, lower))
+        if order.path.entry == wanted.path.entry and not order.path.comes_to_rest:
+            _check_path_setting(proof, run, in_force(run, a, i, order), wanted, time, end - time)
         return
     kinds = order.kind, wanted.kind
     if order.tie is not None and wanted.tie is not None:
@@ -56,20 +45,35 @@ def _check_setting(
     elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
         words = f"it goes to {order.goal:g} counts/s, commanded {wanted.goal:g}"
         proof.breaks(order.line, f"{where}: {words}")
-    elif kinds == ("move", "move") and order.speed != wanted.speed:
-        words = f"it is planned for {order.speed:g} counts/s, commanded {wanted.speed:g}"
-        proof.breaks(order.line, f"{where}: {words}")
-    elif kinds == ("move", "move") and order.rates != wanted.rates:
-        profile, state = a.profiles[i], a.profiles[i].at(time - a.starts[i])
-        by, left = law(wanted.shape, wanted.rates, wanted.jerks, wanted.ramp), profile.end - state.position
-        acceleration = state.acceleration if by.smooth else 0.0
-        shaped = state.acceleration and not by.smooth and order.shape != "trapezoid"
-        if state.velocity * left <= 0.0 or shaped:
-            return
-        # With a lower jerk it may run back before its deceleration is zero, which is an overshoot, too.
-        stop = lead(state.velocity, acceleration, 0.0, by)[1]
-        if 0.0 <= stop / left < 1.0 - SLACK:
-            words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
-            proof.breaks(
-                order.line, f"{where}: {words}, commanded {wanted.rates[0]:g} and {wanted.rates[1]:g}"
-            )
+    elif kinds == ("move", "move") and a.profiles[i].pieced:
+        elapsed = time - a.starts[i]
+        state, left = a.profiles[i].at(elapsed), abs(a.profiles[i].end - a.profiles[i].position(elapsed))
+        entry = state.velocity, state.acceleration
+        is_heeded = stopping_distance(wanted, *entry) < left * (1.0 - SLACK)
+        lower = _lower(order, wanted, is_heeded)
+        check_bounds(proof, lower, spans(a.profiles[i], elapsed, end - time), entry, where)
+
+
+def _check_path_setting(
+    proof: Proof, run: Run, order: Order, wanted: Order, time: float, length: float
+) -> None:
+    assert order.path is not None
+    assert wanted.path is not None
+    layout, along = rest_along(run, order, time, length)
+    if not along:
+        return
+    is_heeded = could_stop(wanted, layout, along)
+    if is_heeded and wanted.path.comes_to_rest:
+        where = f"path from {order.path.begun:.6f} s at {time:.6f} s"
+        proof.breaks(order.line, f"{where}: it continues, commanded to stop")
+    elif is_heeded or order.rates == wanted.rates:
+        lower = _lower(order, wanted, is_heeded)
+        path = order.path._replace(most=tuple(map(min, order.path.most, wanted.path.most)))
+        lower = lower._replace(path=path)
+        check_rest(proof, run, lower, lower, time, length)
+
+
+def _lower(order: Order, wanted: Order, is_heeded: bool) -> Order:
+    """Return an order with the lower speed of two; also with the lower rates if they do not come too late."""
+    rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
+    return order._replace(speed=min(order.speed, wanted.speed), rates=rates if is_heeded else order.rates)

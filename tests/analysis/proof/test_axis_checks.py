@@ -6,20 +6,16 @@ The order is a move at 10 counts/s that speeds up at 10 and slows down at 20 cou
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from motionlang.analysis.proof.axes import _check_time, _slowing, _to_go, check_profile
+from motionlang.analysis.proof.axes import check_profile
 from motionlang.analysis.proof.checker import Proof
-from motionlang.analysis.proof.flanks import Begin
 from motionlang.analysis.proof.followers import (
-    _fading,
     _on,
-    _reference_time,
-    _slope_time,
     _wanted,
     check_points,
 )
@@ -33,7 +29,6 @@ MOVE = Order("move", 3, 10.0, (10.0, 20.0), shape="trapezoid")
 JOG, STOP = MOVE._replace(kind="jog", goal=10.0), MOVE._replace(kind="stop", speed=inf)
 SMOOTH = MOVE._replace(rates=(10.0, 10.0), shape="scurve", jerks=(20.0, 20.0))
 WHOLE = plan_trapezoid(0.0, 100.0, 10.0, 10.0, 20.0)
-AT_REST = Begin(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, None)
 FOUR = (0.0, 0.0, 0.0, 0.0)
 
 
@@ -58,61 +53,48 @@ CASES: dict[str, tuple[Order, Profile, float, list[str]]] = {
     "in reverse": (MOVE, plan_trapezoid(0.0, -100.0, 10.0, 10.0, 20.0), 10.75, []),
     "faster": (
         MOVE, plan_trapezoid(0.0, 100.0, 11.0, 10.0, 20.0), 9.0,
-        ["the speed reaches 11 counts, above 10", "it does not slow down: 11 counts/s after 9 s, expected 10",
-         "it takes 9.91591 s, expected at least 10.75 s"],
+        ["the speed reaches 11 counts, above 10"],
     ),
     "slower": (
-        MOVE, plan_trapezoid(0.0, 100.0, 8.0, 10.0, 20.0), inf, ["it takes 13.1 s, expected at most 10.75 s"],
+        MOVE, plan_trapezoid(0.0, 100.0, 8.0, 10.0, 20.0), inf, [],
     ),
     "speeding up harder": (
         MOVE, plan_trapezoid(0.0, 100.0, 10.0, 20.0, 20.0), inf,
-        ["the acceleration reaches 20 counts, above 10", "it takes 10.5 s, expected at least 10.75 s"],
+        ["the acceleration reaches 20 counts, above 10"],
     ),
     "slowing down harder": (
         MOVE, plan_trapezoid(0.0, 100.0, 10.0, 10.0, 40.0), inf,
-        ["the deceleration reaches 40 counts, above 20", "it takes 10.625 s, expected at least 10.75 s"],
-    ),
-    "slowing down more gently": (
-        MOVE, plan_trapezoid(0.0, 100.0, 10.0, 10.0, 10.0), inf, ["it takes 11 s, expected at most 10.75 s"],
+        ["the deceleration reaches 40 counts, above 20"],
     ),
     "a jog": (JOG, plan_velocity("trapezoid", 0.0, 0.0, 10.0, 10.0, 20.0), 5.0, []),
     "a jog that is too slow": (
         JOG, plan_velocity("trapezoid", 0.0, 0.0, 9.0, 10.0, 20.0), 5.0,
-        ["it reaches 9 counts/s, commanded 10", "it takes 0.9 s, expected at least 1 s"],
-    ),
-    "a jog that is slow to change": (
-        JOG, plan_velocity("trapezoid", 0.0, 0.0, 10.0, 5.0, 20.0), 5.0,
-        ["it takes 2 s, expected at most 1 s"],
+        ["it reaches 9 counts/s, commanded 10"],
     ),
     "a stop": (STOP, plan_stop("trapezoid", 0.0, 10.0, 20.0), 0.5, []),
-    "a stop that is too gentle": (
-        STOP, plan_stop("trapezoid", 0.0, 10.0, 10.0), 1.0, ["it takes 1 s, expected at most 0.5 s"],
-    ),
     "a stop that is too hard": (
         STOP, plan_stop("trapezoid", 0.0, 10.0, 40.0), 0.25,
-        ["the deceleration reaches 40 counts, above 20", "it takes 0.25 s, expected at least 0.5 s"],
+        ["the deceleration reaches 40 counts, above 20"],
     ),
     "too fast as it begins, slowing down": (
         MOVE, plan_trapezoid(0.0, 100.0, 10.0, 10.0, 20.0, 20.0), inf, [],
     ),
     "too fast as it begins, and for ever": (
         MOVE, plan_trapezoid(0.0, 100.0, 20.0, 10.0, 20.0, 20.0), 2.0,
-        ["the speed reaches 20 counts, above 10", "it does not slow down: 20 counts/s after 2 s, expected 10",
-         "it takes 5.5 s, expected at least 10 s"],
+        ["the speed reaches 20 counts, above 10"],
     ),
     "with a jerk": (SMOOTH, plan_jerk(0.0, 100.0, 10.0, 10.0, 10.0, 20.0, 20.0), inf, []),
     "with a jerk that is too high": (
         SMOOTH, plan_jerk(0.0, 100.0, 10.0, 10.0, 10.0, 40.0, 40.0), inf,
-        ["the jerk reaches 40 counts, above 20", "it takes 11.25 s, expected at least 11.5 s"],
+        ["the jerk reaches 40 counts, above 20"],
     ),
     "without the jerk": (
         SMOOTH, plan_trapezoid(0.0, 100.0, 10.0, 10.0, 10.0), inf,
-        ["the acceleration jumps by 10 counts within a profile", "the acceleration jumps by 10 counts within a profile",
-         "it takes 11 s, expected at least 11.2604 s"],
+        ["the acceleration jumps by 10 counts within a profile"] * 2,
     ),
     "it states another end": (
         MOVE, ending(plan_trapezoid(0.0, 100.0, 10.0, 10.0, 20.0), 100.001), inf,
-        ["it ends at 100.001, its pieces at 100", "it takes 10.75 s, expected at least 10.7501 s"],
+        ["it ends at 100.001, its pieces at 100"],
     ),
     "it states another end by rounding": (
         MOVE, ending(plan_trapezoid(0.0, 100.0, 10.0, 10.0, 20.0), 100.00009), inf, [],
@@ -125,11 +107,11 @@ CASES: dict[str, tuple[Order, Profile, float, list[str]]] = {
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_a_planned_profile_keeps_the_bounds_and_takes_its_time(name: str) -> None:
+def test_a_planned_profile_keeps_its_bounds_and_its_end(name: str) -> None:
     order, profile, length, expected = CASES[name]
     track: Any = SimpleNamespace(index=0, starts=[2.0], profiles=[profile])
     proof = Proof()
-    check_profile(proof, track, 0, order, order, False, length, 0.0)
+    check_profile(proof, track, 0, order, order, length)
     messages = [each.message.partition(" s: ")[2] for each in proof.violations]
     assert messages == expected
     assert proof.counts["profiles"] == (order.kind != "rest")
@@ -149,130 +131,13 @@ def test_the_velocity_of_a_planned_profile_is_continuous(kind: str, velocity: fl
     """A millionth of its top speed is rounding."""
     track: Any = SimpleNamespace(index=0, starts=[2.0], profiles=[broken(velocity)])
     proof = Proof()
-    check_profile(proof, track, 0, MOVE._replace(kind=kind, goal=velocity), MOVE, False, inf, 0.0)
+    check_profile(proof, track, 0, MOVE._replace(kind=kind, goal=velocity), MOVE, inf)
     jumps = [each.message for each in proof.violations if "jumps" in each.message]
     message = f"axis 0 at 3.000000 s: the velocity jumps by {velocity - 5.0:g} counts within a profile"
     assert jumps == [message] * found
 
 
-# How a plan begins, and the violations of a move over 100 counts that takes 10.75 s.
-BEGINS: dict[str, tuple[Begin, list[str]]] = {
-    "at rest": (AT_REST, []),
-    "after a flank of 0.25 s over 2.5": (
-        AT_REST._replace(velocity=10.0, time=0.25, distance=2.5), ["it takes 10.75 s, expected at most 10.25 s"],
-    ),
-    "after a flank of 1 s over 5": (AT_REST._replace(velocity=10.0, time=1.0, distance=5.0), []),
-    "it may go on for longer": (AT_REST._replace(velocity=10.0, left=10.75), []),
-    "it may go on, but not as long": (
-        AT_REST._replace(velocity=10.0, left=10.7), ["it takes 10.75 s, expected at most 10.7 s"],
-    ),
-    "it may go on for a shorter time": (AT_REST._replace(left=9.0), []),
-    "its plan is older": (AT_REST._replace(velocity=-10.0, planned=10.75), []),
-    "it comes from the other direction": (
-        AT_REST._replace(velocity=-10.0), ["it takes 10.75 s, expected at least 11.5 s"],
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", BEGINS)
-def test_the_time_of_a_move_depends_on_how_it_begins(name: str) -> None:
-    """From 10 counts/s 95 take 9.25 s and 0.5 s; from -10 it takes 0.5 s to rest."""
-    begun, expected = BEGINS[name]
-    proof = Proof()
-    _check_time(proof, WHOLE, MOVE, begun, 0.0, "here")
-    assert [each.message.removeprefix("here: ") for each in proof.violations] == expected
-
-
-@pytest.mark.parametrize(
-    ("end", "step", "flank", "distance", "late"),
-    [(100.0, 0.0, 0.0, 100.0, 0.0), (100.0, 4.0, 0.0, 100.4, 0.2), (-100.0, 4.0, -3.0, -97.4, 0.2)],
-)
-def test_a_stepper_stops_at_once_at_the_velocity_of_its_step(
-    end: float, step: float, flank: float, distance: float, late: float
-) -> None:
-    """From 4 counts/s to rest it is 0.2 s and 0.4 counts at 20 counts/s²."""
-    profile = plan_trapezoid(0.0, end, 10.0, 10.0, 20.0)
-    order, begun = MOVE._replace(kind="step", step=step), AT_REST._replace(distance=flank)
-    assert _to_go(profile, order, begun) == pytest.approx((distance, late))
-
-
-@pytest.mark.parametrize(
-    ("begun", "speed", "came", "until", "eased"),
-    [
-        (AT_REST._replace(velocity=20.0), 10.0, 20.0, 0.5, 0.0),
-        (
-            AT_REST._replace(velocity=20.0, time=0.25, came=16.0, acceleration_before=32.0),
-            10.0, 20.0, 0.75, 0.25,
-        ),
-        (
-            AT_REST._replace(velocity=8.0, time=0.25, came=12.0, acceleration_before=-32.0),
-            10.0, 12.0, 0.25, 0.25,
-        ),
-        (
-            AT_REST._replace(velocity=8.0, time=0.25, came=9.0, acceleration_before=-32.0, left=0.5),
-            10.0, 9.0, 0.0, 0.5,
-        ),
-    ],
-)  # fmt: skip
-def test_a_profile_that_begins_too_fast_slows_down(
-    begun: Begin, speed: float, came: float, until: float, eased: float
-) -> None:
-    """From 20 to 10 it takes 0.5 s, after the flank of the ramp before it."""
-    slow = _slowing(WHOLE, MOVE, begun)
-    found = (slow.speed, slow.came, slow.until, slow.eased)
-    assert found == pytest.approx((speed, came, until, eased), rel=2e-6, abs=2e-9)
-
-
 # -- profiles that others prescribe
-
-# A slope speeds up at 10 with edges of 1 s and 2 s, and slows down at 20 with edges of 0.5 s and 1 s.
-UP, DOWN = (10.0, 1.0, 2.0), (20.0, 0.5, 1.0)
-
-
-@pytest.mark.parametrize(
-    ("change", "slope", "time"),
-    [
-        (20.0, UP, 2.0 + 1.5),
-        (15.0, UP, 1.5 + 1.5),  # the rate is just reached
-        (6.0, UP, sqrt(2.0 * 6.0 * 3.0 / 10.0)),
-        (20.0, DOWN, 1.0 + 0.75),
-        (20.0, (10.0, 0.0, 0.0), 2.0),
-        (0.0, UP, 0.0),
-    ],
-)
-def test_the_time_of_a_slope(change: float, slope: tuple[float, float, float], time: float) -> None:
-    assert _slope_time(change, slope) == pytest.approx(time)
-
-
-@pytest.mark.parametrize(
-    ("v0", "a0", "fading"),
-    [
-        (5.0, 5.0, 1.0),
-        (-5.0, -5.0, 1.0),
-        (5.0, -5.0, 0.25),
-        (-5.0, 5.0, 0.25),
-        (0.0, 5.0, 1.0),
-        (5.0, 0.0, 0.0),
-    ],
-)
-def test_an_acceleration_fades_along_the_end_of_its_slope(v0: float, a0: float, fading: float) -> None:
-    assert _fading(v0, a0, (UP, DOWN)) == fading
-
-
-@pytest.mark.parametrize(
-    ("v0", "a0", "v1", "time"),
-    [
-        (0.0, 0.0, 20.0, 3.5),
-        (20.0, 0.0, 0.0, 1.75),
-        (40.0, 0.0, 20.0, 1.75),
-        (-20.0, 0.0, -40.0, 3.5),
-        (20.0, 0.0, -20.0, 1.75 + 3.5),
-        (17.5, 5.0, 40.0, 1.0 + 3.5),  # it becomes 20 in 1 s
-        (20.625, -5.0, 0.0, 0.25 + 1.75),  # it becomes 20 in 0.25 s
-    ],
-)
-def test_the_time_of_a_speed_reference(v0: float, a0: float, v1: float, time: float) -> None:
-    assert _reference_time(v0, a0, v1, (UP, DOWN)) == pytest.approx(time)
 
 
 @pytest.mark.parametrize(

@@ -226,12 +226,9 @@ def run() -> Run:
 
 
 def test_the_entries_of_paths_in_a_log(run: Run) -> None:
-    assert run.paths == {0: [ONE, TWO, FULL, REST_OF_IT]}
     assert [run.rest_of(each) for each in LOG] == [None, None, None, None, None, FULL, None]
     assert [run.is_continued(each) for each in LOG] == [False, False, False, False, True, False, False]
     assert list(run.moves) == LOG
-    assert [run.path_after(each) for each in (ONE, TWO, FULL, REST_OF_IT)] == [TWO, None, REST_OF_IT, None]
-    assert [run.path_before(each) for each in (ONE, TWO, FULL, REST_OF_IT)] == [None, ONE, None, FULL]
     assert run.offsets[0].travelled(7.5) == 5.0
 
 

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from motionlang.analysis.proof.checker import Proof
-from motionlang.analysis.proof.followers import _carried, _check_table, _moments, check_reference, check_tie
+from motionlang.analysis.proof.followers import _check_table, _moments, check_reference, check_tie
 from motionlang.log.order import Order, Tie
 from motionlang.planners import Profile, hold, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.planners.curve import from_curve
@@ -290,19 +290,13 @@ def test_the_ratio_of_a_segment_changes_linearly() -> None:
 # --------------------------------------------------------------------------------------- references
 
 
-def referred(
-    profile: Profile, orders: tuple[Order, ...], before: Profile | None = None, **fields: Any
-) -> list[str]:
-    """Return the violations of a reference that follows another profile after 1 s."""
-    expected = SimpleNamespace(of={0: list(orders)}, begun={0: fields.get("begun", {1.0})})
-    run: Any = SimpleNamespace(expected_motion=expected)
+def referred(profile: Profile, order: Order) -> list[str]:
+    """Return the violations of a reference that begins after 1 s at rest, or at any velocity."""
     proof = Proof()
-    a = track([0.0, 1.0], [before or hold(0.0), profile])
-    check_reference(proof, run, a, 1, orders[1], fields.get("shifted", False))
+    check_reference(proof, track([0.0, 1.0], [hold(0.0), profile]), 1, order)
     return [each.removeprefix("from 1.000000 s: ") for each in messages(proof)]
 
 
-REST = Order("rest", 0)
 TO = Order("reference", 3, goal=50.0)
 POSITIONS: list[tuple[float, float, list[str]]] = [
     (50.0, 50.0, []),
@@ -316,7 +310,7 @@ POSITIONS: list[tuple[float, float, list[str]]] = [
 
 @cases("end, goal, expected", POSITIONS)
 def test_a_position_reference_ends_there(end: float, goal: float, expected: list[str]) -> None:
-    assert referred(plan_trapezoid(0.0, end, 10.0, 20.0, 20.0), (REST, TO._replace(goal=goal))) == expected
+    assert referred(plan_trapezoid(0.0, end, 10.0, 20.0, 20.0), TO._replace(goal=goal)) == expected
 
 
 # 20 counts/s at 100 counts/s² up, and at 50 down.
@@ -334,28 +328,26 @@ SPEEDS: dict[str, tuple[Profile, Order, list[str]]] = {
     "down": (ramp(20.0, 5.0), SPEED._replace(goal=5.0), []),
     "to rest": (plan_stop("trapezoid", 0.0, 20.0, 50.0), SPEED._replace(goal=0.0), []),
     "reversed": (ramp(20.0, -20.0), SPEED._replace(goal=-20.0), []),
-    "too slowly": (ramp(0.0, 20.0, 80.0), SPEED, ["it takes 0.25 s, expected 0.2 s"]),
+    "too slowly": (ramp(0.0, 20.0, 80.0), SPEED, []),
     "too fast": (
         ramp(0.0, 20.0, 125.0), SPEED,
-        ["the rate of a reference reaches 125 counts, above 100", "it takes 0.16 s, expected 0.2 s"],
+        ["the rate of a reference reaches 125 counts, above 100"],
     ),
     "down too fast": (
         plan_stop("trapezoid", 0.0, 20.0, 100.0), SPEED._replace(goal=0.0),
-        ["the rate of a reference reaches 100 counts, above 50", "it takes 0.2 s, expected 0.4 s"],
+        ["the rate of a reference reaches 100 counts, above 50"],
     ),
     "above its speed": (
         ramp(0.0, 25.0), SPEED._replace(goal=25.0), ["the speed reaches 25 counts, above 20"],
     ),
     "from a higher speed": (ramp(30.0, 20.0), SPEED, []),
     "to another speed": (
-        ramp(0.0, 18.0), SPEED, ["it takes 0.18 s, expected 0.2 s", "it reaches 18 counts/s, commanded 20"],
+        ramp(0.0, 18.0), SPEED, ["it reaches 18 counts/s, commanded 20"],
     ),
     "never to rest": (
         ramp(20.0, 1e-9), SPEED._replace(goal=0.0), ["it never reaches its end"],
     ),
-    # It may take a millionth longer.
     "by rounding": (ramp(0.0, 20.0, 99.99995), SPEED, []),
-    "more than rounding": (ramp(0.0, 20.0, 99.9998), SPEED, ["it takes 0.2 s, expected 0.2 s"]),
     "sampled": (SAMPLED, SPEED, []),
 }  # fmt: skip
 
@@ -363,42 +355,4 @@ SPEEDS: dict[str, tuple[Profile, Order, list[str]]] = {
 @cases("name", SPEEDS)
 def test_a_speed_reference_is_reached_by_its_slopes(name: str) -> None:
     profile, order, expected = SPEEDS[name]
-    assert referred(profile, (REST, order)) == expected
-
-
-def test_a_speed_reference_at_a_new_zero_takes_the_rest_of_its_time() -> None:
-    """At 12.5 counts/s² 20 counts/s take 1.6 s. After 1 s there remain 0.6 s."""
-    slow = SPEED._replace(rates=(12.5, 50.0), slopes=((12.5, 0.0, 0.0), DOWN))
-    before, after = ramp(0.0, 20.0, 12.5), ramp(12.5, 20.0, 12.5)
-    assert referred(after, (slow, slow), before, shifted=True) == []
-    assert referred(ramp(10.0, 20.0, 12.5), (slow, slow), before, shifted=True) == [
-        "it takes 0.8 s, expected 0.6 s"
-    ]
-    # It is another reference, or another ramp.
-    assert referred(ramp(10.0, 20.0, 12.5), (slow, slow), before) == []
-    assert referred(ramp(10.0, 20.0, 12.5), (slow._replace(line=2), slow), before, shifted=True) == []
-
-
-# The previous order, the times at which motion began, and the acceleration at 1 s.
-CARRIED: list[tuple[Order, Profile, set[float], float]] = [
-    (Order("move", 1), jog(0.0, 0.0, 80.0, 40.0), {1.0}, 40.0),
-    (Order("rest", 1), jog(0.0, 0.0, 80.0, 40.0), {1.0}, 40.0),
-    (Order("path", 1), jog(0.0, 0.0, 80.0, 40.0), {1.0}, 40.0),
-    # Of a table or a master only the rate: 30 up, 10 down.
-    (Order("CAM", 1), jog(0.0, 0.0, 80.0, 40.0), {1.0}, 30.0),
-    (Order("CAM", 1), jog(0.0, 0.0, -80.0, 40.0), {1.0}, -30.0),
-    (Order("CAM", 1), jog(0.0, 80.0, 0.0, 40.0), {1.0}, -10.0),
-    (Order("CAM", 1), jog(0.0, 0.0, 80.0, 25.0), {1.0}, 25.0),
-    (Order("CAM", 1), jog(0.0, 0.0, 80.0, 40.0), {0.0}, 40.0),  # it continues
-    (Order("move", 1), jog(0.0, 0.0, 30.0, 40.0), {1.0}, 0.0),  # its ramp is over
-]
-
-
-@cases("before, profile, begun, expected", CARRIED)
-def test_an_acceleration_is_carried_over_into_a_reference(
-    before: Order, profile: Profile, begun: set[float], expected: float
-) -> None:
-    order = Order("reference", 3, rates=(30.0, 10.0))
-    run: Any = SimpleNamespace(expected_motion=SimpleNamespace(of={0: [before, order]}, begun={0: begun}))
-    assert _carried(run, track([0.0, 1.0], [profile, hold(0.0)]), 1, order) == expected
-    assert _carried(run, track([0.0, 1.0], [profile, hold(0.0)]), 0, order) == 0.0
+    assert referred(profile, order) == expected

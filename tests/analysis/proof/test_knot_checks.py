@@ -12,7 +12,6 @@ from motionlang.analysis.proof.axes import (
     _check_edges,
     _check_knots,
     _completes_trapezoid,
-    rounded_positions,
 )
 from motionlang.analysis.proof.checker import Proof
 from motionlang.analysis.proof.segments import Span
@@ -29,32 +28,6 @@ def path(entry: int, *scales: float, comes_to_rest: bool = False) -> PathOrder:
         tuple(range(len(scales))), scales, 0.0, 0, True, (), (0.0, 0.0), 0.0, (), (0, 1), None, FREE, FREE, FREE,
         0.0, entry=entry, comes_to_rest=comes_to_rest,
     )  # fmt: skip
-
-
-# The state in which a profile begins, its index, if it has a new zero, the size before it, and its size. The profile
-# before it ends at -20.
-SIZES: list[tuple[State, int, bool, float, float]] = [
-    (State(5.0, 0.0, 0.0, 0.0), 0, False, 50.0, 5.0),
-    (State(-5.0, 0.0, 0.0, 0.0), 0, True, 50.0, 5.0),
-    (State(5.0, 0.0, 0.0, 9.0), 1, False, 50.0, 20.0),
-    (State(30.0, 0.0, 0.0, 0.0), 1, True, 50.0, 30.0),
-    # In motion the largest one since the axis rested counts, and each new zero.
-    (State(5.0, 1.0, 0.0, 0.0), 1, False, 50.0, 50.0),
-    (State(5.0, 0.0, -1.0, 0.0), 1, False, 7.0, 20.0),
-    (State(5.0, 1.0, 0.0, 0.0), 1, True, 50.0, 70.0),
-    (State(30.0, 0.0, 1.0, 0.0), 1, True, 50.0, 80.0),
-]
-
-
-@cases("entry, i, shifted, earlier, expected", SIZES)
-def test_the_size_of_the_positions_that_round_a_distance(
-    entry: State, i: int, shifted: bool, earlier: float, expected: float
-) -> None:
-    """The profile before it begins at 3 s, and is left at 4 s."""
-    before = SimpleNamespace(position=lambda time: -20.0 * time)
-    here = SimpleNamespace(at={0.0: entry}.__getitem__)
-    a: Any = SimpleNamespace(starts=[3.0, 4.0][1 - i :], profiles=[before, here][1 - i :])
-    assert rounded_positions(a, i, shifted, earlier) == expected
 
 
 # ------------------------------------------------------------------------------------------- edges

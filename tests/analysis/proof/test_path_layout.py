@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, inf, pi, radians, sin, sqrt
+from math import cos, hypot, inf, pi, sin, sqrt
 
 import pytest
 
@@ -63,7 +63,6 @@ def test_a_line_is_laid_out_in_user_units(name: str) -> None:
     assert layout.origin == pytest.approx(origin)
     assert layout.slopes(0.0, 1.0) == pytest.approx([0.6 * stretch, 0.8 * stretch])
     assert layout.rates(0.0, 1.0, 50.0, 7.0) == pytest.approx([30.0 * stretch, 40.0 * stretch])
-    assert list(layout.turning()) == []
     assert layout.off([12.0, -8.0]) == pytest.approx(1.92)
     assert layout.off([18.0, -40.0]) == pytest.approx(0.0, abs=1e-12)
 
@@ -117,15 +116,6 @@ def test_a_helix_is_laid_out_in_user_units(relative: bool, sense: float) -> None
     assert layout.off([1.5 - 4.75, 99.0, 0.0]) == pytest.approx(0.5)
 
 
-def test_the_axes_of_a_helix_reserve_a_share_for_turning() -> None:
-    """At path speed 1 the centripetal acceleration is flat² / 10 units/s²."""
-    layout = PathLayout(helix(90.0), HELIX_START)
-    flat = 5.0 * pi / hypot(5.0 * pi, 15.0)
-    x, y = layout.turning()
-    assert x == pytest.approx((2, flat**2 / 10.0 * 4.0, 1.0 / sqrt(2.0)))
-    assert y == pytest.approx((0, flat**2 / 10.0 * 0.5, 1.0 / sqrt(2.0)))
-
-
 def test_a_helix_may_count_as_longer_than_it_is() -> None:
     """A quarter of 10 units counts as 25: 5 pi / 25 of the speed is in its plane."""
     layout = PathLayout(helix(90.0, length=25.0), HELIX_START)
@@ -133,33 +123,6 @@ def test_a_helix_may_count_as_longer_than_it_is() -> None:
     assert layout.angle_rate == pytest.approx(0.5 * pi / 25.0)
     assert layout.slopes(0.0, 25.0) == pytest.approx([0.2 * pi, 0.6, 0.2 * pi])
     assert layout.at(12.5)[1] == 21.0
-
-
-# The degrees at which an arc of radius 10 begins and ends. Expected is the share of each axis: of the sum of
-# |sin a| / max |sin| and |cos a| / max |cos|, which is 2 at most.
-SHARES: dict[str, tuple[float, float, float]] = {
-    "a quarter, at 45 degrees": (0.0, 90.0, 1.0 / sqrt(2.0)),
-    "a whole turn": (0.0, 360.0, 1.0 / sqrt(2.0)),
-    "two turns back": (20.0, -700.0, 1.0 / sqrt(2.0)),
-    "the end of a short arc": (0.0, 20.0, 1.0 / (1.0 + cos(radians(20.0)))),
-    "the begin of a short arc": (70.0, 90.0, 1.0 / (1.0 + sin(radians(70.0)))),
-    "at atan(cos 30 / sin 50), 48.5 degrees": (
-        30.0, 50.0, 1.0 / hypot(1.0 / sin(radians(50.0)), 1.0 / cos(radians(30.0))),
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", SHARES)
-def test_an_arc_shares_the_limits_of_its_axes(name: str) -> None:
-    """The centripetal acceleration is v² / 10, times the share of the radius in it."""
-    first, last, share = SHARES[name]
-    layout = PathLayout(arc(last - first), [10.0 * cos(radians(first)), 10.0 * sin(radians(first))])
-    angles = [first + (last - first) * n / 720 for n in range(721)]
-    most_x = max(abs(cos(radians(angle))) for angle in angles)
-    most_y = max(abs(sin(radians(angle))) for angle in angles)
-    x, y = layout.turning()
-    assert x == pytest.approx((0, most_x / 10.0, share))
-    assert y == pytest.approx((1, most_y / 10.0, share))
 
 
 def test_the_ends_of_an_arc_of_axes_with_other_scales() -> None:

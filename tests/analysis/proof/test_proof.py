@@ -339,8 +339,6 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
         ARC,
         lambda o: path_of(o, most_accel=(1e9, 35.0)),
         [
-            "3: path from 0.000000 s: the path speed reaches 16.8179, above 15.7317",
-            "3: path from 0.000000 s: the path acceleration reaches 28.2843, above 24.7487",
             "3: path from 0.000000 s: the rate on paths of axis 1 reaches 38.382, above 35",
         ],
     ),
@@ -356,48 +354,6 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
         lambda o: o._replace(jerks=(300.0, 399.0)),
         [
             "3: path from 0.000000 s: the path jerk reaches 400, above 399",
-        ],
-    ),
-    "a fade that is too slow": (
-        "JOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
-        lambda o: o._replace(rates=(100.0, 120.0)) if o.kind == "stop" else o,
-        [
-            "2: axis 0 from 1.000000 s: it takes 0.2 s, expected at most 0.166667 s",
-        ],
-    ),
-    "a fade at a lower jerk": (
-        JERKS + "JOG(0) = 20\nWAIT 100\nSTOP(0)\nPAUSE IDLE(0)\n",
-        lambda o: o._replace(jerks=(500.0, 500.0)) if o.kind == "stop" else o,
-        [
-            "3: axis 0 from 0.100000 s: it takes 0.3 s, expected at most 0.249706 s",
-        ],
-    ),
-    "a move that dawdles": (
-        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
-        lambda o: o._replace(speed=21.0) if o.kind == "move" else o,
-        [
-            "2: axis 0 from 0.000000 s: it takes 5.2 s, expected at most 4.9719 s",
-        ],
-    ),
-    "a move in motion that dawdles": (
-        SLOWER,
-        lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o,
-        [
-            "3: axis 0 from 1.000000 s: it takes 8.2 s, expected at most 7.47273 s",
-        ],
-    ),
-    "a path that dawdles": (
-        LINE,
-        lambda o: o._replace(speed=21.0),
-        [
-            "2: path from 0.000000 s: it takes 2.7 s, expected at most 2.59095 s",
-        ],
-    ),
-    "an arc that dawdles": (
-        ARC,
-        lambda o: path_of(o._replace(speed=100.0), most_accel=(1e9, 1e9), most=(1e9, 1e9)),
-        [
-            "3: path from 0.000000 s: it takes 3.49473 s, expected at most 1.4472 s",
         ],
     ),
     "a cam beside its table": (
@@ -451,13 +407,6 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
             "5: axis 0 from 0.000000 s: point 0 is 0 at 1 counts/s, it is at 0 at 0 counts/s",
         ],
     ),
-    "a speed reference that dawdles": (
-        REFERENCE,
-        lambda o: o._replace(slopes=((130.0, 0.0, 0.0), o.slopes[1])) if o.slopes else o,
-        [
-            "2: axis 0 from 0.000000 s: it takes 0.2 s, expected 0.153846 s",
-        ],
-    ),
     "a speed reference too hard": (
         REFERENCE,
         lambda o: o._replace(rates=(90.0, 90.0)) if o.slopes else o,
@@ -481,21 +430,11 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
             "5: axis 1 from 0.000000 s: at 0.625000 s it is at 5.45, its master requires 5.25",
         ],
     ),
-    "a smooth path that dawdles": (
-        JERKS + LINE,
-        lambda o: o._replace(speed=21.0),
-        ["3: path from 0.000000 s: it takes 2.94721 s, expected at most 2.83921 s"],
-    ),
     # 20 counts/s at a jerk of 400 need an acceleration of (20 * 400) ** 0.5 = 89.4.
     "a smooth path that brakes too hard": (
         JERKS + LINE,
         lambda o: o._replace(rates=(90.0, 80.0)),
         ["3: path from 0.000000 s: the path deceleration reaches 89.4427, above 80"],
-    ),
-    "a path with an S-ramp that dawdles": (
-        "SRAMP(0) = 100\n" + LINE,
-        lambda o: o._replace(speed=21.0),
-        ["3: path from 0.000000 s: it takes 2.9 s, expected at most 2.79095 s"],
     ),
     "a path with an S-ramp that is too hard": (
         "SRAMP(0) = 100\n" + LINE,
@@ -511,7 +450,6 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
         lambda o: o._replace(speed=19.0),
         [
             "3: path from 0.000000 s: the path speed reaches 20, above 19",
-            "3: path from 0.000000 s: it does not slow down: 20 after 1 s, expected 19",
             "4: path from 1.000000 s: the path speed reaches 20, above 19",
         ],
     ),
@@ -530,69 +468,31 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
         lambda o: path_of(o, line=(20.0, 1.0)) if o.path and o.path.line == (20.0, 0.0) else o,
         [
             "3: path from 0.000000 s: it is 0.199501 off the commanded path",
-            "4: path from 1.000000 s: it begins 2.0025 before the end of the previous one, commanded at most 2",
             "3: axis 1 from 0.000000 s: its path ends at 0, commanded 1",
         ],
-    ),
-    "a path that is blended too late": (
-        BLENDED,
-        lambda o: path_of(o, blend=3.0) if o.path and o.path.blend else o,
-        ["4: path from 1.000000 s: it begins 2 before the end of the previous one, commanded 3"],
     ),
     "the second path of a contour too fast": (
         CONTOUR,
         lambda o: o._replace(speed=19.0) if o.path and o.path.line == (20.0, 0.0) else o,
         ["4: path from 1.600000 s: the path speed reaches 20, above 19"],
     ),
-    # From 20 to 30 over 2.5 in 0.1 s, from 30 to rest over 4.5 in 0.3 s, and 13 in 0.433 s.
-    "the second path of a contour that dawdles": (
-        CONTOUR,
-        lambda o: o._replace(speed=30.0) if o.path and o.path.line == (20.0, 0.0) else o,
-        ["4: path from 1.600000 s: it takes 1.1 s, expected at most 0.833333 s"],
-    ),
-    # After 20 / 150 s the speed should be 0; it is 20 - 13.33.
-    "a stop of a path too soft": (
-        "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
-        lambda o: o._replace(rates=(100.0, 150.0)) if stops(o) else o,
-        ["2: path from 1.000000 s: the path speed reaches 6.66665, above 0"],
-    ),
     "a stop of a path too hard": (
         "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
         lambda o: o._replace(rates=(100.0, 50.0)) if stops(o) else o,
         ["2: path from 1.000000 s: the path deceleration reaches 100, above 50"],
-    ),
-    "a suspension too soft": (
-        SUSPENDED,
-        lambda o: o._replace(rates=(100.0, 150.0)) if stops(o) else o,
-        ["2: path from 1.000000 s: the path speed reaches 6.66665, above 0"],
     ),
     "a resumed path too fast": (
         SUSPENDED,
         lambda o: o if stops(o) else o._replace(speed=19.0),
         [
             "2: path from 0.000000 s: the path speed reaches 20, above 19",
-            "2: path from 0.000000 s: it does not slow down: 20 after 1 s, expected 19",
             "2: path from 1.500000 s: the path speed reaches 20, above 19",
-        ],
-    ),
-    # 50 units take 50 / 25 + 0.25 s at 25 units/s, and the 30 that are left 30 / 25 + 0.25 s.
-    "a resumed path that dawdles": (
-        SUSPENDED,
-        lambda o: o if stops(o) else o._replace(speed=25.0),
-        [
-            "2: path from 0.000000 s: it takes 2.7 s, expected at most 2.25 s",
-            "2: path from 1.500000 s: it takes 1.7 s, expected at most 1.45 s",
         ],
     ),
     "a path that is made slower, too fast": (
         SLOWED,
         lambda o: o._replace(speed=9.0) if o.speed == 10.0 else o,
         ["2: path from 1.000000 s: the path speed reaches 10, above 9"],
-    ),
-    "a path that is made slower, and dawdles": (
-        SLOWED,
-        lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o,
-        ["2: path from 1.000000 s: it takes 3.2 s, expected at most 2.92727 s"],
     ),
     "a path that is made slower too hard": (
         SLOWED,

@@ -30,7 +30,7 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     track.profiles = [*track.profiles]
     track.profiles[i] = from_curve(planned.shape, planned.start, planned.end, curve, 0.0, 0.0)
     proof = Proof()
-    check_profile(proof, track, i, order, order, False, planned.duration, 0.0)
+    check_profile(proof, track, i, order, order, planned.duration)
     assert [
         "acceleration" in each.message for each in proof.violations if "position" not in each.message
     ] == found

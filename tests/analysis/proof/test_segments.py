@@ -119,14 +119,6 @@ def test_a_segment_without_an_end_is_none() -> None:
     assert [(each.begin, each.length) for each in spans(jog, 0.25, 1.0)] == [(0.0, 0.25), (0.25, 0.75)]
 
 
-def test_a_section_of_a_segment_is_the_same_motion() -> None:
-    whole = Span(3.0, 4.0, (*CUBIC[:4], *WAVE[4:]))
-    section = whole.section(1.0, 3.0)
-    assert (section.begin, section.length) == (4.0, 2.0)
-    for x in (0.0, 0.5, 2.0):
-        assert section.at(x) == pytest.approx(whole.at(1.0 + x))
-
-
 def test_a_sum_of_segments_has_the_wave_that_they_share() -> None:
     """0.5 of the first and 2 of the second one, 7 from the origin."""
     parts = [Span(1.0, 2.0, CUBIC), Span(1.0, 2.0, (10.0, 0.0, 0.0, 1.0, 3.0, 2.0, 0.5))]

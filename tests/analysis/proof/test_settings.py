@@ -60,13 +60,10 @@ def test_a_lower_speed_is_heeded(
     assert messages(text)
 
 
-@pytest.mark.parametrize(
-    "setting", ["SPEED(0) = 70", "FEEDRATEOVERRIDE(0) = 120", "ACCEL(0) = 150", "DECEL(0) = 90"]
-)
-def test_a_move_heeds_what_makes_it_faster_and_its_rates(
-    setting: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = f"{RATES}MAXSPEED(0) = 90\n{MOTIONS['move']}WAIT 300\n{setting}\nPAUSE IDLE(0)\n"
+@pytest.mark.parametrize("motion", ["move", "path"])
+@pytest.mark.parametrize("setting", ["ACCEL(0) = 60", "DECEL(0) = 90", "ACCEL(0) = 60 : SPEED(0) = 40"])
+def test_lower_rates_are_heeded(motion: str, setting: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = f"{RATES}{MOTIONS[motion]}WAIT 300\n{setting}\nPAUSE IDLE(0)\n"
     assert messages(text) == []
     monkeypatch.setattr(feedrate, "changed", lambda *_: None)
     assert messages(text)

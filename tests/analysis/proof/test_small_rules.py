@@ -13,10 +13,9 @@ from motionlang.analysis.proof.axes import _check_knots
 from motionlang.analysis.proof.checker import Proof, position
 from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
 from motionlang.analysis.proof.outputs import check_trace
-from motionlang.analysis.proof.path_bounds import _counts, check_along, check_path_time, spans_along
+from motionlang.analysis.proof.path_bounds import spans_along
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.segments import Span, _from
-from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
 from motionlang.log.history import MoveFigures, servo_traces
 from motionlang.log.order import Order, PathOrder, Tie
@@ -30,13 +29,6 @@ from tests.controller.machines import machine, until
 from tests.planners.splines import cubic_table
 
 FREE = (inf, inf)
-
-
-def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
-    """From 30 to 20 in 0.1 s at a jerk of 100, constant until 98, to zero in 0.2 s."""
-    time, distance = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
-    assert time == pytest.approx(0.1 + 4.775 + 0.2)
-    assert distance == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
 
 
 def test_a_slave_is_checked_where_a_piece_ends_and_within_each() -> None:
@@ -135,11 +127,6 @@ def test_a_cubic_piece_is_cut_at_extrema_of_velocity_and_acceleration() -> None:
     span = Span(0.0, 4.0, (4.0, 9.0, -6.0, 1.0, 0.0, 0.0, 0.0))
     assert span.cuts() == pytest.approx([0.0, 1.0, 2.0, 3.0, 4.0])
     assert (span.peak(1), span.peak(2), span.peak(3)) == (9.0, 12.0, 6.0)
-    assert [round(power) for power, _, _ in span.sides()] == [-34, 7, -7, 34]
-
-
-def test_components_of_axes_in_counts() -> None:
-    assert _counts([3.0, 2.0], [(0, 4.0), (1, 0.5)]) == [12.0, 1.0]
 
 
 def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
@@ -152,64 +139,6 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     found = spans_along(rows, PathLayout(path, [0.0, 0.0]), whole.duration)
     assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
-
-
-# Paths of 0.05 counts/s, with jerks of 10 and 20: how one begins, its jerk, its duration, and the violations.
-# Due after 0.25 s: 0.3 once the acceleration has eased, less 20 * 0.05² / 2; after 0.05 s: 2 * 0.05 - 10 *
-# 0.05² / 2.
-COMING: dict[str, tuple[float, float, float, float, tuple[str, ...]]] = {
-    "0.1 counts/s, and 2² / (2 * 10) more until the jerk has eased 2 counts/s²": (
-        0.1,
-        2.0,
-        -10.0,
-        0.2,
-        (),
-    ),
-    "eased with less jerk": (
-        0.1, 2.0, -8.0, 0.25,
-        ("the path speed reaches 0.35, above 0.3", "it does not slow down: 0.35 after 0.25 s, expected 0.275"),
-    ),
-    "braking, and then faster than it came": (
-        0.1, -1.0, 10.0, 0.23,
-        ("the path speed reaches 0.1345, above 0.05", "it does not slow down: 0.1345 after 0.23 s, expected 0.05"),
-    ),
-    "from rest, with no speed of its own": (
-        0.0, 2.0, 0.0, 0.05, ("it does not slow down: 0.1 after 0.05 s, expected 0.0875",),
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", COMING)
-def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name: str) -> None:
-    speed, rate, jerk, length, messages = COMING[name]
-    path = PathOrder(
-        (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 0.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
-    )
-    order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
-    proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
-    check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
-    assert [each.message for each in proof.violations] == [f"here: {each}" for each in messages]
-
-
-@pytest.mark.parametrize(
-    ("took", "messages"), [(12.0, []), (12.5, ["here: it takes 12.5 s, expected at most 12 s"])]
-)
-def test_a_path_that_begins_within_an_s_ramp_may_take_that_ramp_twice(
-    took: float, messages: list[str]
-) -> None:
-    """At 10 counts/s² and a ramp of one half, a change of 10 counts/s takes 2 s.
-
-    From rest it covers 10 counts. A stop from 10 counts/s takes 2 s, the flank of a ramp to 20 counts/s 4 s, a ramp
-    to the speed 2 s, and a move of 20 counts from rest 4 s.
-    """
-    path = PathOrder(
-        (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 20.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
-    )
-    order = Order("path", 1, speed=10.0, rates=(10.0, 10.0), path=path, shape="scurve", ramp=0.5)
-    bend = (20.0 - 10.0 * took) / took**2
-    proof, span = Proof(), Span(0.0, took, (0.0, 10.0, bend, 0.0, 0.0, 0.0, 0.0))
-    check_path_time(proof, order, PathLayout(path, [0.0]), [span], "here")
-    assert [each.message for each in proof.violations] == messages
 
 
 def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:
