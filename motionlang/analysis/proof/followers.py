@@ -211,15 +211,17 @@ def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     is_endless = not isfinite(profile.duration)
     if is_endless and not order.goal:
         proof.breaks(order.line, f"{where}: it never reaches its end")
-    uses, carried = Uses(proof), abs(taken_over(a, i)[1])
+    uses, (v0, a0) = Uses(proof), taken_over(a, i)
+    slope, _, last = order.slopes[0 if a0 * v0 >= 0.0 else 1]
+    # The acceleration that it takes over is ramped down along the end of its slope.
+    came = max(abs(v0), abs(v0 + 0.5 * a0 * abs(a0) * last / slope))
     for each in stretches(spans(profile, 0.0, profile.knots[-2] + 1.0 if is_endless else profile.duration)):
-        if not each.slows:
-            uses.compare("speed", each.speed, order.speed)
+        uses.compare("speed", each.speed, max(order.speed, came if each.slows else 0.0))
         slope, first, last = order.slopes[each.side]
         rate, jerk = order.rates[each.side], slope / min(first, last) if first and last else inf
         if each.reverses or each.speed <= SLACK * max(1.0, order.speed):
             rate, jerk = max(order.rates), inf
-        uses.compare("rate of a reference", each.rate, max(rate, carried if each.eases else 0.0))
+        uses.compare("rate of a reference", each.rate, max(rate, abs(a0) if each.eases else 0.0))
         uses.compare("jerk of a reference", each.jerk, jerk)
     uses.report(order.line, where, " counts")
     if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
