@@ -1,4 +1,4 @@
-"""`python -m tests.forged [COUNT]` lists forged planners that pass the proof.
+"""`python -m tests.forged [COUNT]` lists forged planners that pass the proof and the tests of planners.
 
 It counts those that change the motion. `--only TEXT` selects changes whose names contain the text.
 """
@@ -10,6 +10,7 @@ import sys
 from collections import Counter
 
 from tests.forged.changes import changes, chosen, forged
+from tests.forged.plugin import rejected_by
 from tests.forged.verdicts import honest, verdict
 
 
@@ -22,10 +23,14 @@ def main(count: int, only: str) -> int:
     for each in every:
         with forged(each):
             found = verdict(motions, each.function)
-        kinds[found.kind] += 1
-        if found.kind == "passed":
+        kind, message = found.kind, found.message
+        if kind == "passed":
+            message = rejected_by(each)
+            kind = "tested" if message else kind
+        kinds[kind] += 1
+        if kind == "passed":
             passed.append(each)
-        print(f"{found.kind}: {each}: {found.program} {found.message}", flush=True)
+        print(f"{kind}: {each}: {found.program} {message}", flush=True)
     print(f"{len(every)} forged planners: {dict(sorted(kinds.items()))}; passed:")
     print(*passed, sep="\n")
     return 1 if passed else 0

@@ -1,4 +1,4 @@
-"""Verdicts on forged planners: same, rejected, failed, slower or passed."""
+"""Verdicts on forged planners: same, rejected, failed or passed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from types import FrameType
 from typing import NamedTuple
 
 from motionlang import run
-from motionlang.controller.moves.path import PathMove
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.forged.programs import PROGRAMS
@@ -19,13 +18,13 @@ from tests.forged.programs import PROGRAMS
 # Times of a run at which the motion of two planners is compared, and the relative difference allowed.
 MOMENTS, TOLERANCE = 101, 1e-5
 # Verdicts; the last one applies to several programs; one rejection decides.
-RANKS = ("same", "failed", "slower", "passed")
+RANKS = ("same", "failed", "passed")
 # Seconds after which an endless forged planner is abandoned.
 MAX_SECONDS = 5.0
 
 
 class Entry(NamedTuple):
-    """An entry of the log: axis, start, duration, end, and True for a path.
+    """An entry of the log: axis, start, duration and end.
 
     The duration is inf for a motion in progress at the end of the run.
     """
@@ -34,7 +33,6 @@ class Entry(NamedTuple):
     start: float
     duration: float
     end: float
-    on_path: bool
 
     def is_like(self, other: Entry) -> bool:
         """True if both entries have equal axes, durations and ends, within rounding."""
@@ -60,13 +58,6 @@ class Motion(NamedTuple):
     entries: tuple[Entry, ...]
     called: frozenset[str] = frozenset()
 
-    def is_slower_path(self, other: Motion) -> bool:
-        """True if both differ only in paths that end alike and are not shorter in time."""
-        return len(self.entries) == len(other.entries) and all(
-            a.ends_like(b) and a.duration >= b.duration * (1.0 - TOLERANCE) if a.on_path else a.is_like(b)
-            for a, b in zip(self.entries, other.entries, strict=True)
-        )
-
     def ends_like(self, other: Motion) -> bool:
         """True if all axes end at the same positions, within rounding."""
         return len(self.ends) == len(other.ends) and all(
@@ -90,10 +81,10 @@ class Motion(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """A verdict: "same", "rejected", "failed", "slower" or "passed".
+    """A verdict: "same", "rejected", "failed" or "passed".
 
-    `program` and `message` are the program that led to it, and the reason. A "slower" path observes its bounds and
-    its end: as `docs/proof.md` states, the proof does not cover that a path takes the shortest time.
+    `program` and `message` are the program that led to it, and the reason. A planner that "passed" may be slow, which
+    the proof does not cover: the tests of planners have to reject it.
     """
 
     kind: str
@@ -120,7 +111,7 @@ def motion(result: Run, times: list[float]) -> Motion:
         left = result.time - move.start_time
         length, end = move.profile.duration, move.profile.position(min(move.profile.duration, left))
         length = inf if length > left * (1.0 + TOLERANCE) else length
-        entries.append(Entry(move.axis, move.start_time, length, end, isinstance(move.action, PathMove)))
+        entries.append(Entry(move.axis, move.start_time, length, end))
     return Motion(result.time, states, tuple(a.position(result.time) for a in axes), tuple(entries))
 
 
@@ -177,7 +168,7 @@ def _of_program(name: str, before: Motion) -> Verdict:
         return Verdict("rejected", name, violations[0].message)
     if not before.differs(after):
         return Verdict("same")
-    return Verdict("slower" if after.is_slower_path(before) else "passed", name)
+    return Verdict("passed", name)
 
 
 def _times(end: float) -> list[float]:

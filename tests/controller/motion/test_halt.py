@@ -6,6 +6,7 @@ import pytest
 
 from motionlang.controller.axis import BY_INPUT
 from motionlang.controller.faults import Rejected
+from motionlang.controller.motion import halt
 from tests.controller.machines import machine, until
 
 
@@ -54,6 +55,15 @@ def test_a_stop_needs_no_acceleration(jogs: bool) -> None:
     until(c, 1.0).configure(0, "accel", 0.0)
     c.stop(0)
     assert until(c, 2.0).position(0) == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize("ended", ["stop", "fault"])
+def test_a_hard_stop_has_the_deceleration_of_errors(ended: str) -> None:
+    """From 10 at 200 it takes 0.25."""
+    c = machine(error_decel=200.0)
+    c.jog(0, 10.0)
+    halt.stop(until(c, 1.0), c.axes[0], ended, hard=True)
+    assert until(c, 2.0).position(0) == pytest.approx(9.75)
 
 
 def test_a_stop_without_a_deceleration_is_rejected_and_changes_nothing() -> None:
