@@ -15,8 +15,7 @@ compared with its order and with the profile before it, and each entry of the lo
 Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how
 much was checked, the largest fraction used of each bound, exceptions by name, and violations, each a
 diagnostic at the line of its move. The other files each check one kind of motion or record. They use the
-arithmetic of `segments.py` (extremes of polynomials and waves) and `time_bounds.py` (how long a motion may
-take).
+arithmetic of `segments.py` (extremes of polynomials and waves) and `stretches.py` (motion above its limits).
 
 `prove` checks, in this order:
 1. the report and the trace, if there are any,
@@ -27,7 +26,7 @@ take).
    where the axis is.
 
 Invariants.
-- The checkers import no planner. Ramps, times and bounds are computed a second time.
+- The checkers import no planner, and compute neither a ramp nor how long motion may take.
 - No bound is checked by sampling. Extremes are found in closed form.
 - A rule that the program breaks on purpose, such as by CANCEL, a new zero or a kink within CONTOURANGLE, is
   an exception. Exceptions are counted by name, so none goes unseen.
