@@ -101,7 +101,6 @@ def forged(change: Callable[[Profile], Profile]) -> list[str]:
         (1000.0, 5000.0, 21000.0, 10000.0, "the acceleration reaches 21000"),
         (1000.0, 5000.0, 20000.0, 11000.0, "the deceleration reaches 11000"),
         (1200.0, 5000.0, 20000.0, 10000.0, "the velocity jumps by 1200"),
-        (800.0, 5000.0, 20000.0, 10000.0, "s, expected"),
     ],
 )
 def test_the_proof_holds_a_move_to_its_rates_and_to_the_step(
