@@ -7,19 +7,16 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable
 from pathlib import Path
 
 from motionlang.mcapi import constants
 from motionlang.mcapi.calls import readings, settings  # noqa: F401
-from motionlang.mcapi.table import FUNCTIONS, MCAPI, STRUCTURES, Argument, Function, Structure
+from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Argument, Function, Structure
 from motionlang.mccl.keywords import table
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "motionlang" / "mcapi"
 PYTHON = {"": "None", "d": "float", "str": "str", "v": "Any", "memory": "object", "buf": "str"}
-# C functions whose first argument is a window, not the handle.
-WINDOW_FIRST = ("MCEnableInterrupt", "MCErrorNotify", "MCDLG_DownloadFile")
 # Arguments of PMC's binding that C does not have, and defaults.
 SIGNATURES = {
     "MCReset": "axis: int, distance: float = 0.0",
@@ -151,7 +148,7 @@ def _flat(values: Sequence[float]) -> list[float]:
     return [len(values), *values]
 '''
     classes = [structure_class(each) for each in STRUCTURES.values()]
-    methods = [method(each) for each in MCAPI.values() if each.name not in BY_HAND]
+    methods = [method(each) for each in FUNCTIONS.values() if each.name not in BY_HAND]
     whole = 'class Mcapi(Binding):\n    """MCAPI as PMC\'s Python binding has it, without the library."""\n\n'
     return head + "\n\n" + "\n\n".join(classes) + "\n\n" + whole + "\n".join(methods)
 
@@ -162,7 +159,6 @@ C_TYPES = {
     "h": "HCTRLR",
     "s": "short",
     "i": "int",
-    "l": "long",
     "W": "WORD",
     "D": "DWORD",
     "u": "unsigned",
@@ -185,18 +181,6 @@ as well.
 """
 
 
-DIALOGS = """
-## MCDLG
-
-Three functions of PMC's library of dialogs need no dialog. They are in the C library, too, and `mcdlg64.dll` and
-`mcdlg32.dll` have them. The file has a section `[Axis n]` for each axis, with lines of `name = value`; what is restored
-is exactly what was saved.
-
-| function | arguments | MCCL | what it does here |
-|---|---|---|---|
-"""
-
-
 def shown(each: Argument) -> str:
     name = f"{each.name}[{each.size}]" if each.size else each.name
     return f"→ {name}" if each.out else name
@@ -205,15 +189,9 @@ def shown(each: Argument) -> str:
 def page() -> str:
     """Return the text of docs/mcapi-functions.md."""
     names = {row.name for row in table()}
-    counts = {"count": len(MCAPI), "unsupported": len([each for each in MCAPI.values() if each.unsupported])}
-    dialogs = [each for each in FUNCTIONS.values() if each.name not in MCAPI]
-    return PAGE_HEAD.format(**counts) + page_rows(MCAPI.values(), names) + DIALOGS + page_rows(dialogs, names)
-
-
-def page_rows(functions: Iterable[Function], names: set[str]) -> str:
-    """Return the table rows of functions; their commands must be among `names`."""
-    rows = []
-    for each in functions:
+    unsupported = [each for each in FUNCTIONS.values() if each.unsupported]
+    rows = [PAGE_HEAD.format(count=len(FUNCTIONS), unsupported=len(unsupported))]
+    for each in FUNCTIONS.values():
         mccl = re.sub(r"\{\w+\}", "n", each.mccl)
         used = re.findall(r"a?([A-Z]{2})", mccl)
         assert not [name for name in used if name not in names], each.name
@@ -274,15 +252,15 @@ def c_type(each: Argument) -> str:
     texts = {"v": "void *", "buf": "char *"}
     if each.kind in texts:
         return texts[each.kind]
-    if each.kind in ("str", "file"):
+    if each.kind == "str":
         return "const char *"
     pointer = " *" if each.out or each.size else " "
     return C_TYPES[each.kind] + pointer
 
 
 def handle_index(function: Function) -> int:
-    """Return the index of the handle in the C argument list."""
-    return int(function.name in WINDOW_FIRST)
+    """Return the index of the handle in the C argument list: after a window, which comes first."""
+    return int(function.arguments[:1] != () and function.arguments[0].kind == "w")
 
 
 def c_arguments(function: Function) -> list[tuple[str, str]]:
@@ -329,7 +307,7 @@ def letters(function: Function) -> str:
         elif each.size:
             found += f"[{each.kind}{places[each.size]}"
         else:
-            found += {"str": "t", "memory": "m", "file": "F"}.get(each.kind, each.kind)
+            found += {"str": "t", "memory": "m"}.get(each.kind, each.kind)
     return found
 
 

@@ -17,7 +17,6 @@ from hashlib import sha256
 from pathlib import Path
 
 from motionlang.cache import folder
-from motionlang.mcapi.table import FUNCTIONS, MCAPI
 from motionlang.record import record
 
 SOURCE = Path(__file__).parent / "library"
@@ -37,14 +36,12 @@ class CannotBuild(Exception):
 class Target:
     """A system for which the library is built.
 
-    `library` is the name of the file, `links` are further names for it. `dialogs` is a library that forwards the
-    functions of MCDLG to it, "" for none. `compilers` are tried in this order.
+    `library` is the name of the file, `links` are further names for it. `compilers` are tried in this order.
     """
 
     name: str
     library: str
     links: tuple[str, ...]
-    dialogs: str
     compilers: tuple[str, ...]
     options: tuple[str, ...]
     libraries: tuple[str, ...]
@@ -55,7 +52,6 @@ _TARGETS = (
         "linux",
         "libmcapi-4.4.1.so",
         ("libmcapi.so",),
-        "",
         ("cc", "gcc", "clang"),
         ("-fPIC", "-fvisibility=hidden", "-Wl,-Bsymbolic", "-Wl,-soname,libmcapi-4.4.1.so"),
         ("-lpthread", "-ldl"),
@@ -64,7 +60,6 @@ _TARGETS = (
         "win64",
         "mcapi64.dll",
         (),
-        "mcdlg64.dll",
         ("x86_64-w64-mingw32-gcc",),
         ("-static-libgcc", "-Wl,--kill-at"),
         ("-lws2_32",),
@@ -73,7 +68,6 @@ _TARGETS = (
         "win32",
         "mcapi32.dll",
         (),
-        "mcdlg32.dll",
         ("i686-w64-mingw32-gcc",),
         ("-static-libgcc", "-Wl,--kill-at"),
         ("-lws2_32",),
@@ -105,9 +99,6 @@ def build(target: Target, out: Path | None = None) -> Path:
             made = Path(work) / target.library
             command = [*compiler, *_COMMON, *target.options, "-o", str(made)]
             _run([*command, str(SOURCE / "mcapi.c"), *target.libraries])
-            if target.dialogs:
-                _build_dialogs(target, compiler, Path(work))
-                os.replace(Path(work) / target.dialogs, to.parent / target.dialogs)
             os.replace(made, to)
             for name in target.links:
                 link = Path(work) / name
@@ -118,17 +109,6 @@ def build(target: Target, out: Path | None = None) -> Path:
             f"{to.parent} cannot be written: {error.strerror or error}", "name a folder with --out DIR"
         ) from None
     return to
-
-
-def _build_dialogs(target: Target, compiler: list[str], work: Path) -> None:
-    """Build the dialogs library, which only forwards calls to the main library."""
-    names = [name for name in FUNCTIONS if name not in MCAPI]
-    to = target.library.removesuffix(".dll")
-    exports = work / "dialogs.def"
-    exports.write_text("EXPORTS\n" + "".join(f"{name} = {to}.{name}\n" for name in names), encoding="ascii")
-    empty = work / "empty.c"
-    empty.write_text("int no_dialogs;\n", encoding="ascii")
-    _run([*compiler, "-shared", "-o", str(work / target.dialogs), str(empty), str(exports)])
 
 
 def _compiler(target: Target) -> list[str]:

@@ -26,9 +26,8 @@ class Call:
         self.handle: Handle | None = None
         # The number of the host process.
         self.host = 0
-        # The line that carries it out, and those that follow it.
+        # The line that carries it out.
         self.line: Line | None = None
-        self.more: list[Line] = []
         self.outputs: tuple[Value, ...] = ()
         self.value = self.code = 0
         self.done = False

@@ -12,7 +12,6 @@ from typing import Any, ClassVar, Protocol, TypeVar
 
 import motionlang.mcapi.calls  # noqa: F401
 from motionlang.execution import checked_settings
-from motionlang.files import replacing
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import constants as mc
@@ -244,22 +243,6 @@ class Binding:
     def TranslateErrorEx(self, error: int) -> str:  # noqa: N802
         """Return the text of an error code."""
         return mc.MESSAGES.get(error, f"unknown error {error}")
-
-    def SaveAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
-        """Write the settings of the axis, or of all for 0, into a file (MCDLG_SaveAxis)."""
-        text = self._get("MCDLG_SaveAxis", axis, flags, 1)
-        with replacing(path) as file:
-            file.write(text.encode("latin-1"))
-
-    def RestoreAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
-        """Restore the settings that SaveAxis has written into a file (MCDLG_RestoreAxis)."""
-        with open(path, encoding="latin-1") as file:
-            self._do("MCDLG_RestoreAxis", axis, flags, file.read())
-
-    def DownloadFile(self, path: str) -> None:  # noqa: N802
-        """Carry out a file of MCCL, line by line (MCDLG_DownloadFile)."""
-        with open(path, encoding="latin-1") as file:
-            self._do("MCDLG_DownloadFile", 0, 0, file.read())
 
     def ProcessException(self, error: int = -1) -> int:  # noqa: N802
         """Raise McapiException for an error, by default the last one; return its code.

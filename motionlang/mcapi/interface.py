@@ -72,7 +72,6 @@ class Interface(CommandTask):
 
     def drop(self, call: Call) -> None:
         """Abandon a call whose host is gone, or that timed out before it began."""
-        call.more.clear()
         if call is self.current_call:
             self.abandon()
             self.wait = None
@@ -83,8 +82,6 @@ class Interface(CommandTask):
 
     def next_line(self) -> Line | None:
         """End the current call and begin the next one."""
-        if self.current_call is not None and self.current_call.more:
-            return self.current_call.more.pop(0)
         if self.current_call is not None:
             call, self.current_call = self.current_call, None
             call.finish(self.board.controller.clock.now)
@@ -114,7 +111,6 @@ class Interface(CommandTask):
         ends_line = super().refused(trouble)
         if ends_line and self.current_call is not None:
             self.current_call.code = code_of(trouble)
-            self.current_call.more.clear()
         return ends_line
 
     def tell(self, axis: int, text: str) -> None:

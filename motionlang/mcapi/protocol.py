@@ -17,7 +17,7 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from motionlang.mcapi.call import Call
-from motionlang.mcapi.session import BadCall
+from motionlang.mcapi.session import BadCall, function_named
 from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Value
 
 VERSION = 1
@@ -54,9 +54,7 @@ def parse(line: str) -> tuple[str, int, list[Value | None]]:
     The handle is 0 for functions without one.
     """
     name, _, rest = line.partition(" ")
-    function = FUNCTIONS.get(name)
-    if function is None:
-        raise BadCall(f"there is no function {name[:40]!r}")
+    function = function_named(name)
     values = decode(rest)
     if not function.has_handle:
         return name, 0, values

@@ -49,8 +49,6 @@ ALL_AXES = frozenset(
         "MCIsIndexFound",
         "MCIsEdgeFound",
         "MCReset",
-        "MCDLG_SaveAxis",
-        "MCDLG_RestoreAxis",
     }
 )
 # Functions whose value is an error code.
@@ -61,6 +59,15 @@ NO_AXIS = frozenset({"pmccmdex", "pmccmdrpyex"})
 
 class BadCall(ValueError):
     """A call that does not match the table: its sender does not speak the protocol."""
+
+
+def function_named(name: str) -> Function:
+    """Return a function; raise BadCall if the table does not have it."""
+    function = FUNCTIONS.get(name)
+    if function is None:
+        why = ": the dialogs of MCDLG are not simulated" if name.startswith("MCDLG_") else ""
+        raise BadCall(f"there is no function {name[:40]!r}{why}")
+    return function
 
 
 class Handle:
@@ -238,9 +245,7 @@ class Session:
 
         `number` is the handle. Raises BadCall if the table has no function with this name and these arguments.
         """
-        function = FUNCTIONS.get(name)
-        if function is None:
-            raise BadCall(f"there is no function {name}")
+        function = function_named(name)
         call = Call(function, number, tuple(arguments), self.desk.now)
         call.host = self.number
         self._pending[call] = None
@@ -452,7 +457,7 @@ def _converted(each: Argument, value: Value | None) -> Value:
         if not isinstance(value, (int, float)):
             raise BadCall(f"{each.name} is a number")
         return float(value)
-    if each.kind in ("str", "file"):
+    if each.kind == "str":
         if not isinstance(value, str):
             raise BadCall(f"{each.name} is a text")
         return value

@@ -5,11 +5,10 @@ dispatcher checks the arguments of a call against it. The implementation of a ca
 column of MCCL is sufficient, such as `aMA{position}`: `a` is the axis, and the braces name the argument that is
 the parameter.
 
-Kinds of arguments, after the letters of C: h handle, s short, i int, l long, W unsigned short, D DWORD, u
-unsigned int, d double, str text, w window, file the path of a file of the host, whose text is transported.
-`>` marks a result. `[n]` after a name is an array whose length is the argument n, `<type>` a value whose type
-is the argument `type`. `memory` is never transported. A structure has its name as its kind. A pointer with
-`?` may be NULL.
+Kinds of arguments, after the letters of C: h handle, s short, i int, W unsigned short, D DWORD, u unsigned
+int, d double, str text, w window. `>` marks a result. `[n]` after a name is an array whose length is the
+argument n, `<type>` a value whose type is the argument `type`. `memory` is never transported. A structure has
+its name as its kind. A pointer with `?` may be NULL.
 
 Results of a function: "" for none, a kind followed by `=` for a value, a kind alone for the error code.
 """
@@ -21,7 +20,7 @@ from motionlang.record import record
 Value = int | float | str
 
 # Kinds of integers, with their bits; negative is signed.
-BITS = {"h": -16, "s": -16, "i": -32, "l": -32, "W": 16, "D": 32, "u": 32, "w": 64}
+BITS = {"h": -16, "s": -16, "i": -32, "W": 16, "D": 32, "u": 32, "w": 64}
 
 
 @record
@@ -406,16 +405,4 @@ _FUNCTIONS = (
     _f("pmcrpyex", "i", ">v reply<type>, i type", "", "The reply of the last pmccmdex as a number."),
     _f("pmcunlock", "", "", "", "End pmclock."),
 )  # fmt: skip
-# Functions of MCDLG, PMC's library of dialogs, that need no dialog. They are not among the 158.
-_DIALOGS = (
-    _f("MCDLG_SaveAxis", "l", "W axis, l iFlags, >file PrivateIniFile", "", "Write the settings of the axis, or of "
-       "all, into a file. The flags 2, 4, 8, 16, 32 and 512 leave out motion, filter, phase, position, scale and "
-       "profile.", only_c=True),
-    _f("MCDLG_RestoreAxis", "l", "W axis, l iFlags, file PrivateIniFile", "", "Set what MCDLG_SaveAxis has written, "
-       "but for what the flags leave out. The result is 29 if the file does not have the axis.", only_c=True),
-    _f("MCDLG_DownloadFile", "l", "w hWnd, l iFlags, file szFileName", "", "Carry out a file of MCCL, a line after the "
-       "other.", only_c=True),
-)  # fmt: skip
-# The functions of MCAPI, and those that can be called.
-MCAPI: dict[str, Function] = {each.name: each for each in _FUNCTIONS}
-FUNCTIONS: dict[str, Function] = MCAPI | {each.name: each for each in _DIALOGS}
+FUNCTIONS: dict[str, Function] = {each.name: each for each in _FUNCTIONS}

@@ -96,14 +96,6 @@ int main(void)
     CHECK(33, pmcgets(h, text, sizeof text) > 0 && text[0] == '?' && atoi(text + 1) == 2)
     CHECK(34, pmcputs(h, "1TP\r") == 4 && pmcgets(h, text, 4) == 3 && !strcmp(text, "01 "))
     CHECK(35, pmcgetc(h) == '0' && MCClose(h) == 0 && MCClose(h) == MCERR_CONTROLLER)
-    h = 1;
-    MCSetVelocity(h, 3, 1234.5);
-    CHECK(36, MCGetVelocityEx(h, 3, &low) == 0 && MCDLG_SaveAxis(h, 3, 0, "saved.ini") == 0)
-    MCSetVelocity(h, 3, 1.0);
-    CHECK(37, MCDLG_RestoreAxis(h, 3, 0, "saved.ini") == 0 && MCGetVelocityEx(h, 3, &high) == 0 && low == high)
-    CHECK(38, MCDLG_RestoreAxis(h, 4, 0, "saved.ini") == MCERR_NOT_FOUND)
-    CHECK(39, MCDLG_RestoreAxis(h, 3, 0, "none.ini") == MCERR_OS_ERROR)
-    CHECK(40, MCDLG_SaveAxis(h, 3, 0, "none/none.ini") == MCERR_OS_ERROR && MCDLG_SaveAxis(h, 99, 0, "none.ini") == 15)
     printf("%g\n", position);
     return 0;
 }

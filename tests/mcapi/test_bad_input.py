@@ -170,6 +170,15 @@ def test_a_host_that_is_gone_in_a_wait(serve: Serve) -> None:
     assert other.ask("MCGetPositionEx 1 1 +") == "0 0.0"
 
 
+def test_a_dialog_is_no_function(serve: Serve) -> None:
+    """MCDLG is not there: not on the port, not in the class, and not in the table."""
+    line = serve().connect()
+    line.send("MCDLG_SaveAxis 1 1 0 +")
+    assert line.answer() == "! there is no function 'MCDLG_SaveAxis': the dialogs of MCDLG are not simulated"
+    assert line.answer() == "closed"
+    assert not hasattr(opened(), "SaveAxis")
+
+
 @pytest.mark.parametrize(
     "line",
     [

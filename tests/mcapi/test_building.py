@@ -14,18 +14,13 @@ from typing import Any
 import pytest
 
 from motionlang.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build, default_path
-from motionlang.mcapi.table import FUNCTIONS, MCAPI
 
 
 class Compiler:
-    """Writes an empty library for each command.
-
-    `commands` and the last `exports` are recorded.
-    """
+    """Writes an empty library for each command, and records the commands."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.commands: list[list[str]] = []
-        self.exports = ""
         monkeypatch.delenv("CC", raising=False)
         monkeypatch.setattr(
             shutil, "which", lambda name: None if name.startswith("-") else f"/usr/bin/{name}"
@@ -37,8 +32,6 @@ class Compiler:
         assert (options["capture_output"], options["check"]) == (True, False)
         self.commands.append(command)
         Path(command[command.index("-o") + 1]).write_text("library")
-        if command[-1].endswith(".def"):
-            self.exports = Path(command[-1]).read_text()
         return subprocess.CompletedProcess(command, 0, "", "")
 
 
@@ -62,20 +55,13 @@ def test_a_library_for_linux(compiler: Compiler, tmp_path: Path) -> None:
 def test_a_library_for_windows(
     compiler: Compiler, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, target: str, bits: int, tool: str
 ) -> None:
-    """A second library forwards the functions of MCDLG.
-
-    CC is the compiler of Linux alone.
-    """
+    """CC is the compiler of Linux alone."""
     monkeypatch.setenv("CC", "clang")
     path = build(TARGETS[target], tmp_path)
     assert path == tmp_path / f"mcapi{bits}.dll"
-    assert sorted(os.listdir(tmp_path)) == [f"mcapi{bits}.dll", f"mcdlg{bits}.dll"]
-    library, dialogs = compiler.commands
-    assert library[0] == dialogs[0] == f"{tool}-w64-mingw32-gcc"
-    assert library[-1] == "-lws2_32"
-    names = [name for name in FUNCTIONS if name.startswith("MCDLG_")]
-    assert compiler.exports == "EXPORTS\n" + "".join(f"{name} = mcapi{bits}.{name}\n" for name in names)
-    assert not set(names) & set(MCAPI)
+    assert sorted(os.listdir(tmp_path)) == [f"mcapi{bits}.dll"]
+    (command,) = compiler.commands
+    assert (command[0], command[-1]) == (f"{tool}-w64-mingw32-gcc", "-lws2_32")
 
 
 def test_the_compiler_of_the_environment(

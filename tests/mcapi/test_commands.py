@@ -209,8 +209,7 @@ MCInterruptOnPosition MCIsAtTarget MCIsEdgeFound MCIsIndexFound MCIsStopped MCLe
 MCMoveRelative MCMoveToPoint MCReset MCSetAcceleration MCSetAuxEncPos MCSetDeceleration MCSetFilterConfig
 MCSetFilterConfigEx MCSetGain MCSetJogConfig MCSetJogConfigEx MCSetLimits MCSetModuleInputMode MCSetModuleOutputMode
 MCSetMotionConfig MCSetMotionConfigEx MCSetPosition MCSetProfile MCSetScale MCSetServoOutputPhase MCSetTorque
-MCSetVelocity MCSetVelocityOverride MCStop MCWaitForStop MCWaitForTarget pmccmdex pmccmdrpyex MCDLG_SaveAxis
-MCDLG_RestoreAxis
+MCSetVelocity MCSetVelocityOverride MCStop MCWaitForStop MCWaitForTarget pmccmdex pmccmdrpyex
 """
 ZEROS = {"d": 0.0, "str": "", "file": ""}
 

@@ -2,10 +2,10 @@
  *
  * A stub of stubs.h puts the arguments of a function into an array. leave() writes them as a line, sends it to the board
  * of MCAPI_HOST, and reads the answer into the pointers (docs/mcapi-protocol.md). FUNCTIONS describes the arguments:
- *   h s i l W D u w d  number; w is a window          t  text            m  memory, never sent
+ *   h s i W D u w d    number; w is a window          t  text            m  memory, never sent
  *   Sa                 structure a of STRUCTURES      v3 value whose type is argument 3
  *   [d3                array as long as argument 3    b3 text for a buffer as long as argument 3
- *   F                  the text of a file             >  before a result  ? before a pointer that may be NULL
+ *   >                  before a result                ?  before a pointer that may be NULL
  * Each thread in a call has a connection of its own, which is kept for later calls. All of them name this process, because
  * its threads share handles. When a connection breaks, every call answers MCERR_SOCKET until MCOpen.
  *
@@ -174,29 +174,6 @@ static void read_text(char **at, char *to, long long size)
     if (size > 0) to[n] = 0;
 }
 
-static void print_file(buffer *b, const char *path)
-{
-    buffer all = {0};
-    char piece[4096] = "";
-    FILE *file = fopen(path, "rb");
-    for (size_t n; file && (n = fread(piece, 1, sizeof piece, file)) > 0 && all.length < MAX_LINE;) add(&all, piece, n);
-    if (file) { fclose(file); print_text(b, all.text ? all.text : ""); } else b->failed = 1;
-    free(all.text);
-}
-
-/* Write the text of an answer to a file; an answer without one leaves the file as it is. */
-static void write_file(const char *path, char *answer, buffer *b)
-{
-    size_t size = strlen(answer) + 1;
-    char *text = strchr(answer, '"') ? malloc(size) : NULL;
-    if (!text) return;
-    read_text(&answer, text, (long long)size);
-    FILE *file = fopen(path, "wb");
-    b->failed = !file || fputs(text, file) < 0;
-    if (file) b->failed |= fclose(file) != 0;
-    free(text);
-}
-
 /* The bytes of a kind in memory; `wide` is false for a MCSTATUSEX whose DWORD has 4 bytes. */
 static size_t width(char kind, int wide)
 {
@@ -276,7 +253,7 @@ static void arguments(const function *f, const item *a, buffer *b, char *answer,
         long long size = 0;
         if (strchr("[vb", type)) size = a[*kind++ - '0'].i;
         void *memory = (void *)(intptr_t)a[n].p;
-        int plain = strchr("hsilWDuwd", type) && !out;
+        int plain = strchr("hsiWDuwd", type) && !out;
         if (out != (answer || results)) {
             if (answer || results) continue;
             add(b, memory ? " +" : " -", 2);
@@ -286,7 +263,6 @@ static void arguments(const function *f, const item *a, buffer *b, char *answer,
         else if (type == 'm') add(b, memory ? " +" : " -", 2);
         else if (!memory) { if (!out) add(b, " -", 2); }
         else if (type == 't') print_text(b, memory);
-        else if (type == 'F') { if (answer) write_file(memory, answer, b); else print_file(b, memory); }
         else if (type == 'b') { if (answer) read_text(&answer, memory, size); else if (size > 0) print_text(b, memory); }
         else if (type == 'S') walk(&STRUCTURES[letter - 'a'], memory, b, answer ? &answer : NULL);
         else {
@@ -429,7 +405,6 @@ static item leave(int number, const item *a, item result, double begin, int was_
             char *answer = works ? c->in.text : none;
             if (read_whole(&answer, &result.i)) code = 0;
             arguments(f, a, &said, answer, 1);
-            if (said.failed) code = MCERR_OS_ERROR;
             give(c, works);
         }
         if (code > 0 && opens) result.i = -code;

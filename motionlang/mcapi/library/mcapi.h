@@ -629,9 +629,6 @@ MCAPI_EXPORT short APIENTRY pmcrdy(HCTRLR hCtlr);
 MCAPI_EXPORT short APIENTRY pmcrpy(HCTRLR hCtlr, short size, void *buffer);
 MCAPI_EXPORT int APIENTRY pmcrpyex(HCTRLR hCtlr, void *reply, int type);
 MCAPI_EXPORT void APIENTRY pmcunlock(HCTRLR hCtlr);
-MCAPI_EXPORT long APIENTRY MCDLG_SaveAxis(HCTRLR hCtlr, WORD axis, long iFlags, const char *PrivateIniFile);
-MCAPI_EXPORT long APIENTRY MCDLG_RestoreAxis(HCTRLR hCtlr, WORD axis, long iFlags, const char *PrivateIniFile);
-MCAPI_EXPORT long APIENTRY MCDLG_DownloadFile(HWND hWnd, HCTRLR hCtlr, long iFlags, const char *szFileName);
 
 #ifdef __cplusplus
 }

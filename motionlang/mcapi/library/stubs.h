@@ -175,9 +175,6 @@ static const function FUNCTIONS[] = {
     {"pmcrpy", "s", "hsm"},
     {"pmcrpyex", "i", "h>v2i"},
     {"pmcunlock", "", "h"},
-    {"MCDLG_SaveAxis", "l", "hWl>F"},
-    {"MCDLG_RestoreAxis", "l", "hWlF"},
-    {"MCDLG_DownloadFile", "l", "hwlF"},
 };
 
 MCAPI_EXPORT void APIENTRY MCAbort(HCTRLR hCtlr, WORD axis)
@@ -1600,31 +1597,4 @@ MCAPI_EXPORT void APIENTRY pmcunlock(HCTRLR hCtlr)
     void *real = enter(157, &begin);
     if (real) ((void (APIENTRY *)(HCTRLR))(intptr_t)real)(hCtlr);
     leave(157, a, r, begin, real != NULL);
-}
-
-MCAPI_EXPORT long APIENTRY MCDLG_SaveAxis(HCTRLR hCtlr, WORD axis, long iFlags, const char *PrivateIniFile)
-{
-    item a[] = {{.i = hCtlr}, {.i = axis}, {.i = iFlags}, {.p = PrivateIniFile}}, r = {0};
-    double begin;
-    void *real = enter(158, &begin);
-    if (real) r.i = ((long (APIENTRY *)(HCTRLR, WORD, long, const char *))(intptr_t)real)(hCtlr, axis, iFlags, PrivateIniFile);
-    return (long)leave(158, a, r, begin, real != NULL).i;
-}
-
-MCAPI_EXPORT long APIENTRY MCDLG_RestoreAxis(HCTRLR hCtlr, WORD axis, long iFlags, const char *PrivateIniFile)
-{
-    item a[] = {{.i = hCtlr}, {.i = axis}, {.i = iFlags}, {.p = PrivateIniFile}}, r = {0};
-    double begin;
-    void *real = enter(159, &begin);
-    if (real) r.i = ((long (APIENTRY *)(HCTRLR, WORD, long, const char *))(intptr_t)real)(hCtlr, axis, iFlags, PrivateIniFile);
-    return (long)leave(159, a, r, begin, real != NULL).i;
-}
-
-MCAPI_EXPORT long APIENTRY MCDLG_DownloadFile(HWND hWnd, HCTRLR hCtlr, long iFlags, const char *szFileName)
-{
-    item a[] = {{.i = hCtlr}, {.i = (long long)(intptr_t)hWnd}, {.i = iFlags}, {.p = szFileName}}, r = {0};
-    double begin;
-    void *real = enter(160, &begin);
-    if (real) r.i = ((long (APIENTRY *)(HWND, HCTRLR, long, const char *))(intptr_t)real)(hWnd, hCtlr, iFlags, szFileName);
-    return (long)leave(160, a, r, begin, real != NULL).i;
 }
