@@ -15,21 +15,7 @@ package.
 
 from __future__ import annotations
 
-from importlib import import_module
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mcapi.binding import *  # noqa: F403
-    from motionlang.mcapi.client import McapiException as McapiException
-    from motionlang.mcapi.client import VirtualBoard as VirtualBoard
-    from motionlang.mcapi.constants import *  # noqa: F403
-
-
-def __getattr__(name: str) -> object:
-    """Return the class, a structure or a constant of MCAPI, imported on first use."""
-    if name[:1].isupper():
-        for module in ("constants", "binding", "client"):
-            found = vars(import_module(f"motionlang.mcapi.{module}"))
-            if name in found:
-                return found[name]
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+from motionlang.mcapi.binding import Mcapi as Mcapi
+from motionlang.mcapi.binding import McapiException as McapiException
+from motionlang.mcapi.client import VirtualBoard as VirtualBoard
+from motionlang.mcapi.table import *  # noqa: F403

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line, own
 from motionlang.mcapi.errors import Refused
 from motionlang.record import record

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 
@@ -24,7 +24,7 @@ class Refused(Exception):
 
     def __init__(self, code: int) -> None:
         self.code = code
-        super().__init__(mc.MESSAGES.get(code, str(code)))
+        super().__init__(mc.text_of(code))
 
 
 def code_of(trouble: Fault | Rejected) -> int:

@@ -16,7 +16,7 @@ from collections import deque
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import code_of
 from motionlang.mccl.runtime.task import FORMS, CommandTask
 

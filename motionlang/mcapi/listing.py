@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.machine.keys import MAX_AXES
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.block import Block
 from motionlang.mcapi.client import VirtualBoard
 from motionlang.mcapi.errors import Refused

@@ -279,8 +279,7 @@ def _difference(entry: Entry, call: Call) -> str:
     names: list[str] = []
     for each in call.function.outputs:
         if each.kind in STRUCTURES:
-            for field in STRUCTURES[each.kind].values:
-                names += [field.name] * field.count
+            names += STRUCTURES[each.kind].names()
         else:
             names.append(each.name)
     for k, (logged, here) in enumerate(zip(entry.outputs, call.outputs, strict=True)):

@@ -19,7 +19,7 @@ from math import isfinite
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.call import Call
 from motionlang.mcapi.command import command, line, own, takes_all_axes
 from motionlang.mcapi.errors import Refused, code_of
@@ -41,20 +41,6 @@ if TYPE_CHECKING:
 MAX_HANDLES = 1000
 # Arguments that are axes.
 AXES = ("axis", "master", "caxis")
-# Functions for which axis 0 means all, although no single command says so.
-ALL_AXES = frozenset(
-    {
-        "MCIsStopped",
-        "MCIsAtTarget",
-        "MCIsIndexFound",
-        "MCIsEdgeFound",
-        "MCReset",
-    }
-)
-# Functions whose value is an error code.
-CODES = frozenset({"MCGetError", "MCTranslateErrorEx", "pmclock"})
-# Functions whose argument named `axis` may be 0, because it is no axis: commands without one.
-NO_AXIS = frozenset({"pmccmdex", "pmccmdrpyex"})
 
 
 class BadCall(ValueError):
@@ -270,10 +256,7 @@ class Session:
         return call
 
     def _fail(self, call: Call, code: int) -> None:
-        if call.function.name == "MCOpen":
-            call.value = -code
-        elif call.function.name in CODES:
-            call.value = code
+        call.value = call.function.failed(code)
         call.finish(self.desk.now, code)
 
     def _begin(self, call: Call, given: Given) -> None:
@@ -431,8 +414,8 @@ class Given:
             found = self.flat[at + 1 : at + 1 + value]
             if each.kind in STRUCTURES:
                 structure = STRUCTURES[each.kind]
-                found = found + (0,) * (structure.count - len(found))
-                if value > structure.count or not all(isinstance(one, (int, float)) for one in found):
+                found = found + (0,) * (len(structure.names()) - len(found))
+                if value > len(structure.names()) or not all(isinstance(one, (int, float)) for one in found):
                     raise BadCall(f"{each.kind} does not have these values")
             self.by_name[each.name] = found
             return at + 1 + value
@@ -473,7 +456,7 @@ def wrapped(value: int, bits: int) -> int:
 
 
 def _takes_all_axes(function: Function) -> bool:
-    if function.name in ALL_AXES or function.name in NO_AXIS:
+    if any(each.takes_all for each in function.arguments):
         return True
     first = function.mccl.partition(",")[0]
     if function.name in QUERIES or len(first) < 3 or first[0] != "a":

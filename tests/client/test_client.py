@@ -14,7 +14,7 @@ import pytest
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
 from motionlang.client.wire import SerialWire
 from motionlang.lang.machine.machine import Machine
-from motionlang.mcapi import constants
+from motionlang.mcapi import table
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.hosts.port import Port
 from motionlang.serve import Limits, LockStep, RealTime, Server
@@ -158,7 +158,7 @@ FLAGS = {
 @pytest.mark.parametrize(("bit", "flag"), list(enumerate(FLAGS)))
 def test_a_flag_has_the_bit_that_mcapi_numbers(bit: int, flag: str) -> None:
     assert Status[flag] == 1 << bit
-    assert getattr(constants, f"MC_STAT_{FLAGS[flag]}") == bit
+    assert getattr(table, f"MC_STAT_{FLAGS[flag]}") == bit
 
 
 def test_the_faults_of_an_axis_have_bits_of_their_own() -> None:

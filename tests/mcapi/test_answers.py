@@ -2,7 +2,7 @@
 
 A call, and its result with the values that it returns.
 
-The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see `motionlang/mcapi/constants.py`.
+The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see `motionlang/mcapi/table.py`.
 """
 
 from __future__ import annotations

@@ -133,6 +133,8 @@ def test_a_server_that_ends(serve: Serve) -> None:
         with pytest.raises(McapiException) as caught:
             host.GetPositionEx(1)
         assert caught.value.code == mc.MCERR_SOCKET
+    assert host.IsStopped(1, 60.0) == 0
+    assert host.pmclock(0) == mc.MCERR_SOCKET
     assert host.Open(0, mc.MC_OPEN_BINARY) == -mc.MCERR_SOCKET
 
 

@@ -187,7 +187,7 @@ def test_the_command_of_a_field(field: str, value: float, wanted: str) -> None:
     A field that is 0 differs by its command only.
     """
     for structure, function in WRITERS.items():
-        names = [each.name for each in STRUCTURES[structure].values]
+        names = STRUCTURES[structure].names()
         if field in names:
             count = len(names)
             zeros = commands(f"{function} 1 {count} {' '.join(['0'] * count)}").split(",")
@@ -211,7 +211,7 @@ MCSetFilterConfigEx MCSetGain MCSetJogConfig MCSetJogConfigEx MCSetLimits MCSetM
 MCSetMotionConfig MCSetMotionConfigEx MCSetPosition MCSetProfile MCSetScale MCSetServoOutputPhase MCSetTorque
 MCSetVelocity MCSetVelocityOverride MCStop MCWaitForStop MCWaitForTarget pmccmdex pmccmdrpyex
 """
-ZEROS = {"d": 0.0, "str": "", "file": ""}
+ZEROS = {"d": 0.0, "str": ""}
 
 
 def result_of_axis_0(host: Mcapi, name: str) -> int:
@@ -221,7 +221,8 @@ def result_of_axis_0(host: Mcapi, name: str) -> int:
         if each.out:
             arguments.append(1)
         elif each.kind in STRUCTURES:
-            arguments += [STRUCTURES[each.kind].count, *[0] * STRUCTURES[each.kind].count]
+            values = STRUCTURES[each.kind]().values()
+            arguments += [len(values), *values]
         else:
             arguments.append(ZEROS.get(each.kind, 0))
     host._calls.call(name, host.Handle(), arguments)  # type: ignore[arg-type]
@@ -234,7 +235,7 @@ def test_functions_that_take_all_axes() -> None:
     of_axes = [
         name
         for name, function in FUNCTIONS.items()
-        if not function.unsupported and any(each.name == "axis" for each in function.inputs)
+        if not function.unsupported and any(each.name == "axis" for each in function.arguments)
     ]
     accepted = [name for name in of_axes if result_of_axis_0(host, name) != mc.MCERR_ALL_AXES]
     assert sorted(accepted) == sorted(ALL_AXES.split())

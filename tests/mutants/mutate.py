@@ -64,7 +64,6 @@ GENERATED = (
     "mccl/keywords/index.py",
     "mint/keywords/index.py",
     "assumptions/tables.py",
-    "mcapi/binding.py",
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mcapi import block
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, commands

@@ -5,7 +5,7 @@ An analogue channel has 12 bits over ±10 V: 0 is -10 V, 4095 is +10 V.
 
 from __future__ import annotations
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query

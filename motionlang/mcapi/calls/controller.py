@@ -5,7 +5,7 @@ A board has the modules that its model accepts: one per axis, servo or stepper a
 
 from __future__ import annotations
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.calls.channels import BITS, FULL_SCALE, MAX_CHANNEL
 from motionlang.mcapi.command import lacks
 from motionlang.mcapi.errors import Refused

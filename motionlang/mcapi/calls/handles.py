@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once
 
@@ -48,7 +48,7 @@ def translate(session: Session, call: Call, nError: int, length: int) -> None:  
     """
     if length <= 0:
         raise Refused(mc.MCERR_RANGE)
-    text = mc.MESSAGES.get(nError, f"unknown error {nError}")
+    text = mc.text_of(nError)
     call.outputs = (text[: length - 1],)
     if len(text) >= length:
         call.value = mc.MCERR_RANGE

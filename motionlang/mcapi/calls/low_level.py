@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line, own
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, commands, poll, query

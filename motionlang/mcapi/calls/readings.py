@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.io.encoder import AUXILIARY
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, query
 from motionlang.mccl.axis import status

@@ -6,7 +6,7 @@ a function for that command alone is not supported.
 
 from __future__ import annotations
 
-from motionlang.mcapi import constants as mc
+from motionlang.mcapi import table as mc
 from motionlang.mcapi.calls.motion import DIRECTIONS, PROFILES, of
 from motionlang.mcapi.command import command, lacks
 from motionlang.mcapi.errors import Refused
@@ -172,7 +172,7 @@ for _name, _setting in (
 
 
 def _reader(function: str, structure: str, settings: dict[str, tuple[Get, Put]]) -> None:
-    names = [field.name for field in STRUCTURES[structure].values]
+    names = STRUCTURES[structure].names()
 
     def read(interface: Interface, axis: int) -> tuple[float, ...]:
         board, state = interface.board, interface.board.axis(axis)
@@ -183,7 +183,7 @@ def _reader(function: str, structure: str, settings: dict[str, tuple[Get, Put]])
 
 
 def _writer(function: str, structure: str, argument: str, settings: dict[str, tuple[Get, Put]]) -> None:
-    names = [field.name for field in STRUCTURES[structure].values]
+    names = STRUCTURES[structure].names()
 
     def write(interface: Interface, axis: int, **given: tuple[float, ...]) -> list[Command]:
         values = dict(zip(names, given[argument], strict=True))

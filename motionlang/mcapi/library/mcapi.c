@@ -390,7 +390,7 @@ static item leave(int number, const item *a, item result, double begin, int was_
     const function *f = &FUNCTIONS[number];
     buffer line = {0}, said = {0};
     char none[] = "";
-    int opens = !strcmp(f->name, "MCOpen"), code = MCERR_SOCKET;
+    int opens = !strcmp(f->name, "MCOpen"), code = MCERR_SOCKET, mark = *f->result ? f->result[1] : 0;
     add(&line, f->name, strlen(f->name));
     arguments(f, a, &line, NULL, 0);
     if (!was_real) {
@@ -408,12 +408,12 @@ static item leave(int number, const item *a, item result, double begin, int was_
             give(c, works);
         }
         if (code > 0 && opens) result.i = -code;
-        else if (code > 0 && (f->result[1] != '=' || !strcmp(f->name, "MCGetError"))) result.i = code;
+        else if (code > 0 && (!mark || mark == '!')) result.i = code;
     }
     if (log_file) {
         double end = seconds();
         said.length = 0;
-        if (result.i == 0 || f->result[1] == '=' || !*f->result) arguments(f, a, &said, NULL, 1);
+        if (result.i == 0 || mark || !*f->result) arguments(f, a, &said, NULL, 1);
         lock(&guard);
         fprintf(log_file, "%.9f %.9f 1 %s = ", begin - log_start, end - log_start, line.text);
         if (*f->result) fprintf(log_file, "%lld", result.i); else fputc('-', log_file);
