@@ -225,8 +225,12 @@ def unrendered(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
-    def save(figure: Figure, file: IO[bytes], **options: object) -> None:
-        file.write(str(figure.get_size_inches()).encode())
+    def save(figure: Figure, file: str | IO[bytes], **options: object) -> None:
+        size = str(figure.get_size_inches()).encode()
+        if isinstance(file, str):
+            Path(file).write_bytes(size)
+        else:
+            file.write(size)
 
     monkeypatch.setattr(Figure, "savefig", save)
 

@@ -48,8 +48,6 @@ run move.mnt --plot move.svg [plot]
 check move.mnt
 repl move.mnt
 plan --distance 10 --time 1 --rule third
-notes tn1069
-notes tn1069 --plot profiles.png [plot]
 keywords SPEED
 verify move.mnt --update
 verify move.mnt --jobs 1
@@ -58,10 +56,8 @@ pvt plot --positions 0,10,20 --time 10 --plot pvt.svg [plot]
 pvt refine --positions 0,10,20 --time 10
 pvt export --positions 0,10,20 --time 10 --format pdo
 pvt stream --positions 0,10,20 --time 10 [can]
-servo slip
 servo step
 servo step --plot step.svg [plot]
-servo figure 12.1 --plot figure.svg [plot]
 diff move.mnt move.mnt
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.csv
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.parquet [parquet]

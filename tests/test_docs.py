@@ -1,10 +1,11 @@
 """The documents match the program: their code blocks are run.
 
-` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line
-stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not exist. `< FILE` is standard
-input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a diagnostic, ` ```toml ` blocks are
-machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show a program in an editor, which
-`tests/lsp/test_documented_session.py` compares. Blocks of other kinds, such as `sh` for set-up, are not run.
+` ```console ` blocks hold `$ motionlang …` and `$ python examples/notes/…` lines, each followed by its exact
+output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
+exist. `< FILE` is standard input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a
+diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show
+a program in an editor, which `tests/lsp/test_documented_session.py` compares. Blocks of other kinds, such as
+`sh` for set-up, are not run.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from motionlang.execution import run
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 from tests.cli.programs import parser_of
+from tests.notes.examples import printed
 
 ROOT = Path(__file__).parent.parent
 # The examples of the keyword pages are those of the tables, which have their own tests.
@@ -105,8 +107,10 @@ def test_console(
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
     """Return output and errors of one command of a console block.
 
-    `cat` is the only command other than `motionlang`.
+    The commands other than `motionlang` are `cat`, and `python` for a script of `examples/notes`.
     """
+    if words[0] == "python":
+        return printed(*words[1:]), ""
     if words[0] == "cat":
         return Path(words[1]).read_text(encoding="utf-8"), ""
     assert words[0] == "motionlang", words

@@ -88,7 +88,7 @@ def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> 
 # error.
 USES = {
     "run move.mnt": 0,
-    "servo slip": 0,
+    "plan --distance 10 --time 1 --rule third": 0,
     "run none.mnt": 1,
     "run": 2,
 }

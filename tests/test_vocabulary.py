@@ -31,8 +31,7 @@ NAMED = {
     "client/client.py": "TP TS WS WT",
     # Texts that only look like keywords: a state, an axis of a chart, an access.
     "controller/triggers/homing.py": "HOME",
-    "views/chapter12.py": "DAC",
-    "views/chapter12_plot.py": "DAC",
+    "notes/figures.py": "DAC",
     "assumptions/keyword_facts.py": "RW",
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",

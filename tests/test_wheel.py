@@ -192,7 +192,6 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
     }
     assert silent == {
         # Called by modules that need matplotlib: `write_plot` and `drawing`.
-        "views/chapter12_plot.py",
         "views/path_plot.py",
         "views/plot_panel.py",
         # Imported by `motionlang pvt stream`, which needs the CAN libraries first.

@@ -26,7 +26,6 @@ COMMANDS = {
     "check": ("check", "find the errors and warnings of programs without running them"),
     "repl": ("repl", "type a program line by line at an interactive prompt"),
     "plan": ("plan", "work out the missing figures of a move and write a program for it"),
-    "notes": ("notes", "print the figures of the vendors' notes, such as TN1069"),
     "keywords": ("keywords", "look up a keyword"),
     "explain": ("explain", "explain a diagnostic by its code"),
     "verify": ("verify", "compare programs with their golden files"),

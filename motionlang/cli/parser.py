@@ -90,9 +90,6 @@ def _example(line: str, width: int) -> list[str]:
 class Parser(argparse.ArgumentParser):
     """argparse without abbreviated options, and with help texts that preserve lines."""
 
-    # What a wrong name in place of a command is not.
-    noun = "command"
-
     def __init__(self, **options: object) -> None:
         options.setdefault("formatter_class", Formatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
@@ -102,9 +99,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Report an error in two lines and exit with 2; --help has the usage line."""
-        self.exit(
-            2, f"{self.prog}: error: {_in_our_words(message, self.noun)}\n  hint: {self._hint(message)}\n"
-        )
+        self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
 
     def _print_message(self, message: str, file: SupportsWrite[str] | None = None) -> None:
         """Write a help text; argparse itself ignores a failed write."""
@@ -144,7 +139,7 @@ class Parser(argparse.ArgumentParser):
         return words
 
 
-def _in_our_words(message: str, noun: str) -> str:
+def _in_our_words(message: str) -> str:
     """Return argparse's error of a wrong choice in the wording of this command line.
 
     The quotes in argparse's message depend on the version of Python.
@@ -155,7 +150,7 @@ def _in_our_words(message: str, noun: str) -> str:
     if wrong[1] == "COMMAND":
         return f"there is no command {wrong[2]}"
     if " | " in wrong[1]:
-        return f"there is no {noun} {wrong[2]}; choose {either(wrong[1].split(' | '))}"
+        return f"there is no command {wrong[2]}; choose {either(wrong[1].split(' | '))}"
     choices = wrong[3].replace("'", "")
     return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
 

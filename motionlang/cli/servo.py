@@ -1,4 +1,4 @@
-"""`motionlang servo`: slip, DAC steps, servo runs, gains, chapter 12's figures.
+"""`motionlang servo`: step responses, gains, the four profiles and programs under servo.
 
 `add_parser` registers the commands; each handler takes the parsed arguments and returns the exit status.
 """
@@ -16,14 +16,11 @@ from motionlang.cli.options import REPORTS
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import Row, add_all, arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
-from motionlang.cli.servo_options import COMPARE, DAC, FIGURE, LISTING, RUN, SECONDS, SLIP, STEP, TUNE
-from motionlang.notes import dissect
+from motionlang.cli.servo_options import COMPARE, RUN, STEP, TUNE
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Sequence
-
-    from motionlang.notes.slip import Slip
 
     Handler = Callable[[argparse.Namespace], int]
     from motionlang.cli.parser import Commands
@@ -44,76 +41,16 @@ def add_parser(family: Commands, summary: str) -> None:
     servo = family.add_parser("servo", help=summary, description=sentence(summary))
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
     servo.usage = "%(prog)s [-h] COMMAND ..."  # Python 3.13 does not wrap a long list of commands
-    for name in _COMMANDS:
-        add_one(commands, name, name)
-
-
-def add_one(commands: Commands, name: str, called: str, summary: str = "") -> None:
-    """Add the command `name` of `servo` under the name `called`."""
-    what, handler, rows = _COMMANDS[name]
-    parser = commands.add_parser(called, help=summary or what, description=sentence(summary or what))
-    add_all(parser, rows)
-    add_format(parser, REPORTS)
-    parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
-    arrange(parser, GROUPS)
-    parser.set_defaults(command=_guarded(name, handler))
+    for name, (what, handler, rows) in _COMMANDS.items():
+        parser = commands.add_parser(name, help=what, description=sentence(what))
+        add_all(parser, rows)
+        add_format(parser, REPORTS)
+        parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
+        arrange(parser, GROUPS)
+        parser.set_defaults(command=_guarded(name, handler))
 
 
 # --------------------------------------------------------------------------------------------------- commands
-
-
-def slip(args: argparse.Namespace) -> int:
-    """Print the highest acceleration at which friction holds the load; check a move."""
-    from motionlang.views import servo as view
-
-    limit = dissect.slip_acceleration(args.friction, args.gravity)
-    per_second = args.speed / SECONDS[args.per]
-    figures = {
-        "weight": args.weight,
-        "friction_force": dissect.friction_force(args.weight, args.friction),
-        "limit": limit,
-        "speed": per_second,
-        "fastest_time": dissect.fastest_time(per_second, limit),
-    }
-    checked = _moves_to_check(args)
-    if args.format == "json":
-        _print_json({**figures, "moves": [{"move": name, **_slip_json(found)} for name, found in checked]})
-    elif args.format == "table":
-        _print(view.slip_lines(args, figures))
-        for name, found in checked:
-            _print(["", *view.slip_check_lines(name, found, args.unit)])
-    if args.plot:
-        from motionlang.views.chapter12_plot import draw_figure
-
-        draw_figure("12.3", args.plot)
-    return WRONG if any(found.slips for _, found in checked) else OK
-
-
-def dac(args: argparse.Namespace) -> int:
-    """Print what a DAC step demands of the motor, and the effect of holding it."""
-    from motionlang.notes.dac_override import demonstrate
-    from motionlang.views import servo as view
-
-    limit = dissect.slip_acceleration(args.friction, args.gravity)
-    speed = args.speed / SECONDS[args.per]
-    timings = [dissect.dac_timing(speed, limit, bits) for bits in args.bits or (12, 16)]
-    runs = demonstrate(speed, limit, args.friction, args.gravity, args.fraction, args.gain)
-    if args.format == "json":
-        _print_json(
-            {
-                "limit": limit,
-                "timings": [_plain(t) for t in timings],
-                "runs": [_plain(r, "trace") for r in runs],
-            }
-        )
-    elif args.format == "table":
-        _print(view.dac_lines(timings, args))
-        _print(["", *view.override_lines(runs, args.unit)])
-    if args.plot:
-        from motionlang.views.servo_plot import plot_override
-
-        plot_override(runs, limit, args.unit, args.plot)
-    return OK
 
 
 def compare(args: argparse.Namespace) -> int:
@@ -196,54 +133,6 @@ def tune(args: argparse.Namespace) -> int:
     return OK
 
 
-def figure(args: argparse.Namespace) -> int:
-    """Print the values of chapter 12's figures, and draw them."""
-    from motionlang.views.chapter12 import FIGURES, figure_lines
-
-    if args.format == "json":
-        _print_json(
-            {"figure": args.number, "title": FIGURES[args.number].title, "lines": figure_lines(args.number)}
-        )
-    elif args.format == "table":
-        _print(figure_lines(args.number))
-    if args.plot:
-        from motionlang.views.chapter12_plot import draw_figure
-
-        draw_figure(args.number, args.plot)
-    return OK
-
-
-def listing(args: argparse.Namespace) -> int:
-    """Run chapter 12's C program on the drive that the book gives."""
-    from motionlang.notes.chapter12 import NOTES, Settings, run_listing
-    from motionlang.views import servo as view
-
-    settings = Settings(
-        args.distance,
-        args.speed,
-        args.accel,
-        args.kp,
-        args.ki,
-        args.kd,
-        hold=args.hold,
-        max_steps=args.steps,
-        bits=args.bits,
-    )
-    made = run_listing(settings, args.full_speed, args.time_constant, args.updates)
-    if args.format == "json":
-        columns = {name: list(getattr(made, name)) for name in ("demand", "position", "velocity", "dac")}
-        _print_json(
-            {"peak_onset": made.peak_onset, "peak_mean": made.peak_mean, **columns, "notes": list(NOTES)}
-        )
-    elif args.format == "table":
-        _print(view.listing_lines(settings, made))
-    if args.plot:
-        from motionlang.views.servo_plot import plot_listing
-
-        plot_listing(made, args.plot)
-    return OK
-
-
 def run(args: argparse.Namespace) -> int:
     """Run a program on its machine and show the motor data.
 
@@ -282,16 +171,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 _COMMANDS: dict[str, tuple[str, Handler, tuple[Row, ...]]] = {
-    "slip": (
-        "find the highest acceleration for a load held by friction, and check a move against it",
-        slip,
-        SLIP,
-    ),
-    "dac": (
-        "show the acceleration that one DAC step demands, and the override that limits it",
-        dac,
-        DAC,
-    ),
     "compare": (
         "compare the four profiles of TN1069 under servo, at equal acceleration and equal time",
         compare,
@@ -300,35 +179,10 @@ _COMMANDS: dict[str, tuple[str, Handler, tuple[Row, ...]]] = {
     "step": ("show the step response of a simulated axis", step, STEP),
     "tune": ("suggest gains for a motor and a bandwidth, for Mint and MCCL", tune, TUNE),
     "run": ("run a program with a simulated servo loop and motor", run, RUN),
-    "listing": ("run the C program at the end of chapter 12", listing, LISTING),
-    "figure": ("show the figures of chapter 12, as numbers or drawn", figure, FIGURE),
 }
 
 
 # ------------------------------------------------------------------------------------------- input and output
-
-
-def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
-    from motionlang.notes.slip import check_profile
-    from motionlang.notes.tn1069_servo import SHAPES
-    from motionlang.planners import plan
-
-    if args.distance is None:
-        if args.accel is not None or args.profile is not None:
-            raise ValueError("to check a move, give --distance and --accel")
-        return []
-    if args.accel is None:
-        raise ValueError("to check a move, give --accel as well")
-    speed = args.move_speed or args.speed / SECONDS[args.per]
-    found = []
-    for shape in (args.profile,) if args.profile else SHAPES:
-        profile = plan(shape, 0.0, args.distance, speed, args.accel, args.accel, ramp=args.ramp)
-        found.append((shape, check_profile(profile, args.friction, args.gravity)))
-    return found
-
-
-def _slip_json(found: Slip) -> dict[str, object]:
-    return {**_plain(found), "slips": found.slips, "margin": found.margin}
 
 
 def _plain(value: object, *without: str) -> dict[str, object]:

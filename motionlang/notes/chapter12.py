@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import exp
 
 from motionlang.notes.dissect import divided
 
@@ -43,8 +44,17 @@ class Settings:
     bits: int = 12
 
 
+EXAMPLE = Settings(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32)
+"""A move that accelerates by 1 count per update every fourth update, with an override of 32 steps."""
+
+
 class Listing:
-    """The interrupt routine with its static variables; `update` is one interrupt."""
+    """The interrupt routine with its static variables; `update` is one interrupt.
+
+    >>> routine = Listing(Settings(distance=100, speed=10, accel=2, kp=40))
+    >>> [routine.update(0, 0) for _ in range(3)], routine.velocity, routine.position
+    ([5, 15, 30], 6, 12)
+    """
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
@@ -151,15 +161,21 @@ class ListingRun:
 
 
 def run_listing(
-    settings: Settings, full_speed: float, time_constant: float, updates: int, period: float = 1.0
+    settings: Settings = EXAMPLE,
+    full_speed: float = 100.0,
+    time_constant: float = 2.0,
+    updates: int = 1000,
+    period: float = 1.0,
 ) -> ListingRun:
     """Run the listing on chapter 12's drive.
 
     The motor's velocity follows the DAC's with a first-order lag. `full_speed` is in counts per update at full
     scale, `time_constant` in updates, `period` in seconds per update.
-    """
-    from math import exp
 
+    >>> made = run_listing()
+    >>> made.demand[-1], made.dac[200], round(made.peak_mean, 7)
+    (20000, 1000, 0.6183412)
+    """
     routine = Listing(settings)
     top = 1 << (settings.bits - 1)
     keep = exp(-1.0 / time_constant)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import ceil
 from typing import TYPE_CHECKING
 
-from motionlang.notes.dissect import dac_timing
+from motionlang.notes.dissect import FRICTION, GRAVITY_FT, SPEED_FT_MIN, dac_timing, slip_acceleration
 from motionlang.notes.slip import check_trace
 from motionlang.planners import plan
 from motionlang.planners.curve import hold
@@ -51,14 +51,23 @@ class OverrideRun:
 
 
 def demonstrate(
-    speed: float, limit: float, friction: float, gravity: float, share: float, gain: int
+    speed: float = SPEED_FT_MIN / 60.0,
+    friction: float = FRICTION,
+    gravity: float = GRAVITY_FT,
+    share: float = 0.25,
+    gain: int = 60,
 ) -> list[OverrideRun]:
-    """Run a trapezoid at `share` of the `limit` to nearly `speed` in four variants.
+    """Run a trapezoid at `share` of the slip limit to nearly `speed` in four variants.
 
     `speed`, in units per second, is the full scale of the DAC. The variants are 12 and 16 bits, each without and
     with the override. With 12 bits the override holds each step for five time constants, as in the chapter. With
-    16 bits it allows as many steps per update as fit into the motor's time constant.
+    16 bits it allows as many steps per update as fit into the motor's time constant. The loop's proportional gain is
+    `gain`.
+
+    >>> [f"{run.name}: {run.onset / run.limit:.3f}" for run in demonstrate()]
+    ['12 bits, free: 12.000', '12 bits, held: 1.504', '16 bits, free: 11.250', '16 bits, held: 0.984']
     """
+    limit = slip_acceleration(friction, gravity)
     if not share < 1.0:
         raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:.10g}")
     coarse = dac_timing(speed, limit, 12)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import exp, inf
+from typing import NamedTuple
 
 from motionlang.planners.limits import check_positive
 
@@ -55,6 +56,9 @@ def trapezoid_times(distance: float, speed: float, accel: float) -> MoveTimes:
     """Return the times of a trapezoid (figure 12.9).
 
     T_a = V/A, D_a = V²/(2A), T_s = D/V - V/A, T_move = D/V + V/A.
+
+    >>> trapezoid_times(12.0, 8.0, 16.0)
+    MoveTimes(accel_time=0.5, accel_distance=2.0, slew_time=1.0, move_time=2.0)
     """
     return _times(distance, speed, speed / accel, 0.5 * speed * speed / accel)
 
@@ -63,12 +67,19 @@ def s_curve_times(distance: float, speed: float, accel: float) -> MoveTimes:
     """Return the times of an S-curve whose ramps have triangular acceleration.
 
     T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A (figure 12.9).
+
+    >>> s_curve_times(12.0, 8.0, 32.0)
+    MoveTimes(accel_time=0.5, accel_distance=2.0, slew_time=1.0, move_time=2.0)
     """
     return _times(distance, speed, 2.0 * speed / accel, speed * speed / accel)
 
 
 def equal_time_accel(accel: float) -> float:
-    """Return the peak acceleration of an S-curve as fast as a trapezoid: A_s = 2A."""
+    """Return the peak acceleration of an S-curve as fast as a trapezoid: A_s = 2A.
+
+    >>> equal_time_accel(16.0)
+    32.0
+    """
     return 2.0 * accel
 
 
@@ -80,16 +91,26 @@ def _times(distance: float, speed: float, accel_time: float, accel_distance: flo
     return MoveTimes(accel_time, accel_distance, slew, 2.0 * accel_time + slew)
 
 
-def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int, int]]:
-    """Return the (velocity, position) after each update of the chapter's algorithm.
+class Update(NamedTuple):
+    """An update of the discrete trapezoid: velocity in counts per update, position in counts."""
+
+    velocity: int
+    position: int
+
+
+def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[Update]:
+    """Return each update of the chapter's algorithm.
 
     Each update does velocity += accel; position += velocity (figure 12.7). Units are counts, counts per
     update and counts per update². The move decelerates from the update at which the remaining distance would no
     longer suffice to stop, and covers the remainder at a constant creep.
+
+    >>> discrete_trapezoid(200, 20, 2)[8]
+    Update(velocity=18, position=90)
     """
     check_positive(distance=distance, speed=speed, accel=accel)
     velocity = position = 0
-    made: list[tuple[int, int]] = []
+    made: list[Update] = []
     while position < distance:
         faster = min(velocity + accel, speed)
         if position + faster + _stopping(faster, accel) <= distance:
@@ -98,7 +119,7 @@ def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int,
             velocity = max(velocity - accel, 1 if velocity <= accel else 0)
         velocity = min(velocity, distance - position)
         position += velocity
-        made.append((velocity, position))
+        made.append(Update(velocity, position))
     return made
 
 
@@ -118,6 +139,9 @@ def slip_acceleration(friction: float, gravity: float) -> float:
     """Return the acceleration at which a load held only by friction slips: a = mu g.
 
     It does not depend on the mass.
+
+    >>> slip_acceleration(0.25, 9.81)
+    2.4525
     """
     check_positive(friction=friction, gravity=gravity)
     return friction * gravity
@@ -127,13 +151,20 @@ def friction_force(weight: float, friction: float) -> float:
     """Return the largest force that friction transmits to a load of `weight`.
 
     See figure 12.4.
+
+    >>> friction_force(5.0, 0.1)
+    0.5
     """
     check_positive(weight=weight, friction=friction)
     return weight * friction
 
 
 def fastest_time(speed: float, acceleration: float) -> float:
-    """Return the shortest time to reach `speed` without exceeding `acceleration`."""
+    """Return the shortest time to reach `speed` without exceeding `acceleration`.
+
+    >>> round(fastest_time(100.0 / 60.0, 3.22), 7)
+    0.5175983
+    """
     check_positive(speed=speed, acceleration=acceleration)
     return speed / acceleration
 
@@ -158,6 +189,10 @@ def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacT
 
     Steps may follow each other as fast as `acceleration` allows. The electrical time constant is 2/3 of the time of
     one step, the hold time is five time constants.
+
+    >>> timing = dac_timing(100.0 / 60.0, 3.22)
+    >>> timing.steps, round(timing.step_time * 1e6, 4), round(timing.hold_time * 1e6, 4)
+    (2048, 252.7336, 842.4452)
     """
     check_positive(full_speed=full_speed, acceleration=acceleration)
     if not 2 <= bits <= 32:
@@ -190,6 +225,9 @@ def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSe
     The update is the time per step that the acceleration limit allows; `time_constant` is in updates. The velocity
     approaches that of the DAC like the current of an RL circuit. `onset` is the acceleration just after the
     change, `mean` that of the update (figures 12.5, 12.6).
+
+    >>> [round(segment.onset, 3) for segment in step_segments((1, 2, 1), 1.0)]
+    [1.0, 2.368, 1.871]
     """
     check_positive(time_constant=time_constant)
     made, dac, velocity = [], 0.0, 0.0
@@ -205,11 +243,19 @@ def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSe
 
 
 def buildup(time: float, time_constant: float) -> float:
-    """Return the fraction of a step response after `time`: 63 % at one time constant."""
+    """Return the fraction of a step response after `time`: 63 % at one time constant.
+
+    >>> round(buildup(1.0, 1.0), 4)
+    0.6321
+    """
     return 1.0 - exp(-time / time_constant) if time < inf else 1.0
 
 
 def divided(value: int, divisor: int) -> int:
-    """Return a quotient that is truncated towards zero."""
+    """Return a quotient that is truncated towards zero.
+
+    >>> divided(-7, 2)
+    -3
+    """
     whole = abs(value) // divisor
     return whole if value >= 0 else -whole

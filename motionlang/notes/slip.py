@@ -54,6 +54,11 @@ def check_profile(profile: Profile, friction: float, gravity: float, scale: floa
     """Check one planned profile, which has pieces.
 
     `scale` is counts (the length unit of the profile) per length unit of `gravity`.
+
+    >>> from motionlang.planners import plan_trapezoid
+    >>> found = check_profile(plan_trapezoid(0.0, 0.5, 0.8, 2.6, 2.6), 0.25, 9.81)
+    >>> found.slips, found.limit, round(found.margin, 3)
+    (True, 2.4525, -0.06)
     """
     limit = slip_acceleration(friction, gravity)
     check_positive(scale=scale)
@@ -71,7 +76,13 @@ def check_profile(profile: Profile, friction: float, gravity: float, scale: floa
 
 
 def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check the motion of a simulated motor, and simulate the slip of its load."""
+    """Check the motion of a simulated motor, and simulate the slip of its load.
+
+    >>> from motionlang.notes.dac_override import demonstrate
+    >>> free, held, *_ = demonstrate()
+    >>> [check_trace(run.trace, 0.1, 32.2, 60_000.0).slips for run in (free, held)]
+    [True, False]
+    """
     limit = slip_acceleration(friction, gravity)
     check_positive(scale=scale)
     if not len(trace):

@@ -6,11 +6,12 @@ error in print.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from motionlang.planners.curve import Profile
 from motionlang.planners.parabolic import plan_parabolic
 from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
 from motionlang.planners.trapezoid import plan_trapezoid
-from motionlang.record import record
 
 ACCELERATION = 100_000.0
 """counts/s^2"""
@@ -100,7 +101,7 @@ class Demand:
 NOTE = Demand()
 
 
-@record
+@dataclass(frozen=True, slots=True)
 class Row:
     """One quantity of the table for the four profiles; None if it does not exist."""
 
@@ -114,6 +115,9 @@ def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]
     """Plan the move in each of the four shapes, in the order of `COLUMNS`.
 
     The units are counts and seconds.
+
+    >>> [round(profile.duration, 6) for profile in profiles()]
+    [1.4, 1.628319, 1.444444, 1.549193]
     """
     limits = (demand.velocity, demand.acceleration, demand.deceleration)
     return (
@@ -129,6 +133,10 @@ def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
 
     They are taken from a move that is long enough to reach this velocity, even if the demand is not. T_D and S_D follow
     if they differ.
+
+    >>> time, distance = nominal()
+    >>> round(distance.exact[3], 3), distance.printed[3]
+    (21333.333, 10667.0)
     """
     slowest = min(demand.acceleration, demand.deceleration)
     room = 8.0 * demand.velocity * demand.velocity / slowest
@@ -146,6 +154,9 @@ def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
     """Return the note's table, exact next to printed figures, with two more rows.
 
     The added rows are the peak and the whole move.
+
+    >>> [row.exact[0] for row in comparison()]
+    [400.0, 8000.0, 24000.0, 600.0, 40.0, 1400.0]
     """
     moves = profiles(demand)
     slews = [next((phase for phase in made.phases if phase.name == "slew"), None) for made in moves]

@@ -62,6 +62,11 @@ def compare(
 
     The equal time is the time of the trapezoid; the other shapes get the acceleration that they need for it.
     `window` is in counts.
+
+    >>> from motionlang.servo import Loop, Motor
+    >>> rows = compare(Loop(proportional=0.04, integral=2e-5, derivative=0.9), Motor(), 4000.0, 20_000.0, 200_000.0)
+    >>> [f"{row.shape} {row.time:.3f} s" for row in rows]
+    ['trapezoid 0.300 s', 'sinusoidal 0.357 s', 'scurve 0.311 s', 'parabolic 0.346 s']
     """
     if basis not in BASES:
         raise ValueError(f"profiles are compared at equal {' or '.join(BASES)}, not {basis!r}")
@@ -78,6 +83,9 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
     """Return the acceleration at which a move of this shape takes `time`.
 
     Raises ValueError if there is none.
+
+    >>> round(accel_for("sinusoidal", 4000.0, 20_000.0, 0.3, 0.1))
+    314159
     """
     if time <= distance / speed:
         raise ValueError(
@@ -100,7 +108,11 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
 
 
 def peak_jerk(profile: Profile) -> float:
-    """Return the largest jerk of a profile; inf if its acceleration jumps."""
+    """Return the largest jerk of a profile; inf if its acceleration jumps.
+
+    >>> peak_jerk(plan("trapezoid", 0.0, 4000.0, 20_000.0, 200_000.0, 200_000.0))
+    inf
+    """
     if profile.shape in ("trapezoid", "parabolic"):
         return inf
     # The jerk of a cubic is constant, and that of a half wave is largest where it begins.

@@ -6,18 +6,12 @@ from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.errors import count_of
 from motionlang.servo.plant import Motor
 from motionlang.views.grid import filled
 
 if TYPE_CHECKING:
-    import argparse
     from collections.abc import Mapping, Sequence
 
-    from motionlang.notes.chapter12 import ListingRun, Settings
-    from motionlang.notes.dac_override import OverrideRun
-    from motionlang.notes.dissect import DacTiming
-    from motionlang.notes.slip import Slip
     from motionlang.notes.tn1069_servo import Row
     from motionlang.servo.plant import Drive
     from motionlang.servo.response import LoopFigures, StepFigures
@@ -32,68 +26,6 @@ SHAPE_NAMES = {
     "scurve": "trapezoidal S-curve",
     "parabolic": "parabolic",
 }
-
-
-def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[str]:
-    """Return the chapter's example: the friction force and its consequences."""
-    unit, speed = args.unit, f"{figure(args.speed)} {args.unit}/{'min' if args.per == 'minute' else 's'}"
-    friction, gravity = figure(args.friction), figure(args.gravity)
-    rows = [
-        ("friction force", f"{figure(figures['friction_force'])}", f"{figure(args.weight)} · {friction}"),
-        (
-            "fastest acceleration",
-            f"{figure(figures['limit'])} {unit}/s²",
-            f"{friction} · {gravity}, whatever the weight",
-        ),
-        (
-            f"fastest time to {speed}",
-            f"{figures['fastest_time']:.7f} s",
-            f"{figure(figures['speed'])} / {figure(figures['limit'])}",
-        ),
-    ]
-    return _listed(rows)
-
-
-def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
-    """Return whether a load slips in one move, with the times and the margin."""
-    title = SHAPE_NAMES.get(name, name)
-    peak = f"peak {figure(found.peak)} of {figure(found.limit)} {unit}/s² at {figure(found.peak_time)} s"
-    if not found.slips:
-        return [f"{title}: the load stays; {peak}, margin {found.margin:.1%}"]
-    spans = ", ".join(f"{a:.6f} to {b:.6f} s" for a, b in found.spans[:4])
-    more = f" and {len(found.spans) - 4} more" if len(found.spans) > 4 else ""
-    return [
-        f"{title}: the load slips; {peak}, margin {found.margin:.1%}",
-        f"  beyond the limit from {spans}{more}",
-    ]
-
-
-def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[str]:
-    """Return one DAC step for each number of bits: its speed and the resulting times."""
-    per, seconds = ("min", 60.0) if args.per == "minute" else ("s", 1.0)
-    cells: Cells = {
-        "DAC": lambda t: f"{t.bits} bits",
-        "steps": lambda t: f"±{t.steps}",
-        f"one step, {args.unit}/{per}": lambda t: figure(t.step_speed * seconds, 9),
-        "takes at least, µs": lambda t: f"{t.step_time * 1e6:.4f}",
-        "time constant, µs": lambda t: f"{t.electrical_time_constant * 1e6:.4f}",
-        "hold, µs": lambda t: f"{t.hold_time * 1e6:.4f}",
-    }
-    return filled(cells, timings, width=WIDTH)
-
-
-def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
-    """Compare a move with and without override, in multiples of the slip limit."""
-    cells: Cells = {
-        "<DAC": lambda run: run.name,
-        "<override": lambda run: f"{count_of(run.steps, 'step')}, held {run.hold}" if run.steps else "none",
-        "onset, × limit": lambda run: f"{run.onset / run.limit:.3f}",
-        "over an update, × limit": lambda run: f"{run.mean / run.limit:.3f}",
-        f"slid, {unit}": lambda run: f"{run.slid:.6f}",
-        f"largest error, {unit}": lambda run: f"{run.error:.6f}",
-    }
-    last = f"limit {figure(runs[0].limit)} {unit}/s²; beyond it the load slips"
-    return [*filled(cells, runs, width=WIDTH), "", last]
 
 
 def plant_line(plant: Motor | Drive) -> str:
@@ -192,26 +124,6 @@ def tune_lines(
     return [*lines, *(f"warning: {text}" for text in made.warnings)]
 
 
-def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
-    """Return a few rows of a run of the listing, and the largest accelerations."""
-    cells: Cells = {
-        "update": str,
-        "demand, counts": lambda i: str(made.demand[i]),
-        "position, counts": lambda i: f"{_quiet(made.position[i]):.2f}",
-        "velocity, counts/update": lambda i: f"{_quiet(made.velocity[i]):.3f}",
-        "DAC, steps": lambda i: str(made.dac[i]),
-    }
-    last = len(made.demand) - 1
-    shown = sorted({0, 1, 2, *(round(last * k / 10) for k in range(11))} & set(range(last + 1)))
-    demanded = settings.accel / settings.hold
-    return [
-        *filled(cells, shown, width=WIDTH),
-        "",
-        f"demanded acceleration {figure(demanded)} counts/update²; largest over an update {figure(made.peak_mean)}, "
-        f"just after a DAC change {figure(made.peak_onset)}",
-    ]
-
-
 def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, object]:
     """Return one axis of a run as JSON data."""
     return {
@@ -243,13 +155,8 @@ def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> l
     return [*filled(_AXES, rows, width=WIDTH), "", last]
 
 
-def figure(value: float, digits: int = 7) -> str:
-    """Format a number to seven significant digits, without trailing zeros."""
-    return f"{value:.{digits}g}"
-
-
 def _counts(value: float) -> str:
-    return f"{figure(value)} count{'' if value == 1.0 else 's'}"
+    return f"{value:.7g} count{'' if value == 1.0 else 's'}"
 
 
 def _plain(value: float) -> str:

@@ -14,7 +14,7 @@ from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.views.outline import thinned
 from motionlang.views.plot import DPI, STYLE
-from motionlang.views.plot_panel import FAINT, INK
+from motionlang.views.plot_panel import INK
 from motionlang.views.servo import SHAPE_NAMES
 
 if TYPE_CHECKING:
@@ -23,16 +23,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from motionlang.notes.chapter12 import ListingRun
-    from motionlang.notes.dac_override import OverrideRun
     from motionlang.notes.tn1069_servo import Row
     from motionlang.servo.trace import ServoTrace
 
 BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6b4fa0"
 COLOURS = (BLUE, GREEN, RED, VIOLET)
 WIDTH = 10.0
-TAKE_OFF = 0.06
-"""Seconds at the start of a move in which a plot shows the DAC."""
 
 
 @contextmanager
@@ -117,42 +113,3 @@ def plot_comparison(tables: Mapping[str, Sequence[Row]], path: str) -> None:
             grid[2][column].set_xlabel("time (s)")
         lines, names = grid[0][0].get_legend_handles_labels()
         figure.legend(lines, names, loc="outside lower center", ncols=4, frameon=False, fontsize=9)
-
-
-def plot_override(runs: Sequence[OverrideRun], limit: float, unit: str, path: str) -> None:
-    """Plot the start of each run: acceleration against the limit, and the DAC."""
-    with drawing(path, WIDTH, 1.9 * len(runs) + 0.8) as figure:
-        grid = figure.subplots(
-            len(runs), 2, squeeze=False, sharex=True, sharey="col", width_ratios=(1.6, 1.0)
-        )
-        for (left, right), run in zip(grid, runs, strict=True):
-            trace = run.trace
-            scale = float(abs(trace.onset).max()) / run.onset
-            early = trace.time < TAKE_OFF
-            time = trace.time[early] * 1000.0
-            left.vlines(time, 0.0, trace.onset[early] / scale, color=RED, linewidth=1.0)
-            for edge in (limit, -limit):
-                left.axhline(edge, color=INK, linewidth=0.9, linestyle="--")
-            dress(left, f"{run.name}\nacceleration", f"{unit}/s²")
-            volts = trace.output[early] / trace.loop.dac_step * 2.0 ** (12 - run.bits)
-            right.step(time, volts, where="post", color=VIOLET, linewidth=1.1)
-            dress(right, "DAC", "12-bit steps")
-        grid[-1][0].set_xlabel("time (ms); dashed: beyond this the load slips")
-        grid[-1][1].set_xlabel("time (ms)")
-
-
-def plot_listing(made: ListingRun, path: str) -> None:
-    """Plot velocity and DAC of the listing for each update."""
-    updates = range(len(made.demand))
-    with drawing(path, WIDTH, 5.4) as figure:
-        first, second, third = figure.subplots(3, 1, sharex=True)
-        first.plot(updates, made.demand, color=GREY, linewidth=1.3, label="demand")
-        first.plot(updates, made.position, color=BLUE, linewidth=1.3, label="motor")
-        first.legend(loc="lower right", frameon=False, fontsize=8)
-        dress(first, "position", "counts")
-        second.plot(updates, made.velocity, color=GREEN, linewidth=1.3)
-        dress(second, "velocity", "counts/update")
-        third.step(updates, made.dac, where="post", color=VIOLET, linewidth=1.1)
-        dress(third, "DAC", "steps")
-        third.set_xlabel("update")
-        third.tick_params(colors=FAINT)

@@ -27,9 +27,8 @@ COMMANDS = {
     "diff": "diff {folder}/a.mnt {folder}/b.mnt --format json",
     "keywords": "keywords HOMESPEED --format json",
     "plan": "plan --distance 20 --time 0.6 --rule third --format json",
-    "profiles": "notes tn1069 --format json",
     "pvt": "pvt stream --scurve 1000 --time 100 --format json",
-    "servo": "servo figure 12.4 --format json",
+    "servo": "servo step --format json",
     "sweep": "sweep {folder}/b.mnt --vary SPEED[0]@1=100,120 --format json",
     "verify": "verify {folder}/b.mnt --update --format json",
 }

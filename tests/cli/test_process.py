@@ -53,7 +53,7 @@ sweep moves.mnt --vary controller.axes=1,2
 verify moves.mnt
 verify moves.mnt --format json
 pvt --help
-servo slip --help
+servo step --help
 """
 
 

@@ -37,7 +37,6 @@ def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[
         ("pvt refine --timee 5", "pvt refine", "did you mean --time?"),
         ("servo step --bandwith 9", "servo step", "did you mean --bandwidth?"),
         ("mcapi run --recrod x y", "mcapi run", "did you mean --record?"),
-        ("notes chapter12 12.5 --plto x", "notes chapter12", "did you mean --plot?"),
         ("run x.mnt --untl 5", "run", "did you mean --until?"),
     ],
 )

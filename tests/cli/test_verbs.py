@@ -47,21 +47,7 @@ def test_what_is_missing_is_named(pick: Cell, given: str, hint: str) -> None:
 
 @pytest.mark.parametrize(
     ("typed", "suggestion"),
-    [("profle", "profile"), ("certfy", "certify"), ("proove", "prove"), ("note", "notes"), ("plott", "plot")],
+    [("profle", "profile"), ("certfy", "certify"), ("proove", "prove"), ("plott", "plot")],
 )
 def test_a_suggestion_is_a_verb_of_the_same_kind(cell: Cell, typed: str, suggestion: str) -> None:
     assert f"did you mean {suggestion}?" in cell(typed, "pick.mnt").err
-
-
-def test_the_notes_of_the_vendors(cell: Cell) -> None:
-    listed = cell("notes").out
-    for name in ("tn1069", "an00115", "chapter12"):
-        assert f"motionlang notes {name}" in listed
-    assert "distance    Sp (Ta + Ts)\n" in cell("notes", "an00115").out
-    assert cell("notes", "chapter12", "12.3").out == cell("servo", "figure", "12.3").out
-
-
-def test_an_unknown_note_is_an_error_with_the_choices(cell: Cell) -> None:
-    ran = cell("notes", "tn1070")
-    assert ran.status == 2
-    assert "did you mean tn1069?" in ran.err

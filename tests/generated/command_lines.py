@@ -5,7 +5,6 @@ from __future__ import annotations
 from motionlang.errors import CODES
 from tests.generated.draw import Draw, table
 
-_PROFILES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 _MOTOR = {
     "load_inertia": (1e-6, 1e-4), "viscous": (0.0, 1e-4), "coulomb": (0.0, 0.01),
     "load_torque": (-0.02, 0.02), "breakaway": (0.0, 0.02),
@@ -137,26 +136,6 @@ def _stream(draw: Draw) -> list[str]:
     return ["pvt", "stream", *_points(draw), *transfer, *interval, *_json(draw)]
 
 
-def _slip(draw: Draw) -> list[str]:
-    figures = {
-        "--friction": (0.05, 0.8),
-        "--speed": (0.5, 5.0),
-        "--move-speed": (0.5, 5.0),
-        "--weight": (1.0, 50.0),
-    }
-    move = ["--distance", _figure(draw, 1.0, 20.0), "--accel", _figure(draw, 0.5, 8.0)]
-    per = ["--per", draw.choice(("second", "minute"))] if draw.chance(0.3) else []
-    profile = ["--profile", draw.choice(_PROFILES)] if draw.chance(0.5) else []
-    return ["servo", "slip", *_some(draw, figures, 0.6), *move, *per, *profile, *_json(draw)]
-
-
-def _dac(draw: Draw) -> list[str]:
-    figures = {"--friction": (0.05, 0.8), "--speed": (0.5, 5.0), "--fraction": (0.1, 0.9)}
-    gain = ["--gain", str(draw.randrange(1, 9))] if draw.chance(0.5) else []
-    bits = ["--bits", str(draw.randrange(8, 17))] if draw.chance(0.5) else []
-    return ["servo", "dac", *_some(draw, figures, 0.6), *gain, *bits, *_json(draw)]
-
-
 def motor(draw: Draw) -> list[str]:
     """Return options for some properties of a simulated motor."""
     soft = {"resonance": (40.0, 200.0), "backlash": (0.0, 4.0)}
@@ -180,15 +159,6 @@ def _tune(draw: Draw) -> list[str]:
     return ["servo", "tune", *motor(draw), "--bandwidth", _figure(draw, 15.0, 80.0), *plain, *_json(draw)]
 
 
-def _listing(draw: Draw) -> list[str]:
-    figures = {
-        "--distance": (500.0, 5000.0), "--speed": (1000.0, 20000.0), "--accel": (1e4, 2e5),
-        "--full-speed": (1e4, 1e5), "--time-constant": (0.005, 0.05),
-    }  # fmt: skip
-    gains = [f"--{name}={draw.randrange(1, 60)}" for name in ("kp", "ki", "kd") if draw.chance(0.6)]
-    return ["servo", "listing", *_some(draw, figures, 0.5), *gains, *_json(draw)]
-
-
 def _keyword(draw: Draw) -> list[str]:
     language = draw.choice(("mint", "mccl"))
     names = sorted(table(language))
@@ -207,17 +177,7 @@ def _probe(draw: Draw) -> list[str]:
     return ["probe", language, *(motion if draw.chance(0.5) else [])]
 
 
-def _note(draw: Draw) -> list[str]:
-    figures = {
-        "--acceleration": (2e4, 3e5), "--velocity": (5e3, 1e5), "--distance": (2e3, 1e5), "--deceleration": (2e4, 3e5),
-        "--ramp": (0.05, 0.5),
-    }  # fmt: skip
-    if draw.chance(0.3):
-        return ["notes", "chapter12", f"12.{draw.randrange(1, 12)}", *_json(draw)]
-    return ["notes", "tn1069", *_some(draw, figures, 0.5), *_json(draw)]
-
-
 _KINDS = (
-    _plan, _pvt, _plan, _refine, _plan, _export, _slip, _stream, _plan, _step, _dac, _export, _note, _tune, _plan,
-    _compare, _listing, _keyword, _plan, _explain, _pvt, _step, _probe,
+    _plan, _pvt, _plan, _refine, _plan, _export, _refine, _stream, _plan, _step, _step, _export, _keyword, _tune, _plan,
+    _compare, _step, _keyword, _plan, _explain, _pvt, _step, _probe,
 )  # fmt: skip

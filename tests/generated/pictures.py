@@ -100,16 +100,16 @@ def picture_line(seed: int) -> list[str]:
     draw = Draw(seed)
     positions = ",".join(str(draw.randrange(-2000, 9000, 100)) for _ in range(draw.randrange(3, 7)))
     drive = [f"--positions={positions}", "--time", str(draw.randrange(5, 60))]
-    distance, time, friction = (
+    distance, time, ramp = (
         draw.randrange(20, 90),
         draw.randrange(1, 4),
         draw.choice(("0.1", "0.3", "0.6")),
     )
     lines = (
         ["pvt", "plot", *drive, "--velocities", draw.choice(("zero", "average", "exact"))],
-        ["servo", "figure", f"12.{seed // 8 % 11 + 1}"],
+        ["servo", "step", "--size", f"{distance}0", "--time", "0.05"],
         ["servo", "step", *motor(draw), "--time", "0.05"],
-        ["notes", "tn1069", "--distance", f"{distance}00"],
+        ["pvt", "plot", *drive, "--linear"],
         ["pvt", "refine", *drive, "--compare", "1,2,4"],
         [
             "plan",
@@ -120,9 +120,19 @@ def picture_line(seed: int) -> list[str]:
             "--rule",
             draw.choice(("third", "quarter")),
         ],
-        ["servo", "slip", "--friction", friction, "--distance", "4", "--accel", str(time)],
+        [
+            "plan",
+            "--distance",
+            str(distance),
+            "--time",
+            str(time),
+            "--accel-time",
+            ramp,
+            "--decel-time",
+            "0.2",
+        ],
         ["servo", "compare", *motor(draw)],
-        ["notes", "chapter12", f"12.{seed // 8 % 11 + 1}"],
-        ["servo", "dac", "--friction", friction],
+        ["pvt", "refine", *drive],
+        ["servo", "step", "--plant", f"coulomb=0.00{ramp[-1]}", "--time", "0.05"],
     )
     return [*lines[seed % len(lines)], "--plot", "a.svg"]

@@ -56,8 +56,7 @@ from tests.generated.pictures import described, picture_line
 
 ROOT = Path(__file__).parents[2]
 DIGESTS = Path(__file__).with_name("results.txt")
-# The seeds of each family of programs, of command lines without a program, and the figures of chapter 12: 12.1 to
-# 12.11, and its listing.
+# The seeds of each family of programs, and of command lines without a program.
 SEEDS = {
     "motion": range(1, 37),
     "words": range(1, 55),
@@ -65,7 +64,6 @@ SEEDS = {
     "handlers": range(1, 13),
     "commands": range(1, 169),
     "pictures": range(1, 31),
-    "figures": range(1, 13),
 }
 # Columns of the terminal by the last two bits of a seed; None for a pipe.
 TERMINALS = (None, 60, None, 100)
@@ -147,9 +145,6 @@ def _texts(family: str, seed: str) -> dict[str, str]:
     if family == "commands":
         line = command_line(int(seed))
         return {"program": " ".join(line), "output": said(*line)}
-    if family == "figures":
-        line = ["servo", "listing"] if seed == "12" else ["notes", "chapter12", f"12.{seed}"]
-        return {"report": said(*line, "--format", "json"), **_drawn([*line, "--plot", "a.svg"])}
     if family == "pictures":
         return _pictures(int(seed))
     program = _program(family, seed)

@@ -302,7 +302,7 @@ def test_the_listings_pid_is_the_loops() -> None:
 
 
 def test_the_override_keeps_the_load_where_it_is() -> None:
-    free, overridden, fine, fine_overridden = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60)
+    free, overridden, fine, fine_overridden = demonstrate()
     for run in (free, fine):
         assert run.onset > 10.0 * LIMIT
         assert run.slid > 1e-3
@@ -324,7 +324,7 @@ def test_a_step_is_held_for_five_time_constants_of_the_motor(
     With 0.814, 0.977, 0.244 and 0.3 mm/s that is 0.84, 1.01, 0.27 and 1 ms, in updates of 0.25 ms. A step of 16 bits
     takes a sixteenth: 10 of them fit into 10 2/3.
     """
-    runs = demonstrate(speed, limit, 0.1, 10.0 * limit, 0.25, 60)
+    runs = demonstrate(speed, friction=1.0, gravity=limit)
     assert [(run.name, run.bits, run.steps, run.hold) for run in runs] == [
         ("12 bits, free", 12, 0, 1),
         ("12 bits, held", 12, 1, updates),
@@ -336,7 +336,7 @@ def test_a_step_is_held_for_five_time_constants_of_the_motor(
 
 def test_the_move_of_the_override_has_a_tenth_of_a_second_at_its_speed() -> None:
     """At 0.95 of 2 and a quarter of 3.22, the ramps take 1.9²/0.805 and the slew 0.19."""
-    for run in demonstrate(2.0, 3.22, 0.1, 32.2, 0.25, 60):
+    for run in demonstrate(2.0):
         assert run.trace.commanded[-1] * 2.0 / 100_000.0 == pytest.approx(1.9**2 / 0.805 + 0.19, abs=2e-5)
         assert run.trace.commanded[0] == 0.0
         assert run.error == pytest.approx(run.trace.peak_error * 2.0 / 100_000.0)
@@ -345,7 +345,7 @@ def test_the_move_of_the_override_has_a_tenth_of_a_second_at_its_speed() -> None
 @pytest.mark.parametrize("share", [1.0, 1.5])
 def test_a_demand_at_the_limit_is_refused(share: float) -> None:
     with pytest.raises(ValueError, match="must be below 1, not"):
-        demonstrate(SPEED, LIMIT, 0.1, 32.2, share, 60)
+        demonstrate(share=share)
 
 
 def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it() -> None:
@@ -353,7 +353,7 @@ def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it(
 
     SPEED corresponds to 100 000 counts/s.
     """
-    for run in demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60):
+    for run in demonstrate():
         accelerated = 0.5 * 0.25 * LIMIT * 100_000.0 / SPEED * 0.2**2
         assert run.trace.commanded[round(0.2 / run.trace.loop.period)] == pytest.approx(accelerated, abs=1.0)
         moves = np.flatnonzero(np.diff(run.trace.commanded))
@@ -363,7 +363,7 @@ def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it(
 
 def test_more_gain_changes_nothing_under_the_override() -> None:
     for gain in (20, 200):
-        _, overridden, _, fine_overridden = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.2, gain)
+        _, overridden, _, fine_overridden = demonstrate(share=0.2, gain=gain)
         assert overridden.mean < LIMIT
         assert fine_overridden.onset < LIMIT
 

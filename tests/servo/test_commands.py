@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 
 import pytest
 
 from motionlang.cli import main
-from tests.cases import one_in
 
 SCHEMA = "motionlang.servo/1"
 
@@ -27,16 +25,11 @@ def run_command(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, s
 @pytest.mark.parametrize(
     "words",
     [
-        ("slip",),
-        ("slip", "--distance", "2", "--accel", "3"),
-        ("dac",),
         ("compare", "--equal", "time"),
         ("step",),
         ("step", "--plant", "coulomb=0.01"),
         ("step", "--plant", "kind=drive", "--plant", "speed_per_volt=5000"),
         ("tune",),
-        ("listing",),
-        ("figure", "12.6"),
     ],
     ids=" ".join,
 )
@@ -44,21 +37,6 @@ def test_every_command_speaks_json(words: tuple[str, ...], capsys: pytest.Captur
     status, out, err = run_command(capsys, *words, "--format", "json")
     assert (status, err) == (0, "")
     assert json.loads(out)["schema"] == SCHEMA
-
-
-def test_figures_in_full(capsys: pytest.CaptureFixture[str]) -> None:
-    _, out, _ = run_command(capsys, "slip", "--format", "json")
-    found = json.loads(out)
-    assert found["limit"] == pytest.approx(3.22)
-    assert found["fastest_time"] == pytest.approx(0.5175983, abs=5e-8)
-    _, out, _ = run_command(capsys, "dac", "--bits", "12", "--format", "json")
-    (timing,) = json.loads(out)["timings"]
-    assert timing["step_time"] == pytest.approx(252.7336e-6, abs=5e-11)
-
-
-def test_a_slipping_load_is_an_exit_status(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run_command(capsys, "slip", "--distance", "2", "--accel", "4")[0] == 1
-    assert run_command(capsys, "slip", "--distance", "2", "--accel", "3")[0] == 0
 
 
 def test_infinite_jerk_is_null(capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,11 +80,8 @@ def test_a_program_that_ran_through_the_servo_is_drawn(
 @pytest.mark.parametrize(
     "words",
     [
-        ("slip",),
         ("compare", "--equal", "time"),
         ("step",),
-        ("listing", "--updates", "50"),
-        *one_in(3, (("figure", f"12.{k}") for k in range(1, 12))),
     ],
     ids=" ".join,
 )
@@ -119,7 +94,7 @@ def test_every_picture_is_drawn(
     drawn = path.read_bytes()
     assert drawn.startswith(b"<?xml")
     assert len(drawn) > 4000
-    if words == ("figure", "12.1"):
+    if words == ("step",):
         run_command(capsys, *words, "--format", "none", "--plot", str(path))
         assert path.read_bytes() == drawn, "the same picture has the same bytes"
 
@@ -127,18 +102,14 @@ def test_every_picture_is_drawn(
 @pytest.mark.parametrize(
     ("words", "status", "message"),
     [
-        (("slip", "--friction", "0"), 2, "argument --friction: '0' is not a number greater than zero"),
-        (("slip", "--speed", "nan"), 2, "'nan' is not a number greater than zero"),
-        (("slip", "--accel", "3"), 2, "to check a move, give --distance and --accel"),
-        (("slip", "--distance", "3"), 2, "to check a move, give --accel as well"),
-        (("slip", "--distance", "2", "--accel", "1", "--ramp", "0.7"), 2, "ramp must be"),
-        (("dac", "--bits", "4"), 2, "'4' is not a whole number from 8 to 16"),
-        (("dac", "--fraction", "2"), 2, "the demanded fraction of the limit must be below 1, not 2"),
+        (("compare", "--distance", "0"), 2, "argument --distance: '0' is not a number greater than zero"),
+        (("compare", "--speed", "nan"), 2, "'nan' is not a number greater than zero"),
+        (("compare", "--ramp", "0.7"), 2, "ramp must be"),
         (("step", "--plot", "x.gif"), 2, "--plot writes .png and .svg files, not x.gif"),
         (("step", "--plant", "inertia"), 2, "'inertia' is not NAME=VALUE"),
         (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "give gains of either Mint or MCCL, not both"),
         (("step", "--loop", "proportional=nan"), 2, "proportional must be a finite number"),
-        (("figure", "12.12"), 2, "is not one of"),
+        (("compare", "--equal", "jerk"), 2, "is not one of"),
         (("run", "a.mnt", "--until", "-1"), 2, "argument --until: '-1' is not a time in seconds, 0 or more"),
         (("run", "missing.mnt"), 1, "error[file]: missing.mnt cannot be read: no such file or directory"),
         (
@@ -176,19 +147,3 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
     found, out, err = run_command(capsys, "run", str(path))
     assert (found, out) == (1, "")
     assert "does not run" in err
-
-
-def test_each_run_of_the_dac_has_a_row_of_the_picture(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
-    """Four rows of 1.9 inches and 0.8 for the time axis are 8.4 inches of 72 points.
-
-    Each row has two dashed limits. They are thinner than a point, and the curves are not.
-    """
-    file = tmp_path / "dac.svg"
-    assert run_command(capsys, "dac", "--format", "none", "--plot", str(file)) == (0, "", "")
-    drawn = file.read_text()
-    assert 'height="604.8pt"' in drawn
-    limits = re.findall(r'stroke-dasharray: \d[^"]*stroke-width: ([\d.]+)', drawn)
-    assert len(limits) == 8
-    assert all(float(width) < 1.0 for width in limits)

@@ -18,7 +18,7 @@ def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
-    from motionlang.views import an00115_plot, chapter12_plot, profiles_plot, servo_plot, sweep_plot
+    from motionlang.views import an00115_plot, servo_plot, sweep_plot
 
     drawn: list[Figure] = []
 
@@ -27,6 +27,6 @@ def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
         drawn.append(Figure(figsize=(width, height)))
         yield drawn[-1]
 
-    for module in (an00115_plot, chapter12_plot, profiles_plot, servo_plot, sweep_plot):
+    for module in (an00115_plot, servo_plot, sweep_plot):
         monkeypatch.setattr(module, "drawing", drawing)
     return drawn

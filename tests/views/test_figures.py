@@ -8,7 +8,6 @@ import pytest
 from motionlang.execution import run
 from motionlang.source import Source
 from motionlang.views import plot, sweep_plot
-from motionlang.views.chapter12 import _steps_of_acceleration, trapezoid
 from motionlang.views.table import _motors
 from motionlang.views.window import Window
 
@@ -17,7 +16,6 @@ pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
-from motionlang.views.chapter12_plot import _draw_motion
 from motionlang.views.plot_panel import GAP, LETTER, MAX_NAMED, _names, mark_events, name_moves
 
 
@@ -104,23 +102,6 @@ def test_a_front_is_drawn_over_all_variants(figures: list[Figure]) -> None:
     assert np.asarray(front.get_xydata()).tolist() == [list(each) for each in points[:2]]
     assert (variants.get_linestyle(), front.get_drawstyle()) == ("None", "steps-post")
     assert (panel.get_xlabel(), panel.get_ylabel()) == ("time", "peak (V)")
-
-
-def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it() -> None:
-    figure = Figure()
-    _draw_motion([("", trapezoid(), "black")], figure)
-    times = np.asarray(figure.axes[1].lines[0].get_xdata(), float)
-    assert [times[0], times[-1]] == pytest.approx([0.0, trapezoid().duration], abs=1e-6)
-    assert times[0] < 0.0
-    assert times[-1] > trapezoid().duration
-
-
-def test_the_steps_of_acceleration_go_from_each_to_the_next() -> None:
-    """From zero to the limit, zero, the braking limit and zero again, without gaps."""
-    rows = [line.split() for line in _steps_of_acceleration() if line.lstrip().startswith("A")]
-    assert [row[0] for row in rows] == ["A1", "A2", "A3", "A4", "A5", "A6"]
-    assert rows[0][2] == rows[-1][3] == "0.000"
-    assert [row[3] for row in rows[:-1]] == [row[2] for row in rows[1:]]
 
 
 @pytest.mark.parametrize(("time", "side"), [(3.0, "left"), (7.0, "right")])
