@@ -6,7 +6,8 @@
 `__all__` is the complete interface. Each name is imported on first use.
 """
 
-TYPE_CHECKING = False
+from typing import TYPE_CHECKING
+
 if TYPE_CHECKING:
     from motionlang.analysis.planning import Plan, plan
     from motionlang.analysis.sweeps import Row, sweep

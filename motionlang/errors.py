@@ -8,6 +8,7 @@ raised for a feature whose library is not installed.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
 
 # The codes of diagnostics and their meanings. `cli/explanations.py` has an example and a fix for each.
 CODES: dict[str, str] = {
@@ -238,7 +239,6 @@ class Spellings:
 
         Its `difflib` ratio is at least `cutoff`, and it differs by few letters or is abbreviated by `word`.
         """
-        from difflib import get_close_matches  # only an error pays for this import
 
         word = word.lower()
         size, letters = len(word), _letters(word)

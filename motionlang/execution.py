@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import gc
 import os
+from collections.abc import Callable, Mapping
 
-from motionlang.errors import ProgramError, Terminated
-from motionlang.lang.dialect import dialect, dialects
+from motionlang.errors import Diagnostic, ProgramError, Terminated
+from motionlang.lang.debugging import Hook
+from motionlang.lang.dialect import Dialect, dialect, dialects
+from motionlang.lang.foreign import one_sentence
+from motionlang.lang.literals import edited
+from motionlang.lang.machine.entries import Given, with_entries
+from motionlang.lang.machine.file import first_mistake, read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import StackSpace
-from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.program import Program
+from motionlang.lang.scheduler import Outside, Scheduler, Stuck
+from motionlang.log.expected_motion import ExpectedMotion
 from motionlang.result import (
     Run,
     interrupted,
@@ -23,17 +31,6 @@ from motionlang.result import (
     save_nonvolatile,
 )
 from motionlang.source import STDIN, Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.debugging import Hook
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.machine.entries import Given
-    from motionlang.lang.program import Program
-    from motionlang.lang.scheduler import Outside
 
 # The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0
@@ -157,7 +154,6 @@ def _with_entries(
     settings: dict[str, object], inputs: Given, analog: Given, answers: Given, keys: Given
 ) -> dict[str, object]:
     """Return settings with the inputs, answers and keys that are given for one run."""
-    from motionlang.lang.machine.entries import with_entries
 
     return with_entries(settings, inputs, analog, answers, keys)
 
@@ -174,8 +170,6 @@ def _perform(
 ) -> None:
     """Execute a compiled program and collect remarks on the run."""
     if prove:
-        from motionlang.log.expected_motion import ExpectedMotion
-
         result.expected_motion = ExpectedMotion(result.controller)
     if begun is not None:
         begun(result.machine)
@@ -206,7 +200,6 @@ def _with_literals(
 
     Also returns the other overrides, remarks, and the errors of addresses.
     """
-    from motionlang.lang.literals import edited
 
     try:
         return *edited(source, language, overrides), []
@@ -244,7 +237,6 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
     path = machine_of(program)
     if path is None:
         return {}
-    from motionlang.lang.machine.file import read_machine
 
     return read_machine(Source.read(path))
 
@@ -252,8 +244,6 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
 def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
     """Return a caller's settings, checked against the machine file's keys."""
     if machine and not isinstance(machine, Checked):
-        from motionlang.lang.machine.file import first_mistake
-
         mistake = first_mistake(machine)
         if mistake:
             raise ValueError(mistake)
@@ -292,14 +282,10 @@ def _compile(
         result.status = "interrupted"
         return None
     except ProgramError as error:
-        from motionlang.lang.foreign import one_sentence
-
         result.diagnostics = one_sentence(language, source, error.diagnostics)
         result.status = "fault"
         return None
     if compiled.is_doubtful:
-        from motionlang.lang.foreign import one_sentence
-
         found = one_sentence(language, source, language.check(source, settings))
         if [each.code for each in found] == ["language"]:
             result.diagnostics, result.status = found, "fault"

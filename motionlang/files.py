@@ -7,11 +7,9 @@ from __future__ import annotations
 
 import os
 import stat
+from tempfile import TemporaryFile
 from time import monotonic, sleep
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import IO
+from typing import IO
 
 # The permissions of a private file.
 PRIVATE = 0o600
@@ -33,7 +31,6 @@ def scratch() -> IO[bytes]:
 
     It is deleted when it is closed or the process ends.
     """
-    from tempfile import TemporaryFile
 
     return TemporaryFile(prefix="motionlang-")
 

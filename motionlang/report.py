@@ -7,27 +7,28 @@ at power-up.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
+from json import JSONEncoder
 from math import inf
 from operator import attrgetter
+from typing import TYPE_CHECKING
 
+from motionlang.assumptions.used import depended_on
+from motionlang.controller.axis import Axis
+from motionlang.controller.controller import Controller
+from motionlang.controller.move import Move
+from motionlang.errors import Diagnostic
+from motionlang.planners import Profile
 from motionlang.planners.packed import RAMPS, packed
 from motionlang.planners.ramps import named_ramps
+from motionlang.result import Run
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.move import Move
-    from motionlang.errors import Diagnostic
     from motionlang.library.report_types import Report
     from motionlang.log.history import Figures, MotorFigures
-    from motionlang.planners import Profile
-    from motionlang.result import Run
 
-    Row = dict[str, object]
+Row = dict[str, object]
 
 SCHEMA = "motionlang.report/2"
 # The value of "ended" for a move in progress at the end of the run.
@@ -283,7 +284,6 @@ def assumptions(run: Run) -> list[str]:
 
     Their names are those in docs/contributing/assumptions.md.
     """
-    from motionlang.assumptions.used import depended_on
 
     return depended_on(run.dialect, run.source.text, run.machine.settings)
 
@@ -372,7 +372,6 @@ def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator
 
 def _encoder() -> Callable[[object], str]:
     """Return a function that converts a value to a line of JSON."""
-    from json import JSONEncoder
 
     encode = JSONEncoder(allow_nan=False).encode
 

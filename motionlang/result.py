@@ -6,28 +6,31 @@ figures are computed in `motionlang.report`, which most runs of a script do not 
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import inf
+from typing import TYPE_CHECKING, cast
 
+from motionlang.controller.controller import Controller
+from motionlang.controller.move import Move
 from motionlang.errors import Diagnostic, OutOfTime, Terminated, clipped, count_of
+from motionlang.files import InUse
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.ends import what_ends, what_frees
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.machine.nonvolatile import NonVolatile
+from motionlang.lang.program import Program
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.task import Task
+from motionlang.log.expected_motion import ExpectedMotion
+from motionlang.log.track import Recorded
+from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from motionlang.analysis.certificate import Limit
     from motionlang.analysis.proof.checker import Proof
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.move import Move
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.program import Program
-    from motionlang.lang.scheduler import Scheduler, Stuck
-    from motionlang.lang.task import Task
     from motionlang.library.moves import Moves
     from motionlang.library.report_types import Report, ReportMove
-    from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.trace import Trace
-    from motionlang.source import Source
 
 
 class Run:
@@ -78,7 +81,6 @@ class Run:
         """
         from motionlang.analysis.proof.outputs import ROWS
         from motionlang.analysis.proof.prove import prove
-        from motionlang.log.track import Recorded
 
         if self.expected_motion is None:
             raise ValueError("the run was not made with prove=True")
@@ -108,7 +110,6 @@ class Run:
 
         `to_polars` and `to_pandas` convert them to a table.
         """
-        from typing import cast
 
         from motionlang.library.moves import Moves
         from motionlang.report import moves
@@ -150,8 +151,6 @@ def _in_lines(lines: list[int]) -> str:
 
 def open_nonvolatile(result: Run, path: str) -> bool:
     """Lock and read the nv file; on failure report it and return False: do not run."""
-    from motionlang.files import InUse
-    from motionlang.lang.machine.nonvolatile import NonVolatile
 
     try:
         result.machine.nv = NonVolatile(path)
@@ -330,7 +329,6 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
     for each in others:
         where, _, _ = result.dialect.locate(result.source, each.at)
         result.notes.append(f"line {where}: {each.name} waits {_why(each)}")
-    from motionlang.lang.ends import what_ends, what_frees
 
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (

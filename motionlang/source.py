@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import errno
 import os
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import BinaryIO
+import re
+from bisect import bisect_left
+from collections.abc import Iterator
+from typing import BinaryIO
 
 # The name of standard input on a command line, and elsewhere.
 STDIN, STDIN_NAME = "-", "<stdin>"
@@ -29,8 +29,6 @@ def contents(file: BinaryIO) -> bytes:
     if len(data) == _PIECE:
         data += file.read(LARGEST)
     if len(data) > LARGEST:
-        import errno
-
         raise OSError(errno.EFBIG, os.strerror(errno.EFBIG))
     return data
 
@@ -44,8 +42,6 @@ def without_padding(data: bytes) -> bytes:
         return data
     found = data.rstrip(b"\0")
     if not found or b"\0" in found:
-        import errno
-
         raise OSError(errno.EILSEQ, "not a text file")
     return found
 
@@ -67,7 +63,6 @@ def _utf16(data: bytes) -> str:
 
 def _with_blanks(text: str) -> str:
     """Replace form feeds and DOS end-of-file marks outside strings by blanks."""
-    import re
 
     return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
 
@@ -132,7 +127,6 @@ class Source:
 
     def location(self, offset: int) -> tuple[int, int]:
         """Return line and column of a character offset, both counted from 1."""
-        from bisect import bisect_left
 
         if self._ends is None:
             # Computed once: a file may have an error on each of its lines.

@@ -5,17 +5,13 @@ The extremes come from the closed form of the motion (`log/extremes.py`).
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from math import inf
-from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.controller import Controller
 from motionlang.errors import Diagnostic
 from motionlang.log.extremes import Extreme, extremes, motor_peak
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
 
 # The limits of `[axis.N.limits]`: the field of the extremes or the column of the motor, and the unit.
 LIMITS = {

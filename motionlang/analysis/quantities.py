@@ -9,7 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
+from motionlang.analysis.certificate import certificate, least_margin
 from motionlang.analysis.cycle.periods import FORM, HELP, cycle_of
+from motionlang.errors import nearest
+from motionlang.log.extremes import extremes, motor_peak, peak_speed
 from motionlang.record import record
 from motionlang.result import Run
 
@@ -46,14 +49,12 @@ def _position(run: Run, axis: int) -> float:
 
 
 def _peak(run: Run, axis: int) -> float:
-    from motionlang.log.extremes import peak_speed
 
     return peak_speed(run.controller.axes[axis], run.time)
 
 
 def _extreme(which: str) -> Reader:
     def read(run: Run, axis: int) -> float:
-        from motionlang.log.extremes import extremes
 
         found: float = getattr(extremes(run.controller.axes[axis], run.time), which).value
         return found
@@ -66,14 +67,12 @@ def _events(run: Run, number: int) -> int:
 
 
 def _margin(run: Run, number: int) -> float | None:
-    from motionlang.analysis.certificate import certificate, least_margin
 
     return least_margin(certificate(run.controller, run.machine.settings, run.time))
 
 
 def _motor(column: str, rms: bool = False) -> Reader:
     def read(run: Run, axis: int) -> float | None:
-        from motionlang.log.extremes import motor_peak
 
         found = motor_peak(run.controller.axes[axis], run.time, column, rms=rms)
         return None if found is None else found.value
@@ -118,7 +117,6 @@ def quantity(name: str) -> tuple[Quantity, int]:
     row = _BY_NAME.get(stem + dot)
     if row is not None and (not dot or (number.isascii() and number.isdigit() and len(number) < 10)):
         return row, int(number or 0)
-    from motionlang.errors import nearest
 
     near = nearest(name, [each.name for each in ROWS])
     hint = f"did you mean {near}?" if near else f"there are {', '.join(each.name for each in ROWS)}"

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import Any
 
 from motionlang.assumptions.assumption import Assumption, Probe
 from motionlang.assumptions.facts import STRENGTHS, of_word
 from motionlang.assumptions.rules import default_probe, other_defaults
 from motionlang.files import package_text
+from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, row_with_default, with_default
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any
-
-    from motionlang.lang.keyword import Keyword
 
 # The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (

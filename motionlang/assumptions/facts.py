@@ -6,16 +6,12 @@ of each keyword. It is read by `keywords`, the documents and `check --evidence`,
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
-from typing import TYPE_CHECKING
 
 from motionlang.files import package_text
 from motionlang.lang.dialect import dialects
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 # How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule
 # is printed; a choice has no evidence. For a meaning that is "name only" the source has the name, the

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
-from typing import TYPE_CHECKING
 
+from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.entries import assumptions, entries_naming
 from motionlang.assumptions.rules import unsettled_facts
 from motionlang.lang.dialect import dialect, dialects
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.assumptions.assumption import Assumption
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 
 @cache

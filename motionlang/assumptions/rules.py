@@ -9,17 +9,13 @@ not handled here; it has an entry of its own, or no probe.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import cache
-from typing import TYPE_CHECKING
 
 from motionlang.assumptions.assumption import ERROR, REFUSED, SETTLED, Assumption, Probe
 from motionlang.assumptions.facts import of_word
 from motionlang.files import package_text
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 # Units of integer values, and of those that have a scale.
 SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")

@@ -6,6 +6,7 @@ It works in the same way with a real, a served and a virtual board.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Self
 
 from motionlang.client.answer import (
@@ -21,11 +22,12 @@ from motionlang.client.answer import (
 from motionlang.client.connection import TIMEOUT, Connection
 from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.client.status import Status
+from motionlang.lang.machine.file import first_mistake
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.syntax.comments import without_comment
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from motionlang.client.wire import Wire
     from motionlang.mccl.hosts.console import Console
 
@@ -77,8 +79,6 @@ class Client(Connection):
         line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
         """
         from motionlang.client.virtual import VirtualWire
-        from motionlang.lang.machine.file import first_mistake
-        from motionlang.lang.machine.machine import Machine
         from motionlang.mccl.hosts.console import Console
 
         if isinstance(board, Console):
@@ -134,7 +134,6 @@ class Client(Connection):
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
         """Send the lines of a file without its comments; return all answers."""
-        from motionlang.mccl.syntax.comments import without_comment
 
         answer: list[str] = []
         for number, line in enumerate(Source("", text).text.split("\n"), 1):

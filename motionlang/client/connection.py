@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from motionlang.client.wire import SerialWire, TcpWire
 
 if TYPE_CHECKING:
-    import os
-    from types import TracebackType
-
     from motionlang.client.wire import Wire
 
 # Seconds that a client waits for an answer.

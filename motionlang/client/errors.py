@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import MEANINGS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.client.status import Status
 
 

@@ -16,16 +16,16 @@ from __future__ import annotations
 
 import re
 from collections import deque
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Self
 
 from motionlang.client.connection import TIMEOUT, Connection
 from motionlang.client.errors import FrameRejected, LineRejected, NoReply
+from motionlang.execution import checked_settings
 from motionlang.mint.hosts import hcp
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
     from motionlang.client.wire import Wire
     from motionlang.mint.hosts.console import MintConsole
 
@@ -66,7 +66,6 @@ class MintClient(Connection):
         ProgramError if the program has errors, and ValueError for an invalid setting.
         """
         from motionlang.client.virtual import MintWire
-        from motionlang.execution import checked_settings
         from motionlang.mint.hosts.console import MintConsole
 
         if isinstance(program, MintConsole):

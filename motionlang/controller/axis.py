@@ -8,24 +8,21 @@ velocity are known exactly at any time. Older profiles are packed in the log (`l
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from motionlang.controller.clock import INFINITY
+from motionlang.controller.clock import INFINITY, Event
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
-from motionlang.planners import hold
+from motionlang.log.profiles import Profiles
+from motionlang.planners import Profile, State, hold
 from motionlang.planners.limits import LARGEST
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Event
     from motionlang.controller.feedback import Feedback
     from motionlang.controller.motion.follow import Follow
     from motionlang.controller.move import Move
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.log.profiles import Profiles
-    from motionlang.planners import Profile, State
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {

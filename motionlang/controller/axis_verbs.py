@@ -12,6 +12,7 @@ from motionlang.controller import motion, moves, triggers
 from motionlang.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
+from motionlang.controller.motion.jog import jog
 from motionlang.controller.move import Move
 from motionlang.planners import Profile, hold
 
@@ -261,7 +262,6 @@ class AxisVerbs(Core):
 
         With `ends`, a jog to velocity 0 is over when the axis is at rest.
         """
-        from motionlang.controller.motion.jog import jog
 
         a = self.movable(axis)
         jog(self, a, velocity, command, line, rates, ends)

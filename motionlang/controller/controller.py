@@ -7,27 +7,27 @@ is imported when first needed.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from motionlang.controller import moves, readers
+from motionlang.controller.axis import Axis
 from motionlang.controller.axis_verbs import AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Rejected
-from motionlang.controller.readers import NO_SUBSCRIBER
+from motionlang.controller.io.encoder import turn
+from motionlang.controller.moves.geometry import Arc, Line
+from motionlang.controller.moves.path_policy import PathPolicy
+from motionlang.controller.readers import NO_SUBSCRIBER, Reader, Subscriber, Writer
 from motionlang.log.log import Log
+from motionlang.planners import Profile
+from motionlang.planners.reference import Slope
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from motionlang.controller.axis import Axis
     from motionlang.controller.motion.sampled_velocity import Track
     from motionlang.controller.moves.entries import Make, Table
-    from motionlang.controller.moves.geometry import Arc, Line
-    from motionlang.controller.moves.path_policy import PathPolicy
-    from motionlang.controller.readers import Reader, Subscriber, Writer
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.trace import Trace
-    from motionlang.planners import Profile
-    from motionlang.planners.reference import Slope
 
 
 class Controller(AxisVerbs):
@@ -332,7 +332,6 @@ class Controller(AxisVerbs):
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
         """Ramp an encoder channel to `velocity`, counts/s, at `accel`; 0 means no ramp."""
-        from motionlang.controller.io.encoder import turn
 
         turn(self, self.encoder(channel), velocity, accel)
 

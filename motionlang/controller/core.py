@@ -7,21 +7,20 @@ released it.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
 from motionlang.controller import motion, moves, triggers
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import MAX_PIECES, Move
 from motionlang.controller.readings import Readings
-from motionlang.planners import hold
+from motionlang.planners import Profile, hold
 from motionlang.planners.trapezoid import plan_trapezoid
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.controller.axis import Axis
     from motionlang.controller.triggers.conditions import Together
-    from motionlang.planners import Profile
 
 
 class Core(Readings):

@@ -41,17 +41,21 @@ until something affects it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from motionlang.controller.clock import INFINITY
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import INFINITY, Clock, Event
+from motionlang.controller.core import Core
 from motionlang.controller.faults import FOLLOWING_ERROR, Rejected
 from motionlang.controller.joined import Followed
-from motionlang.controller.triggers.watch import margin, watched_position
+from motionlang.controller.triggers.watch import Watch, margin, watched_position
 from motionlang.planners import hold
-from motionlang.servo.axis_loop import axis_loop
-from motionlang.servo.replay import apply, rests_until, run_to
+from motionlang.servo.axis_loop import Chosen, axis_loop
+from motionlang.servo.gains import Gains
+from motionlang.servo.loop import Loop
+from motionlang.servo.replay import Change, apply, rests_until, run_to
 from motionlang.servo.samples import (
     REST_ERROR,
     REST_TIME,
@@ -66,19 +70,7 @@ from motionlang.servo.servo import Servo, sample_at
 from motionlang.servo.settings import make_plant
 from motionlang.servo.standstill import StandstillDetector, extent, is_still
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.clock import Clock, Event
-    from motionlang.controller.core import Core
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.servo.axis_loop import Chosen
-    from motionlang.servo.gains import Gains
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.replay import Change
-
-    Section = Mapping[str, object]
+Section = Mapping[str, object]
 
 # The longest block, seconds, and the sizes of the first ones after a change.
 LONG = 0.5

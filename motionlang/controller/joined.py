@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-    from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import Any
 
-    from motionlang.controller.axis import Axis
-    from motionlang.planners import Profile
+from motionlang.controller.axis import Axis
+from motionlang.planners import Profile
 
 # Older profiles that are cached as objects once they have been read.
 _MAX_CACHED = 1024

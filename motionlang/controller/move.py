@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
+from typing import TYPE_CHECKING
+
+from motionlang.controller.axis import Axis
+from motionlang.planners import Profile
+
 if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.motion.follow import Follow
-    from motionlang.planners import Profile
 
 
 # Pieces of a profile after which the move continues as a new entry of the log.

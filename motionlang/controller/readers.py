@@ -7,45 +7,43 @@ which the quantity passes the level it is compared with.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from operator import attrgetter
+from typing import Any, Protocol
 
-from motionlang.controller.axis import LIVE
-from motionlang.controller.axis_verbs import SETTINGS
+from motionlang.controller.axis import LIVE, Axis
+from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.scale import POWERS
+from motionlang.controller.scale import POWERS, Scale
+from motionlang.planners import Profile
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from typing import Any, Protocol
+Reader = Callable[..., Any]
 
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.axis_verbs import AxisVerbs
-    from motionlang.controller.scale import Scale
-    from motionlang.planners import Profile
+Writer = Callable[[Any], object]
 
-    Reader = Callable[..., Any]
-    Writer = Callable[[Any], object]
-    # The level of a comparison, None if it is unknown; `(distance, centre)` if the distance from the centre is
-    # compared.
-    Level = float | tuple[float, float] | None
-    Until = Callable[..., float]
+# The level of a comparison, None if it is unknown; `(distance, centre)` if the distance from the centre is
+# compared.
+Level = float | tuple[float, float] | None
 
-    class DependencySink(Protocol):
-        """A subscriber to readings; `notes` is None while it does not subscribe."""
+Until = Callable[..., float]
 
-        notes: list[Any] | None
 
-        def note(self, until: Until, *about: Any) -> None:
-            """Record a reading that may change at the time `until(*about)`."""
+class DependencySink(Protocol):
+    """A subscriber to readings; `notes` is None while it does not subscribe."""
 
-    class Subscriber(Protocol):
-        """The subscriber to readings, and by axis the value at which positions wrap."""
+    notes: list[Any] | None
 
-        @property
-        def dependencies(self) -> DependencySink: ...
+    def note(self, until: Until, *about: Any) -> None:
+        """Record a reading that may change at the time `until(*about)`."""
 
-        wraps: dict[int, float]
+
+class Subscriber(Protocol):
+    """The subscriber to readings, and by axis the value at which positions wrap."""
+
+    @property
+    def dependencies(self) -> DependencySink: ...
+
+    wraps: dict[int, float]
 
 
 # The unit of a position on the axis, which counts from its zero.

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import atan2, degrees
+from typing import TYPE_CHECKING
 
 from motionlang.controller import triggers
 from motionlang.controller.axis import Axis
-from motionlang.controller.clock import INFINITY, Clock
+from motionlang.controller.clock import INFINITY, Clock, Event
+from motionlang.controller.faults import Rejected
 from motionlang.controller.io.channels import AnalogueInputs, Channels
 from motionlang.controller.listeners import Listeners
+from motionlang.controller.triggers.watch import Watch
+from motionlang.log.log import Log
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Event
-    from motionlang.controller.faults import Rejected
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
-    from motionlang.controller.triggers.watch import Watch
     from motionlang.log.expected_motion import ExpectedMotion
-    from motionlang.log.log import Log
 
 
 class Readings:

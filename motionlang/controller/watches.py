@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from bisect import bisect_left, insort_right
+from collections.abc import Iterator
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+from motionlang.controller.triggers.watch import Watch
+from motionlang.planners import Profile
 
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.planners import Profile
-
-    # Position and order of a watch: the sort key.
-    Key = tuple[float, int, Watch]
+# Position and order of a watch: the sort key.
+Key = tuple[float, int, Watch]
 
 
 class Watches:

@@ -5,14 +5,10 @@ The framing of the serial protocol is defined in another document. A message her
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.copley import serial
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.copley.drive import Drive
+from motionlang.copley.drive import Drive
 
 
 class Refused(Exception):

@@ -8,16 +8,12 @@ Lines that begin with # are comments.
 from __future__ import annotations
 
 import csv
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.planners.pvt.points import Point
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.source import Source
+from motionlang.source import Source
 
 COLUMNS = ("position", "velocity", "time", "relative")
 YES, NO = ("1", "yes", "true"), ("0", "no", "false", "")

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 
+from motionlang.dap.arguments import Arguments
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint, Watched
+from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import WrongExpression
+from motionlang.debug.moments import Search
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.dap.arguments import Arguments
-    from motionlang.debug.debugger import Debugger
-    from motionlang.debug.moments import Search
-
-    Body = dict[str, object]
+Body = dict[str, object]
 
 
 class Breaking:

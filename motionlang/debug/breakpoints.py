@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 
 from motionlang.debug import scopes
-from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.debug.expressions import Expression, Names, WrongExpression, parse
+from motionlang.debug.replay import Point, Replay
 from motionlang.debug.values import shown
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.debug.expressions import Expression, Names
-    from motionlang.debug.replay import Point, Replay
 
 _HITS = re.compile(r"\s*(>=|>|==|=|<=|<|%)?\s*(\d{1,9})\s*")
 _MISSING = object()

@@ -9,14 +9,10 @@ statements, not real time, so the same commands take the same snapshots.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
+from motionlang.debug.snapshot import Snapshot
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.debug.snapshot import Snapshot
 
 FIRST, MAX_CHECKPOINTS = 16, 32
 

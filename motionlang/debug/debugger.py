@@ -26,32 +26,29 @@ Invariants.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import nextafter
+from typing import Concatenate, ParamSpec, TypeVar
 
 from motionlang.controller.clock import INFINITY
 from motionlang.debug import moments, scopes
 from motionlang.debug.breakpoints import Breakpoint, Watched
+from motionlang.debug.checkpoints import Checkpoint
 from motionlang.debug.journal import Assigned, Entered, Journal
+from motionlang.debug.moments import Moment, Search
 from motionlang.debug.patience import Patience
 from motionlang.debug.replay import EVERY, Output, Point, Replay, Setup
 from motionlang.debug.state import State
+from motionlang.lang.debugging import Variable
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.record import record
+from motionlang.result import Run
+from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-    from typing import Concatenate, ParamSpec, TypeVar
+Given = ParamSpec("Given")
 
-    from motionlang.debug.checkpoints import Checkpoint
-    from motionlang.debug.moments import Moment, Search
-    from motionlang.lang.debugging import Variable
-    from motionlang.lang.dialect import Dialect
-    from motionlang.result import Run
-    from motionlang.source import Source
-
-    Given = ParamSpec("Given")
-    Found = TypeVar("Found")
+Found = TypeVar("Found")
 
 # Statements between two searches of the log.
 STRIDE = 4096

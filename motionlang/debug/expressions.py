@@ -13,26 +13,25 @@ rejected, because reading some of them has an effect.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from typing import Protocol
 
 from motionlang.errors import nearest
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Protocol
+Value = float | str
 
-    Value = float | str
 
-    class Names(Protocol):
-        """The state that an expression reads."""
+class Names(Protocol):
+    """The state that an expression reads."""
 
-        def variable(self, name: str, subscripts: list[float]) -> Value | None:
-            """Return the value of a variable or an element; None if there is no such variable."""
+    def variable(self, name: str, subscripts: list[float]) -> Value | None:
+        """Return the value of a variable or an element; None if there is no such variable."""
 
-        def reading(self, what: str, number: int) -> float:
-            """Return a reading of an axis or a channel; ValueError if that does not exist."""
+    def reading(self, what: str, number: int) -> float:
+        """Return a reading of an axis or a channel; ValueError if that does not exist."""
 
-    Expression = Callable[[Names], Value]
+
+Expression = Callable[[Names], Value]
 
 READINGS = {
     "position": "position", "pos": "position", "velocity": "velocity", "vel": "velocity", "target": "target",

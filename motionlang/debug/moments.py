@@ -12,22 +12,17 @@ A condition occurs when its value changes from false to true. Between two change
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
 from motionlang.controller.clock import INFINITY
-from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.debug.expressions import Expression, WrongExpression, parse
+from motionlang.lang.machine.machine import Machine
 from motionlang.log.track import WholeTrack
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-    from typing import Any
-
-    from motionlang.debug.expressions import Expression
-    from motionlang.lang.machine.machine import Machine
-
-    # Yields the moments after one time up to another.
-    Search = Callable[[Machine, float, float], Iterable["Moment"]]
+# Yields the moments after one time up to another.
+Search = Callable[[Machine, float, float], Iterable["Moment"]]
 
 # Samples of each profile in which a condition is looked for, and the resolution of its time, s.
 SAMPLES = 64

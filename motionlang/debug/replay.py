@@ -26,29 +26,24 @@ Invariants.
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable, Mapping
 from queue import Empty, SimpleQueue
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.debug.checkpoints import Checkpoint, Checkpoints
-from motionlang.debug.journal import Assigned, Entered
+from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.scopes import find
 from motionlang.debug.snapshot import Snapshot
 from motionlang.execution import run, run_on
 from motionlang.lang.debugging import Hook
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.program import Program
+from motionlang.lang.task import Task
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.debug.journal import Journal
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.program import Program
-    from motionlang.lang.task import Task
-    from motionlang.result import Run
-    from motionlang.source import Source
+from motionlang.result import Run
+from motionlang.source import Source
 
 # The limit at which every statement is considered: they are numbered from 1.
 EVERY = 0

@@ -7,26 +7,24 @@ samples that the run itself has computed.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
 from motionlang.controller.faults import names
+from motionlang.controller.io.channels import Channels
+from motionlang.controller.move import Move
 from motionlang.debug.expressions import WrongExpression
-from motionlang.lang.debugging import Variable
+from motionlang.lang.debugging import Frame, Hook, Variable
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
 from motionlang.log.track import WholeTrack
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.io.channels import Channels
-    from motionlang.controller.move import Move
     from motionlang.debug.replay import Point
-    from motionlang.lang.debugging import Frame, Hook
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
 
 # The first word of the path of a variable: of the program, or of the innermost call, the next one and so on. MACHINE is
 # that of an axis or a channel.

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from motionlang.debug import scopes
 from motionlang.debug.expressions import READINGS, WrongExpression, parse
+from motionlang.debug.replay import Point, Replay
+from motionlang.debug.scopes import Waiting
+from motionlang.lang.debugging import Frame, Variable
+from motionlang.lang.task import Task
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.debug.debugger import Debugger
-    from motionlang.debug.replay import Point, Replay
-    from motionlang.debug.scopes import Waiting
-    from motionlang.lang.debugging import Frame, Variable
-    from motionlang.lang.task import Task
 
 
 class State:

@@ -6,17 +6,13 @@ A fix is a correction, a name that was probably meant, or a comment that silence
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
+from motionlang.editor.page import Page
+from motionlang.errors import Diagnostic
 from motionlang.lang.lint import WARNINGS
+from motionlang.lang.names import Span
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.editor.page import Page
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.names import Span
 
 # A comment that silences warnings, with the codes that it has.
 _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?", re.IGNORECASE)

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.assumptions.keyword_facts import facts
+from motionlang.editor.page import Page
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.names import Definition, Span
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from motionlang.editor.page import Page
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.names import Definition, Span
 
 # The most lines of a comment above a declaration that belong to it.
 _MAX_COMMENT = 20

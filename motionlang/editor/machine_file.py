@@ -11,6 +11,7 @@ from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.file import generic
 from motionlang.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
 from motionlang.record import record
+from motionlang.servo.settings import KEYS as SERVO_KEYS
 from motionlang.source import Source
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")
@@ -127,7 +128,6 @@ def _rows(section: str, is_table: bool) -> Iterator[_Row]:
 
 def _all() -> Iterator[_Row]:
     """Yield all plain keys, and those of a simulated motor with their defaults."""
-    from motionlang.servo.settings import KEYS as SERVO_KEYS
 
     for name, (kind, help) in KEYS.items():
         models = [each for language in dialects() for each in dialect(language).models()]

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 from motionlang.editor.fixes import Edit
+from motionlang.editor.page import Page
+from motionlang.lang.names import Span
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.editor.page import Page
-    from motionlang.lang.names import Span
 
 # The kinds of blocks that are symbols, and those of definitions outside them that are.
 _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startup"))

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.names import Names, Span
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.names import Names, Span
 
 # Kinds of token that are no code.
 PROSE = frozenset(("comment", "string", "text"))

@@ -9,39 +9,38 @@ has frames with variables.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
 from motionlang.controller.clock import INFINITY
+from motionlang.lang.task import Task
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import Protocol
 
-    from motionlang.lang.task import Task
+class Inspection(Protocol):
+    """The variables of a debug build."""
 
-    class Inspection(Protocol):
-        """The variables of a debug build."""
+    def module(self) -> list[Variable]:
+        """Return the variables of the whole program."""
 
-        def module(self) -> list[Variable]:
-            """Return the variables of the whole program."""
+    def frames(self, task: Task, offset: int | None) -> list[Frame]:
+        """Return the calls of a task, the innermost first.
 
-        def frames(self, task: Task, offset: int | None) -> list[Frame]:
-            """Return the calls of a task, the innermost first.
+        `offset` is the source offset of a task that is stopped in the hook; None for one that waits.
+        """
 
-            `offset` is the source offset of a task that is stopped in the hook; None for one that waits.
-            """
+    def unlisted(self, task: Task | None, name: str) -> Variable | None:
+        """Return a variable by name that `module` omits; None if there is none.
 
-        def unlisted(self, task: Task | None, name: str) -> Variable | None:
-            """Return a variable by name that `module` omits; None if there is none.
+        The task is None at the end of the run.
+        """
 
-            The task is None at the end of the run.
-            """
+    def depth(self, task: Task) -> int:
+        """Return the number of calls that the running task is in."""
 
-        def depth(self, task: Task) -> int:
-            """Return the number of calls that the running task is in."""
 
-    # Called with the task, the time of the statement, s, and its source offset.
-    Stop = Callable[[Task, float, int], None]
+# Called with the task, the time of the statement, s, and its source offset.
+Stop = Callable[[Task, float, int], None]
 
 
 class Hook:

@@ -43,16 +43,12 @@ iterations, and records nothing.
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from collections.abc import Callable, Iterable
+from typing import Any
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from typing import Any
+from motionlang.controller.clock import INFINITY, Clock
 
-    from motionlang.controller.clock import Clock
-
-    Note = tuple[Callable[..., float], tuple[Any, ...]]
+Note = tuple[Callable[..., float], tuple[Any, ...]]
 
 # This close to a solved time, s, a reading is not relied upon: the solution and the reading are rounded.
 CLOSE = 1e-7

@@ -7,24 +7,23 @@ is called, so that a command imports only what it needs.
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
+from motionlang.errors import Diagnostic, nearest, shown
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.names import LineLayout, Names
+from motionlang.lang.program import Program
+from motionlang.lang.step_list import ListedUnit
+from motionlang.lang.task import Task
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.record import record
+from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
-    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
-    from motionlang.lang.names import LineLayout, Names
-    from motionlang.lang.program import Program
-    from motionlang.lang.step_list import ListedUnit
-    from motionlang.lang.task import Task
-    from motionlang.lang.vocabulary import Vocabulary
-    from motionlang.source import Source
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.
@@ -51,7 +50,6 @@ def parse(text: str, language: str) -> object:
     A tree is a `Module` of `motionlang.mint.syntax.nodes` or of `motionlang.mccl.syntax.tree`. Raises
     ProgramError with all syntax errors, and ValueError for another language.
     """
-    from motionlang.source import Source
 
     return dialect(language).parse(Source("", text))
 
@@ -61,7 +59,6 @@ def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str]
 
     Returns None if it is known. Without a language those of all languages are known.
     """
-    from motionlang.errors import nearest, shown
 
     languages = [dialect(each) for each in dialects()] if language is None else [language]
     if any(each.knows_model(name) for each in languages):

@@ -6,16 +6,13 @@ The wait itself may state its purpose; if it does not, the condition at its sour
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.controller import Controller
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.loop_dependencies import Read
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
-    from motionlang.lang.waits import Wait
-    from motionlang.source import Source
+from motionlang.controller.controller import Controller
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.loop_dependencies import Read
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
+from motionlang.lang.waits import Wait
+from motionlang.source import Source
 
 # Seconds from now at which the suggested option acts.
 SOON = 0.5

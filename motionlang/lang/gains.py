@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping
 
-    from motionlang.lang.keyword import Keyword
-    from motionlang.servo.gains import Gains
+from motionlang.lang.keyword import Keyword
+from motionlang.servo.gains import Gains
 
 # Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are
 # three.

@@ -5,12 +5,9 @@ The dialect splits a text into tokens; the rows of its table define the keywords
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.lang.dialect import Dialect
+from motionlang.lang.dialect import Dialect
 
 # The kinds of tokens that are looked up in the table of the dialect.
 _WORDS = frozenset(("word", "command", "not-simulated"))

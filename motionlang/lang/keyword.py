@@ -7,14 +7,11 @@ defines.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
+from typing import Any
 
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
 
 # Units of integers. A time in ms may still be written with a fraction.
 WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))

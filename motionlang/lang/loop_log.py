@@ -10,11 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from motionlang.lang.steps import Steps
 from motionlang.lang.task import MIN_STATEMENTS
 
 if TYPE_CHECKING:
     from motionlang.lang.step_task import StepTask
-    from motionlang.lang.steps import Steps
 
 # No step has such a number.
 NEVER = 1 << 30

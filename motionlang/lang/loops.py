@@ -32,63 +32,59 @@ Back-off: after a failed check the next 1, 2, 4, … jumps back of the task are 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import ceil
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.dependencies import CLOSE, MAX_NOTES
-from motionlang.lang.statement_time import UNITS, units
-from motionlang.lang.steps import own
+from motionlang.lang.dependencies import CLOSE, MAX_NOTES, Dependencies, Note
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.statement_time import UNITS, StatementTime, units
+from motionlang.lang.steps import Steps, own
 from motionlang.lang.variable_uses import NONE, UNKNOWN, Body, Copy, body_of
 from motionlang.lang.waits import ROUNDING, Delay, Wait
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Protocol
-
-    from motionlang.lang.dependencies import Dependencies, Note
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.statement_time import StatementTime
     from motionlang.lang.step_task import StepTask
-    from motionlang.lang.steps import Steps
 
-    class World(Protocol):
-        """The state that the tasks of a program share."""
 
-        dependencies: Dependencies
-        # True if tasks take turns by the end of time slices.
-        has_slices: bool
+class World(Protocol):
+    """The state that the tasks of a program share."""
 
-        @property
-        def tasks(self) -> Sequence[StepTask]:
-            """All tasks, those that wait included."""
+    dependencies: Dependencies
+    # True if tasks take turns by the end of time slices.
+    has_slices: bool
 
-        @property
-        def shared(self) -> list[Any]:
-            """The variables of all tasks."""
+    @property
+    def tasks(self) -> Sequence[StepTask]:
+        """All tasks, those that wait included."""
 
-        @property
-        def switched(self) -> int:
-            """How often outputs have been switched that nothing on the machine hears."""
+    @property
+    def shared(self) -> list[Any]:
+        """The variables of all tasks."""
 
-        def levels(self) -> Sequence[object]:
-            """Return the levels of these outputs, which are part of the state."""
+    @property
+    def switched(self) -> int:
+        """How often outputs have been switched that nothing on the machine hears."""
 
-        def changes(self) -> tuple[int, int]:
-            """Return counters of the actions whose effects cannot be compared, and of events."""
+    def levels(self) -> Sequence[object]:
+        """Return the levels of these outputs, which are part of the state."""
 
-        def acted(self) -> object:
-            """Return counters of all that a loop could wait for, shared variables included."""
+    def changes(self) -> tuple[int, int]:
+        """Return counters of the actions whose effects cannot be compared, and of events."""
 
-        def stands_still(self) -> Wait | None:
-            """Return the wait of a loop that repeats until something else acts; None if it runs on."""
+    def acted(self) -> object:
+        """Return counters of all that a loop could wait for, shared variables included."""
 
-        def period(self, delays: list[tuple[float, float]]) -> int:
-            """Return how long some waits take together, in units of time; 0 if their sums round."""
+    def stands_still(self) -> Wait | None:
+        """Return the wait of a loop that repeats until something else acts; None if it runs on."""
 
-        def end_of_wait(self, base: float, count: float, seconds: float) -> float:
-            """Return when a wait ends that began at statement `count` from `base`."""
+    def period(self, delays: list[tuple[float, float]]) -> int:
+        """Return how long some waits take together, in units of time; 0 if their sums round."""
+
+    def end_of_wait(self, base: float, count: float, seconds: float) -> float:
+        """Return when a wait ends that began at statement `count` from `base`."""
 
 
 MAX_BACK_OFF = 4096

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from collections.abc import Sequence
 
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
 
 
 class Program:

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.task import Task
-    from motionlang.source import Source
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.task import Task
+from motionlang.source import Source
 
 # Python's arithmetic errors, in the terms of the program's author.
 _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {

@@ -43,33 +43,29 @@ them.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from operator import attrgetter
+from typing import Protocol
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.waits import ROUNDING
+from motionlang.controller.controller import Controller
+from motionlang.lang.debugging import Hook
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
+from motionlang.lang.waits import ROUNDING, Wait
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Protocol
 
-    from motionlang.controller.controller import Controller
-    from motionlang.lang.debugging import Hook
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
-    from motionlang.lang.waits import Wait
+class Outside(Protocol):
+    """A world that acts by itself."""
 
-    class Outside(Protocol):
-        """A world that acts by itself."""
+    def start(self, machine: Machine) -> None:
+        """Called when the program starts on `machine`."""
 
-        def start(self, machine: Machine) -> None:
-            """Called when the program starts on `machine`."""
+    def may_act(self) -> bool:
+        """True if the outside world may still end a wait that nothing else can end."""
 
-        def may_act(self) -> bool:
-            """True if the outside world may still end a wait that nothing else can end."""
-
-        def advance(self, time: float) -> None:
-            """Advance the machine's clock to `time`, or less if an outside event has arrived."""
+    def advance(self, time: float) -> None:
+        """Advance the machine's clock to `time`, or less if an outside event has arrived."""
 
 
 # Virtual seconds that one task may run while another is runnable.

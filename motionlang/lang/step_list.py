@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import groupby
 
-from motionlang.lang.steps import CALL, COMMAND, NAMES
+from motionlang.lang.steps import CALL, COMMAND, NAMES, Step, Steps
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.steps import Step, Steps
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 @record

@@ -6,10 +6,14 @@ adds in a subclass what the operations of its keywords look for in a task.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from motionlang.controller.clock import INFINITY
+from motionlang.lang.debugging import Hook
+from motionlang.lang.dependencies import Note
 from motionlang.lang.loop_log import LoopLog
+from motionlang.lang.loops import Loops, State
 from motionlang.lang.steps import (
     BACK,
     BEGIN,
@@ -32,13 +36,6 @@ from motionlang.lang.steps import (
 )
 from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.lang.debugging import Hook
-    from motionlang.lang.dependencies import Note
-    from motionlang.lang.loops import Loops, State
 
 # Statements between two returns to the scheduler, so that a busy program can be paced and interrupted.
 SLICE = 20_000

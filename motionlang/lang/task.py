@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.controller.clock import INFINITY
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.lang.waits import Wait
-
+from motionlang.lang.waits import Wait
 
 # A loop of fewer statements leaves no record; it counts for the code around it.
 MIN_STATEMENTS = 100.0

@@ -6,12 +6,10 @@ file is imported at the first use of one of its keywords; a complete listing imp
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
-    from typing import Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 
 class Vocabulary:

@@ -14,16 +14,12 @@ The waits of individual statements and commands are defined with them: WAIT and 
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from collections.abc import Callable, Iterable
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.controller.clock import Clock
-    from motionlang.controller.controller import Controller
-    from motionlang.lang.dependencies import Dependencies, Note
-    from motionlang.lang.machine.machine import Machine
+from motionlang.controller.clock import INFINITY, Clock
+from motionlang.controller.controller import Controller
+from motionlang.lang.dependencies import Dependencies, Note
+from motionlang.lang.machine.machine import Machine
 
 # Times that differ by less than this are equal, so that rounding does not decide the order.
 ROUNDING = 1e-9

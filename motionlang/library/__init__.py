@@ -6,23 +6,30 @@ Each function only checks its arguments and calls the layer that does the work, 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
+from motionlang import execution
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.execution import checked_settings, dialect_for, settings_next_to
+from motionlang.lang.dialect import unknown_model
+from motionlang.lang.foreign import one_sentence
+from motionlang.lang.machine.axes import missing_axes
+from motionlang.lang.machine.entries import Given
+from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.result import Run
+from motionlang.source import Source
+
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
     from motionlang.analysis.certificate import Limit
     from motionlang.analysis.compare.comparison import Comparison
     from motionlang.analysis.cycle.profile import TimeProfile
     from motionlang.analysis.diff.reports import Difference
     from motionlang.analysis.proof.checker import Proof
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.machine.entries import Given
-    from motionlang.result import Run
-    from motionlang.source import Source
 
-    Program = str | os.PathLike[str] | Source
-    Side = Program | Run | Mapping[str, object]
+Program = str | os.PathLike[str] | Source
+
+Side = Program | Run | Mapping[str, object]
 
 
 def run(
@@ -55,8 +62,6 @@ def run(
     Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
     """
-    from motionlang import execution
-
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
@@ -91,14 +96,6 @@ def check(
     OSError if the file cannot be read, ProgramError if the machine file is wrong, and ValueError, with the
     choices, for an unknown model or language.
     """
-    from motionlang.errors import ProgramError
-    from motionlang.execution import checked_settings, dialect_for, settings_next_to
-    from motionlang.lang.dialect import unknown_model
-    from motionlang.lang.foreign import one_sentence
-    from motionlang.lang.machine.axes import missing_axes
-    from motionlang.lang.machine.machine import DEFAULT_AXES
-    from motionlang.source import Source
-
     program = _checked(program)
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
@@ -159,7 +156,6 @@ def compare(
     compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of `run`.
     """
     from motionlang.analysis.compare.comparison import Mapped, compare
-    from motionlang.source import Source
 
     made = []
     for target, column in (mapping or {}).items():
@@ -197,21 +193,14 @@ def prove(program: Program | Run) -> Proof:
     result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
     without `prove`, and the errors of `run`.
     """
-    from motionlang.result import Run
-
     return (program if isinstance(program, Run) else run(program, prove=True)).proof()
 
 
 def _run_of(program: Program | Run) -> Run:
-    from motionlang.result import Run
-
     return program if isinstance(program, Run) else run(program)
 
 
 def _report_of(side: Side) -> dict[str, object]:
-    from motionlang.result import Run
-    from motionlang.source import Source
-
     if isinstance(side, Run):
         return side.report
     if isinstance(side, str | os.PathLike | Source):

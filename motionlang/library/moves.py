@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, overload
 
+from motionlang.library.report_types import ReportMove, ReportMoveMotor, ReportPhase
 from motionlang.library.tables import Table, transposed
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.library.report_types import ReportMove, ReportMoveMotor, ReportPhase
-    from motionlang.result import Run
+from motionlang.result import Run
 
 # The columns of every table of moves; those of a simulated motor follow if there is one.
 COLUMNS = (

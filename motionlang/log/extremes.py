@@ -6,20 +6,16 @@ stationary points.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from math import inf
 
+from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 from motionlang.planners.curve import State, state_in
 from motionlang.planners.formula import summit
 from motionlang.planners.pieces import crest_points, even_points, still_points
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.controller.axis import Axis
-    from motionlang.planners import Profile
 
 
 @record

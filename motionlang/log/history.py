@@ -8,28 +8,24 @@ from __future__ import annotations
 
 from array import array
 from collections import deque
+from collections.abc import Iterator, Sequence
 from math import inf, isnan, nan
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.controller import Controller
+from motionlang.controller.feedback import Feedback
 from motionlang.controller.joined import Followed
 from motionlang.servo.axis_loop import has_gains
+from motionlang.servo.demand import Demanded
 from motionlang.servo.replay import replay, whole
 from motionlang.servo.samples import REST_ERROR
+from motionlang.servo.trace import ServoTrace
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.feedback import Feedback
-    from motionlang.servo.demand import Demanded
-    from motionlang.servo.trace import ServoTrace
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Samples beyond which a motor's history is not stored in one object: twenty minutes at 4 kHz.
 MAX_SAMPLES = 5_000_000

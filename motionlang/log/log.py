@@ -7,8 +7,10 @@ an unnamed file, so the memory of a run does not depend on its length.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.move import Move
 from motionlang.log.moves import Moves
 from motionlang.log.profiles import Profiles
 from motionlang.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Waited
@@ -16,10 +18,6 @@ from motionlang.log.samples import AnalogueChanges
 from motionlang.log.stream import DISK, Store, Stream
 from motionlang.log.time_slices import Mark as SliceMark
 from motionlang.log.time_slices import TimeSliceStream
-
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.move import Move
 
 # How many waits and time slices there are.
 Mark = tuple[int, SliceMark]

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.move import CONTINUED, Action, Move
 from motionlang.log.profiles import joined, parted
 from motionlang.log.records import MoveRow
 from motionlang.log.stream import CHUNK, Store, Stream
 from motionlang.planners import Profile
-
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
 
 # The number of moves after which the oldest become rows, and how many of the newest do not.
 MAX_OBJECTS, LEFT = 24_576, 8_192

@@ -6,19 +6,16 @@ motion itself, not taken from its plan: at the beginning, at the end, and at `SA
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import acos, degrees
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from motionlang.log.trace import Trace
 
-    from numpy.typing import NDArray
-
-    from motionlang.log.trace import Trace
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 SAMPLES = 1001
 # Fraction of a path's time at its ends in which its direction is taken, and fraction of its peak speed that

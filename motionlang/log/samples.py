@@ -10,15 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from heapq import merge
 from operator import attrgetter
-from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.scale import in_unit
 from motionlang.log.records import Changed, Sampled
 from motionlang.log.stream import Stream
 from motionlang.planners import Profile
-
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
 
 # The period of the profiler, seconds.
 PERIOD = 1e-3

@@ -6,27 +6,21 @@ grid. Lengths are in the user units in force when the trace is sampled.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.controller.controller import Controller
 from motionlang.log.history import Reader
 from motionlang.log.track import WholeTrack, axes_of
 from motionlang.log.trajectory_points import AT_ONCE, Points
 from motionlang.planners.evaluate import piece_values
 from motionlang.planners.sample import ORDERS, PieceTable
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.controller.controller import Controller
-    from motionlang.log.history import Reader
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # quantity -> unit, and the unit as a component of a column's name.
 UNITS: dict[str, tuple[str, str]] = {

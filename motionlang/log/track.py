@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from math import inf
+from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.controller import Controller
 from motionlang.controller.joined import Joined
+from motionlang.controller.move import Move
+from motionlang.controller.scale import Scale
+from motionlang.planners import Profile, State
+from motionlang.planners.ramps import Piece
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
     from motionlang.controller.feedback import Feedback
-    from motionlang.controller.move import Move
-    from motionlang.controller.scale import Scale
-    from motionlang.planners import Profile, State
-    from motionlang.planners.ramps import Piece
 
 
 class WholeTrack:

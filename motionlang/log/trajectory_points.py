@@ -9,20 +9,15 @@ delayed by the same time.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
 from motionlang.planners.sample import PieceTable
 from motionlang.servo.demand import Generator
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from motionlang.controller.axis import Axis
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Fraction of a cycle: a time this near to its start counts as the start.
 AT_ONCE = 1e-7

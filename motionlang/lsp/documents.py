@@ -8,17 +8,13 @@ so that an offset is the same in the text of the editor and in the program.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import accumulate
-from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
+from motionlang.lang.names import Span
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.lang.names import Span
 
 _MARK = "\ufeff"
 

@@ -2,38 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Generator
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
 from motionlang.editor import navigation
-from motionlang.editor.completion import complete
+from motionlang.editor.completion import Item, complete
 from motionlang.editor.fixes import fixes
 from motionlang.editor.formatting import format
 from motionlang.editor.hover import hover
 from motionlang.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang.editor.page import Page
 from motionlang.editor.signature import signature
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.execution import MACHINE_SUFFIX
 from motionlang.lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
 from motionlang.lsp.documents import units
 from motionlang.lsp.protocol import REQUEST_FAILED
-from motionlang.lsp.session import MAX_TEXT
+from motionlang.lsp.session import MAX_TEXT, Known
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
-    from typing import Any, TypeAlias, TypeVar
-
-    from motionlang.editor.completion import Item
-    from motionlang.editor.page import Page
     from motionlang.lsp.server import Server
-    from motionlang.lsp.session import Known
 
-    T = TypeVar("T")
-    # A handler that waits: it begins at once, before the next message, and yields calls for pygls to wait for.
-    Waiting: TypeAlias = Generator[tuple[Callable[..., Any], tuple[object, ...], dict[str, object]], Any, T]
+T = TypeVar("T")
+
+# A handler that waits: it begins at once, before the next message, and yields calls for pygls to wait for.
+Waiting: TypeAlias = Generator[tuple[Callable[..., Any], tuple[object, ...], dict[str, object]], Any, T]
 
 LEGEND = types.SemanticTokensLegend(list(TYPES), list(MODIFIERS))
 # The commands of a lens, which an editor has to have; it names those that it has in `initializationOptions`.

@@ -6,6 +6,8 @@ and one that fails. Errors have one sentence, and no traceback leaves the proces
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
@@ -14,9 +16,6 @@ from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
-    from concurrent.futures import Future
-
     from motionlang.lsp.server import Server
 
 NOT_INITIALIZED = -32002

@@ -6,8 +6,9 @@ import asyncio
 import gc
 import logging
 import os
+import socket
 import sys
-from typing import TYPE_CHECKING
+from typing import Any, BinaryIO
 
 from lsprotocol import types
 from pygls.exceptions import FeatureRequestError, JsonRpcException
@@ -15,18 +16,12 @@ from pygls.io_ import run_async
 from pygls.lsp.server import LanguageServer
 
 from motionlang import __version__
+from motionlang.errors import Diagnostic
 from motionlang.lsp.convert import diagnostic
+from motionlang.lsp.documents import Document
 from motionlang.lsp.features import register
 from motionlang.lsp.protocol import Protocol
-from motionlang.lsp.session import Session
-
-if TYPE_CHECKING:
-    import socket
-    from typing import Any, BinaryIO
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lsp.documents import Document
-    from motionlang.lsp.session import Worker
+from motionlang.lsp.session import Session, Worker
 
 # The largest message accepted, in bytes; four times the largest program.
 MAX_MESSAGE = 1 << 28

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import asyncio
 import os
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Coroutine
+from typing import Any, Protocol
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcContentModified
@@ -22,24 +23,19 @@ from motionlang.editor.page import Page
 from motionlang.editor.times import NO_TIMES, Times
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
-from motionlang.lang.dialect import dialect, dialects
+from motionlang.lang.dialect import Dialect, dialect, dialects
 from motionlang.lang.names import NO_NAMES, Changes, Names
 from motionlang.lsp.documents import Document
 from motionlang.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 from motionlang.source import Source
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine
-    from typing import Any, Protocol
 
-    from motionlang.lang.dialect import Dialect
+class Worker(Protocol):
+    """Carries out the jobs of a server."""
 
-    class Worker(Protocol):
-        """Carries out the jobs of a server."""
+    async def do(self, job: Job) -> Result | None: ...
 
-        async def do(self, job: Job) -> Result | None: ...
-
-        def stop(self) -> None: ...
+    def stop(self) -> None: ...
 
 
 # Seconds without a key after which typing has paused.

@@ -11,21 +11,18 @@ import asyncio
 import os
 import sys
 import threading
-from concurrent.futures import BrokenExecutor
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor
+from typing import Protocol
 
 from motionlang.editor.times import NO_TIMES
 from motionlang.lsp.jobs import TIMES, Job, Result, work
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from concurrent.futures import Executor
-    from typing import Protocol
 
-    class Stopping(Protocol):
-        """An executor whose processes can be killed."""
+class Stopping(Protocol):
+    """An executor whose processes can be killed."""
 
-        def stop(self) -> None: ...
+    def stop(self) -> None: ...
 
 
 # Wall time that a run for hints may take, s. The times up to then are its result.

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line, own
 from motionlang.mcapi.errors import Refused
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.resolve.line import Line
+from motionlang.mccl.runtime.task import CommandTask
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.interface import Interface
     from motionlang.mcapi.session import Handle
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.task import CommandTask
 
 # The largest number of commands in a block.
 MAX_COMMANDS = 1000

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
+from motionlang.mccl.resolve.line import Line
+
+if TYPE_CHECKING:
     from motionlang.mcapi.session import Handle
     from motionlang.mcapi.table import Function, Value
-    from motionlang.mccl.resolve.line import Line
 
 
 class Call:

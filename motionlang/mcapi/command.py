@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import accumulate
 
+from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
+from motionlang.mccl.models import Model
 from motionlang.mccl.resolve.command import NONE, NUMBER, Command
 from motionlang.mccl.resolve.decode import checked
 from motionlang.mccl.resolve.line import Line
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mccl.models import Model
-    from motionlang.mccl.runtime.task import Action
+from motionlang.mccl.runtime.task import Action
 
 
 def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import motionlang.mcapi.calls  # noqa: F401
+from motionlang.lang.waits import Wait
+from motionlang.mcapi.call import Call
 from motionlang.mcapi.protocol import MAX_LINE, VERSION, answer, decode, parse
-from motionlang.mcapi.session import BadCall, Session
+from motionlang.mcapi.session import BadCall, McapiBoard, Session
+from motionlang.serve.channel import Channel
 from motionlang.serve.host import Host
-
-if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
-    from motionlang.mcapi.call import Call
-    from motionlang.mcapi.session import McapiBoard
-    from motionlang.serve.channel import Channel
-    from motionlang.serve.limits import Limits
-    from motionlang.serve.pace import Pace
-    from motionlang.serve.spy import Spy
+from motionlang.serve.limits import Limits
+from motionlang.serve.pace import Pace
+from motionlang.serve.spy import Spy
 
 LF = 10
 # The line that names the host process of a connection.

@@ -12,26 +12,25 @@ ends when its condition holds.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Rejected
 from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import code_of
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.hosts.port import Port
+from motionlang.mccl.resolve.line import Line
+from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import FORMS, CommandTask
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.faults import Rejected
     from motionlang.mcapi.block import Block
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.session import Handle
-    from motionlang.mccl.codes import Fault
-    from motionlang.mccl.hosts.port import Port
-    from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.board import Board
 
 ESC = 27
 # Characters that an ASCII interface holds for its host, and for the board while a call is carried out.

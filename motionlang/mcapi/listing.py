@@ -6,7 +6,6 @@ Each line has the commands of a call, and its time after `;`.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.machine.keys import MAX_AXES
@@ -14,14 +13,12 @@ from motionlang.mcapi import table as mc
 from motionlang.mcapi.block import Block
 from motionlang.mcapi.client import VirtualBoard
 from motionlang.mcapi.errors import Refused
+from motionlang.mcapi.log import Entry
 from motionlang.mcapi.protocol import encode, request
 from motionlang.mcapi.registry import AT_ONCE, POLLS, QUERIES
 from motionlang.mcapi.session import BadCall, Given, commands_for
 from motionlang.mcapi.table import FUNCTIONS
 from motionlang.mccl.codes import Fault
-
-if TYPE_CHECKING:
-    from motionlang.mcapi.log import Entry
 
 # The column at which the remark begins.
 COLUMN = 32

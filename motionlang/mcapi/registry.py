@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any, TypeVar
+from collections.abc import Callable
+from typing import Any, TypeVar
 
-    from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.resolve.command import Command
 
-    F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Callable[..., Any])
 
 # They get the interface and the arguments by name, and return the commands of the call.
 COMMANDS: dict[str, Callable[..., list[Command]]] = {}

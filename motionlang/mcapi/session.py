@@ -15,7 +15,9 @@ Invariants No value of the board is stored here: every call reads it from the bo
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Sequence
 from math import isfinite
+from typing import TYPE_CHECKING, Any
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
@@ -27,16 +29,12 @@ from motionlang.mcapi.interface import Interface, Poll, expire
 from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.mcapi.table import BITS, FUNCTIONS, STRUCTURES
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.hosts.console import Console
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import Any
-
     from motionlang.mcapi.table import Argument, Function, Value
-    from motionlang.mccl.hosts.console import Console
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
 
 MAX_HANDLES = 1000
 # Arguments that are axes.

@@ -5,23 +5,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Dialect, Interactive, Target
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.machine.switch import Switch
+from motionlang.lang.names import Names
+from motionlang.lang.program import Program
+from motionlang.lang.step_list import ListedUnit
+from motionlang.lang.vocabulary import Vocabulary
+from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.machine.switch import Switch
-    from motionlang.lang.names import Names
-    from motionlang.lang.program import Program
-    from motionlang.lang.step_list import ListedUnit
-    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mccl.syntax.tree import Module
-    from motionlang.source import Source
 
 
 class Mccl(Dialect):

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from motionlang.lang.dialect import Dialect, Target
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
+from motionlang.errors import Diagnostic
+from motionlang.lang.dialect import Dialect, Interactive, Target
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.machine.switch import Switch
+from motionlang.lang.names import LineLayout, Names
+from motionlang.lang.program import Program
+from motionlang.lang.step_list import ListedUnit
+from motionlang.lang.vocabulary import Vocabulary
+from motionlang.source import Source
+
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.dialect import Interactive
-    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.machine.switch import Switch
-    from motionlang.lang.names import LineLayout, Names
-    from motionlang.lang.program import Program
-    from motionlang.lang.step_list import ListedUnit
-    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
 
 
 class Mint(Dialect):

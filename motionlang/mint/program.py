@@ -16,6 +16,7 @@ from motionlang.mint.resolve.chosen_rates import chosen_rates
 from motionlang.mint.resolve.overrides import override
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
+from motionlang.mint.steps.inspection import Inspection
 from motionlang.mint.steps.places import Places
 from motionlang.mint.steps.program import ProgramWriter, stops
 from motionlang.source import Source
@@ -97,8 +98,6 @@ class MintProgram(Program):
         writer = ProgramWriter(self.checked.names, environment, line_of, values or {}, self.is_debug)
         environment.take(writer)
         if self.is_debug:
-            from motionlang.mint.steps.inspection import Inspection
-
             assert machine.hook is not None, "a debug build needs a machine with a hook"
             machine.hook.inspection = Inspection(environment, self.checked.names)
         task = MintTask(PARENT, writer.unit(self.checked.names.main), environment)

@@ -13,12 +13,12 @@ from math import asin, pi
 from typing import TYPE_CHECKING
 
 from motionlang.notes.dissect import slip_acceleration
+from motionlang.planners import Profile
 from motionlang.planners.limits import check_positive
 from motionlang.planners.pieces import acceleration_in, crest_points
+from motionlang.planners.ramps import Piece
 
 if TYPE_CHECKING:
-    from motionlang.planners import Profile
-    from motionlang.planners.ramps import Piece
     from motionlang.servo.trace import ServoTrace
 
 

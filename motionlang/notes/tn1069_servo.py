@@ -9,16 +9,15 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.planners import plan
+from motionlang.planners import Profile, plan
 from motionlang.planners.curve import hold
 from motionlang.planners.pieces import jerk_in
 from motionlang.servo.demand import Track
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.servo import simulate
 
 if TYPE_CHECKING:
-    from motionlang.planners import Profile
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.plant import Drive, Motor
     from motionlang.servo.trace import ServoTrace
 
 SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")

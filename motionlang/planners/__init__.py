@@ -28,9 +28,10 @@ counts of the master. `pvt/` is in counts and seconds; the segments of `fit` las
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.planners.curve import Phase, Profile, State, hold
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.jerk import plan_jerk
     from motionlang.planners.parabolic import plan_parabolic

@@ -6,7 +6,9 @@ Each piece is cut at its extrema; the sections are then solved.
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Callable
 from math import inf
+from typing import TYPE_CHECKING
 
 from motionlang.planners.pieces import (
     acceleration_in,
@@ -17,10 +19,7 @@ from motionlang.planners.pieces import (
 )
 from motionlang.planners.root import bracketed_root
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.planners.curve import Profile
     from motionlang.planners.ramps import Piece
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
+from copy import copy
 from math import copysign, inf, sin
 
 from motionlang.planners import crossing as _crossing
@@ -417,8 +418,6 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
     If `name` is given, the motion becomes one phase of that name.
     """
     if not profile.pieced:
-        from copy import copy
-
         twin = copy(profile)  # its pieces are good for drawing only
         twin.shape = shape
         return twin

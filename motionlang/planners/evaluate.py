@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.planners.curve import Profile
 from motionlang.planners.reparametrised import AT_END, Reparametrised
 from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import Superposed
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from motionlang.planners.curve import Profile
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 
 def evaluate(profile: Profile, times: Array, order: int) -> Array:

@@ -6,23 +6,19 @@ ramp kind), and which peak speed a move has that is too short for its slew speed
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, nextafter, sqrt
 
 from motionlang.planners.curve import Profile
 from motionlang.planners.limits import STILL, check_finite, too_large
-from motionlang.planners.ramps import ramp_distance
+from motionlang.planners.ramps import Recipe, ramp_distance
 from motionlang.planners.total import total
+from motionlang.planners.transition import Bounds
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
+Ramp = Callable[[float, float], tuple[float, float]]
 
-    from motionlang.planners.ramps import Recipe
-    from motionlang.planners.transition import Bounds
-
-    Ramp = Callable[[float, float], tuple[float, float]]
-    Peak = Callable[[float, float], float]
+Peak = Callable[[float, float], float]
 
 
 # The fraction of a distance that is too large to be the rounding of its sum.

@@ -9,7 +9,12 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.planners.curve import Profile, hold
+from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.ramps import Curve
+from motionlang.planners.rate import Rate
+from motionlang.planners.reparametrised import Reparametrised
+from motionlang.planners.sequence import ProfileSequence
+from motionlang.planners.superposition import Superposed
 
 # (shape, start, end, duration, recipe), followed by the curve if no recipe gives it; (position,) for rest
 # without end; (name, arguments, shape, end) for a formula.
@@ -77,11 +82,6 @@ def _unpacked_component(component: object) -> object:
 
 
 def _formula(name: str, components: tuple[object, ...]) -> Profile:
-    from motionlang.planners.extrapolation import Extrapolated
-    from motionlang.planners.rate import Rate
-    from motionlang.planners.reparametrised import Reparametrised
-    from motionlang.planners.sequence import ProfileSequence
-    from motionlang.planners.superposition import Superposed
 
     made: Profile = {
         "Extrapolated": Extrapolated,

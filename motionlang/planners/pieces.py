@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from math import acos, copysign, cos, inf, pi, sin, sqrt
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 

@@ -8,22 +8,18 @@ between a knot and the next block are then computed again.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.planners.curve import Profile
 from motionlang.planners.evaluate import evaluate
 from motionlang.planners.table import piece_columns
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.planners.curve import Profile
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
 BLOCK = 256

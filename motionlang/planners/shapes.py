@@ -5,6 +5,9 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.planners.curve import Profile
+from motionlang.planners.jerk import plan_jerk
+from motionlang.planners.parabolic import plan_parabolic
+from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
 from motionlang.planners.trapezoid import plan_trapezoid
 
 
@@ -31,20 +34,13 @@ def plan(
         return plan_trapezoid(start, target, speed, accel, decel, v0)
     # The other shapes are rare: a program without them starts without loading them.
     if shape == "sinusoidal":
-        from motionlang.planners.scurve import plan_sinusoidal
-
         return plan_sinusoidal(start, target, speed, accel, decel, v0)
     if shape == "parabolic":
-        from motionlang.planners.parabolic import plan_parabolic
-
         return plan_parabolic(start, target, speed, accel, decel, v0)
     if shape != "scurve":
         raise ValueError(f"there is no profile shape {shape!r}")
     if accel_jerk == inf:
-        from motionlang.planners.scurve import plan_ratio
-
         return plan_ratio(start, target, speed, accel, decel, ramp, v0)
-    from motionlang.planners.jerk import plan_jerk
 
     braking = accel_jerk if decel_jerk == inf else decel_jerk
     return plan_jerk(start, target, speed, accel, decel, accel_jerk, braking, v0, a0)

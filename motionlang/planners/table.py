@@ -6,21 +6,15 @@ takes less time than making the pieces one by one. Axes of the arrays: profile, 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from motionlang.planners.ramps import FALLING, MOMENT, RISING, SINE
+from motionlang.planners.curve import Profile
+from motionlang.planners.ramps import FALLING, MOMENT, RISING, SINE, Piece
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.planners.curve import Profile
-    from motionlang.planners.ramps import Piece
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 MIN_PROFILES = 24
 """Below this many profiles the arrays cost more than they save."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from motionlang.planners.curve import Profile
+from motionlang.planners.feasibility import approach, stretched
 from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_rates
 
 
@@ -23,7 +24,6 @@ def plan_trapezoid(
     check_rates(speed, accel, decel)
     check_finite(position=start, target=target, start_velocity=v0)
     # From rest nearly every program uses the numbers alone.
-    from motionlang.planners.feasibility import approach, stretched
 
     return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
+from typing import TYPE_CHECKING
 
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, as_hint, missing, nearest
@@ -23,7 +24,6 @@ from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import listing, page
 from motionlang.views.table import render
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.repl.session import Session
 

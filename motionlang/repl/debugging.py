@@ -6,13 +6,15 @@ It has its own machine: lines typed at the prompt do not affect it.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
 from motionlang.debug.debugger import Debugger, NotStopped, Stop
 from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import assignment, parse
+from motionlang.debug.moments import Search
 from motionlang.debug.values import shown
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect_for, settings_next_to
@@ -22,11 +24,7 @@ from motionlang.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.words import significant
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.debug.moments import Search
     from motionlang.repl.session import Session
 
 _LINE = re.compile(r"(\d{1,7})(?:\s+if\s+(.+))?", re.IGNORECASE)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
-if TYPE_CHECKING:
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.waits import Wait
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.waits import Wait
 
 
 class Port(Protocol):

@@ -6,9 +6,9 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
+from motionlang.lang.waits import Wait
 
 if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
     from motionlang.serve.channel import Channel
     from motionlang.serve.console import Port
     from motionlang.serve.limits import Limits

@@ -16,13 +16,15 @@ from __future__ import annotations
 
 import asyncio
 from asyncio import IncompleteReadError, StreamReader, StreamWriter
+from collections.abc import Callable
 from functools import partial
+from socket import socket
 from struct import pack, unpack
 from threading import Event, Thread
 from time import monotonic
-from typing import TYPE_CHECKING
 
 from motionlang import __version__
+from motionlang.controller.io.host_memory import HostMemory
 from motionlang.serve import address
 from motionlang.serve.limits import Limits
 from motionlang.serve.modbus_requests import (
@@ -35,15 +37,8 @@ from motionlang.serve.modbus_requests import (
     exception,
     parse,
 )
-from motionlang.serve.outside import Closed
+from motionlang.serve.outside import Closed, Outside
 from motionlang.serve.refusals import Refusals
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from socket import socket
-
-    from motionlang.controller.io.host_memory import HostMemory
-    from motionlang.serve.outside import Outside
 
 # Bytes of the header, and the bounds of the length that it states: at least a unit and a function.
 HEADER, MIN_FRAME, MAX_FRAME = 6, 2, 254

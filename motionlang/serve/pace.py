@@ -8,13 +8,12 @@ time, so that a program that never waits cannot block the hosts.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.controller.clock import INFINITY
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.serve.console import Console
 
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.

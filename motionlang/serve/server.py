@@ -12,9 +12,11 @@ import selectors
 import socket
 import threading
 import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from traceback import walk_tb
-from typing import TYPE_CHECKING
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from motionlang.controller.clock import INFINITY
 from motionlang.serve import address
@@ -25,16 +27,12 @@ from motionlang.serve.pace import RealTime
 from motionlang.serve.refusals import Refusals
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from types import TracebackType
-    from typing import Any, TypeAlias
-
     from motionlang.serve.console import Console
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
 
-    # Makes a host of its number and its channel.
-    MakeHost: TypeAlias = Callable[[int, Channel], Host]
+# Makes a host of its number and its channel.
+MakeHost: TypeAlias = Callable[[int, Channel], Host]
 
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
 # Seconds of real time that hosts have at the end to read their output.

@@ -9,17 +9,16 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Sequence
 from itertools import pairwise
 from math import ceil, floor
 from typing import TYPE_CHECKING, Protocol
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from motionlang.planners import Profile
 
+if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-    from motionlang.planners import Profile
 
 FOR_EVER = 1 << 62
 """The last cycle of an endless profile."""

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import ceil
-from typing import TYPE_CHECKING
 
+from motionlang.servo.demand import Demanded
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.servo import Servo, sample_at
 from motionlang.servo.standstill import extent, is_still
-from motionlang.servo.trace import joined
+from motionlang.servo.trace import ServoTrace, joined
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.servo.demand import Demanded
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.plant import Drive, Motor
-    from motionlang.servo.trace import ServoTrace
-
-    # Time and change: another loop, an open loop with a voltage, or a closed one with the index of the
-    # profile in force.
-    Change = tuple[float, Loop | float | int]
+# Time and change: another loop, an open loop with a voltage, or a closed one with the index of the
+# profile in force.
+Change = tuple[float, Loop | float | int]
 
 BLOCK = 1 << 13
 """Samples that are run at once."""

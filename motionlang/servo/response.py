@@ -8,27 +8,22 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import inf, pi
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motionlang.planners import hold
 from motionlang.servo.demand import Track
-from motionlang.servo.discrete import STATES, discretise
+from motionlang.servo.discrete import STATES, Discrete, discretise
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.servo import Servo
-from motionlang.servo.step import MEMORY, Step, at_rest
+from motionlang.servo.step import MEMORY, State, Step, at_rest
+from motionlang.servo.trace import ServoTrace
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+Array = NDArray[np.float64]
 
-    from motionlang.servo.discrete import Discrete
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.plant import Drive, Motor
-    from motionlang.servo.step import State
-    from motionlang.servo.trace import ServoTrace
-
-    Array = NDArray[np.float64]
-    Complex = NDArray[np.complex128]
+Complex = NDArray[np.complex128]
 
 DROP = 10.0 ** (-3.0 / 20.0)
 """-3 dB."""

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from math import ceil, inf
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.servo.demand import Demanded
 from motionlang.servo.step import COLUMNS
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from motionlang.servo.demand import Demanded
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Seconds: a profile that ends this much later counts as ended.
 _AT_ONCE = 1e-9

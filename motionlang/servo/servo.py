@@ -10,14 +10,12 @@ from copy import copy
 from math import floor
 from typing import TYPE_CHECKING
 
-from motionlang.servo.demand import Generator
-from motionlang.servo.step import COLUMNS, Step, at_rest
+from motionlang.servo.demand import Demanded, Generator
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
+from motionlang.servo.step import COLUMNS, Reading, State, Step, at_rest
 
 if TYPE_CHECKING:
-    from motionlang.servo.demand import Demanded
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.plant import Drive, Motor
-    from motionlang.servo.step import Reading, State
     from motionlang.servo.trace import ServoTrace
 
 # Samples whose readings are in tuples, which are four times as large as arrays.

@@ -7,7 +7,7 @@ section is needed only for gains that the program does not set.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from math import inf
 
 from motionlang.errors import as_hint, nearest, shown
@@ -219,7 +219,6 @@ def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
 
     Raises ValueError for an invalid entry.
     """
-    from dataclasses import replace
 
     given = _checked(values, SERVO, "servo")
     override = {

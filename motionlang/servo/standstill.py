@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from itertools import chain
 from operator import sub
+from typing import TYPE_CHECKING
+
+from motionlang.servo.step import State
 
 # Seconds of rest after which a motor that hunts, but no further than before, counts as at standstill.
 HUNTING = 20.0
@@ -12,14 +15,12 @@ _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 # The rounding of a motor that stays: in any unit, and as a fraction.
 _STILL, _ROUNDING = 1e-9, 1e-14
 
-TYPE_CHECKING = False
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from motionlang.servo.step import State
-
-    Extent = tuple[float, ...]
+Extent = tuple[float, ...]
 
 
 def extent(position: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:

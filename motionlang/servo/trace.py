@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motionlang.servo.discrete import discretise
-from motionlang.servo.plant import Drive
-from motionlang.servo.step import COLUMNS
+from motionlang.servo.loop import Loop
+from motionlang.servo.plant import Drive, Motor
+from motionlang.servo.step import COLUMNS, Reading
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.servo.loop import Loop
-    from motionlang.servo.plant import Motor
-    from motionlang.servo.step import Reading
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 UNITS = {
     "time": "s",

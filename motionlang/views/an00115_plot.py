@@ -7,13 +7,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.notes.an00115 import cut_triangle, moved_triangle, rectangle, trapezoid
+from motionlang.notes.an00115 import Move, cut_triangle, moved_triangle, rectangle, trapezoid
 from motionlang.views.servo_plot import BLUE, GREY, RED, WIDTH, drawing, dress
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from motionlang.notes.an00115 import Move
 
 
 def draw_plan(move: Move, path: str) -> None:

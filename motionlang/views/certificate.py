@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from hashlib import sha256
 from math import inf
-from typing import TYPE_CHECKING
 
 from motionlang import __version__
+from motionlang.analysis.certificate import Limit
+from motionlang.analysis.proof.checker import Proof
 from motionlang.errors import count_of
+from motionlang.result import Run
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import styled
 from motionlang.views.words import figure
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.analysis.certificate import Limit
-    from motionlang.analysis.proof.checker import Proof
-    from motionlang.result import Run
 
 COLUMNS = (
     Column("axis"), Column("limit", align="<"), Column("", align="<"), Column("allowed"), Column("reached"),

@@ -5,6 +5,7 @@ It shows the error of each signal, and each move with its lag and overshoot.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from motionlang.views.grid import Column, decimals_of, grid
@@ -12,11 +13,9 @@ from motionlang.views.terminal import printable, styled
 from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.analysis.compare.comparison import Comparison
 
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 # At most this many moves are shown with their phases; of more than `MAX_MOVES`, only the worst are shown.
 WITH_PHASES, MAX_MOVES = 6, 40

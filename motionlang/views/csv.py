@@ -8,18 +8,16 @@ all. Rows with values that do not fit, because they are too large or not a numbe
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+Array = NDArray[np.float64]
 
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
-    Words = NDArray[np.uint32]
+Words = NDArray[np.uint32]
 
 # The numbers of decimals that a column can have.
 DECIMALS = (6, 9, 12)

@@ -5,21 +5,20 @@ Time comes first, followed by lines, printed output, errors and the rest.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import fsum
 from typing import TYPE_CHECKING, Any
 
+from motionlang.analysis.diff.accept import Change
+from motionlang.analysis.diff.charged import Charge
+from motionlang.analysis.diff.literals import ChangedLiteral
+from motionlang.analysis.diff.reports import Difference, LineChange
 from motionlang.analysis.diff.tolerance import FIELDS
 from motionlang.errors import count_of
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.analysis.diff.accept import Change
-    from motionlang.analysis.diff.charged import Charge
-    from motionlang.analysis.diff.literals import ChangedLiteral
     from motionlang.analysis.diff.motion import Divergence
-    from motionlang.analysis.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 # Figures of a motor that have no unit in `UNITS`.

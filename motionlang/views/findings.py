@@ -5,6 +5,7 @@ The formats are SARIF, JUnit XML and GitHub workflow commands.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 
 from motionlang import __version__
@@ -54,7 +55,6 @@ def _sarif(found: Sequence[Found], command: str) -> str:
     ]
     driver = {"name": "motionlang", "version": __version__, "rules": rules}
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
-    import json
 
     return json.dumps({"$schema": SARIF, "version": "2.1.0", "runs": [run]}, indent=1) + "\n"
 

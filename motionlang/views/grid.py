@@ -5,17 +5,13 @@ Cell widths are computed by rich. On a narrow terminal the least important colum
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from motionlang.views.terminal import cells, styled
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from typing import Any
-
-    # The cells of a table by the head of their column, as in `headed`.
-    Cells = dict[str, Callable[[Any], str]]
+# The cells of a table by the head of their column, as in `headed`.
+Cells = dict[str, Callable[[Any], str]]
 
 GAP = 2
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from motionlang.controller.controller import Controller
-    from motionlang.log.records import Changed
-    from motionlang.log.stream import Stream
+from motionlang.controller.controller import Controller
+from motionlang.log.records import Changed
+from motionlang.log.stream import Stream
 
 # group -> (name in the log, prefix of a lane's name, True for digital channels)
 GROUPS = {

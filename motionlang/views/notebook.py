@@ -5,22 +5,21 @@ They consist of text, tables and velocity curves.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
+from motionlang.controller.controller import Controller
+from motionlang.library.moves import Move, Moves
+from motionlang.library.report_types import Report
+from motionlang.result import Run
 from motionlang.views.curve import curve, velocity_curve
 from motionlang.views.diagnostics import render_all
 from motionlang.views.table import render
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.controller.controller import Controller
-    from motionlang.library.moves import Move, Moves
-    from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
-    from motionlang.result import Run
 
 WIDTH = 110
 # The largest number of output lines; of more, the first and the last half of these are shown.

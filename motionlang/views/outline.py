@@ -8,19 +8,14 @@ lowest and its highest.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.log.trace import Trace
 from motionlang.planners.evaluate import piece_values
 from motionlang.planners.sample import ORDERS
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from motionlang.log.trace import Trace
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 GRID = 1000
 _FRACTIONS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])

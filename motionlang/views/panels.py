@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.log.trace import Trace
+from motionlang.servo.trace import ServoTrace
 from motionlang.views.outline import outline, thinned
 from motionlang.views.quantities import UNITS
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from numpy.typing import NDArray
-
-    from motionlang.log.trace import Trace
-    from motionlang.servo.trace import ServoTrace
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 COLOURS = {
     "position": "#1f5fae",

@@ -8,22 +8,23 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from mpl_toolkits.mplot3d import art3d
+from numpy.typing import NDArray
 
+from motionlang.log.trace import Trace
+from motionlang.planners.sample import ORDERS
 from motionlang.report import moves as moves_of
+from motionlang.result import Run
 from motionlang.views.plot_panel import FAINT
 from motionlang.views.terminal import printable
+from motionlang.views.window import Window
 from motionlang.views.words import dialect_name, outcome, peak_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
-    from motionlang.log.trace import Trace
-    from motionlang.result import Run
-    from motionlang.views.window import Window
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # The number of points along the path, and the largest number of lines labelled.
 POINTS, MAX_NAMED = 6000, 40
@@ -74,7 +75,6 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
 
 def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
     """Return values of one axis at evenly spaced times."""
-    from motionlang.planners.sample import ORDERS
 
     values = np.empty(len(times))
     step = max(float(times[-1] - times[0]) / (len(times) - 1), 1e-12)
@@ -89,8 +89,6 @@ def _draw(axes: Any, positions: Array, speeds: Array, colours: Any) -> None:
     middle = 0.5 * (speeds[:-1] + speeds[1:])
     kind: Any
     if positions.shape[1] == 3:
-        from mpl_toolkits.mplot3d import art3d
-
         kind = art3d.Line3DCollection
     else:
         from matplotlib import collections

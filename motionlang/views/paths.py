@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.views.grid import Column, decimals_of, grid
@@ -9,8 +10,6 @@ from motionlang.views.terminal import styled
 from motionlang.views.words import figure
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.log.paths import PathRow
 
 MAX_ROWS = 60

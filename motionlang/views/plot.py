@@ -8,6 +8,8 @@ their outline, which preserves every peak.
 from __future__ import annotations
 
 import os
+import warnings
+from collections.abc import Mapping, Sequence
 from math import fsum
 from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
@@ -18,6 +20,8 @@ from motionlang.files import replacing
 from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
+from motionlang.result import Run
+from motionlang.servo.trace import ServoTrace
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import HEIGHTS, panels
 from motionlang.views.path_plot import path_figure
@@ -33,18 +37,12 @@ from motionlang.views.plot_panel import (
     name_moves,
 )
 from motionlang.views.terminal import printable
-from motionlang.views.window import WHOLE
+from motionlang.views.window import WHOLE, Window
 from motionlang.views.words import dialect_name, outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from motionlang.result import Run
-    from motionlang.servo.trace import ServoTrace
-    from motionlang.views.window import Window
 
 MAX_AXES, MAX_LANES, MAX_ANALOGUE = 8, 24, 4
 # In inches: the width of the picture; the heights of a panel of one axis, of several axes and of a lane; the
@@ -77,7 +75,6 @@ def write_plot(
     `servos` has the simulated motion of the motors, by axis. Raises OSError, MissingExtra without matplotlib,
     and ValueError if the window is empty.
     """
-    import warnings
 
     need("a picture", "matplotlib")
     from matplotlib import rc_context

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from motionlang.views.lanes import Lane
 from motionlang.views.spans import visible
 from motionlang.views.words import peak_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     import numpy as np
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from motionlang.views.lanes import Lane
     from motionlang.views.panels import Panel
 
-    Rows = Sequence[dict[str, Any]]
+Rows = Sequence[dict[str, Any]]
 
 INK, FAINT, AXIS = "#1c2733", "#6b7785", "#9aa6b2"
 PHASES = {

@@ -7,17 +7,15 @@ from __future__ import annotations
 
 import _thread
 import os
+from collections.abc import Callable
 from math import inf
 from time import monotonic
+from typing import TYPE_CHECKING, TextIO
 
 from motionlang.views.terminal import is_terminal, wants_colour, width_of
 from motionlang.views.words import clock_time
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TextIO
-
     from rich.console import Console
     from rich.live import Live
     from rich.progress import Progress as Bar

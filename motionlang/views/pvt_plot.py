@@ -6,6 +6,7 @@ The given points are red asterisks.
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, cast
 
@@ -13,16 +14,13 @@ import numpy as np
 
 from motionlang.errors import need
 from motionlang.files import replacing
+from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import knots
 from motionlang.views.plot import STYLE
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from motionlang.planners.curve import Profile
 
 QUANTITIES = (("Position", "counts"), ("Velocity", "counts/s"), ("Acceleration", "counts/s²"))
 LINE, MARK, GRID = "#1f5fae", "#d01c1f", "#d9dfe5"

@@ -7,10 +7,8 @@ from __future__ import annotations
 
 import sys
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.machine.terminal import Terminal
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.machine.terminal import Terminal
 
 
 def ask(machine: Machine) -> str | None:

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.servo.plant import Motor
-from motionlang.views.grid import filled
+from motionlang.notes.tn1069_servo import Row
+from motionlang.servo.plant import Drive, Motor
+from motionlang.views.grid import Cells, filled
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from motionlang.notes.tn1069_servo import Row
-    from motionlang.servo.plant import Drive
     from motionlang.servo.response import LoopFigures, StepFigures
     from motionlang.servo.trace import ServoTrace
     from motionlang.servo.tuning import Suggestion
-    from motionlang.views.grid import Cells
 
 WIDTH = 120
 SHAPE_NAMES = {

@@ -7,24 +7,22 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from motionlang.errors import need
 from motionlang.files import replacing
+from motionlang.notes.tn1069_servo import Row
+from motionlang.servo.trace import ServoTrace
 from motionlang.views.outline import thinned
 from motionlang.views.plot import DPI, STYLE
 from motionlang.views.plot_panel import INK
 from motionlang.views.servo import SHAPE_NAMES
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from motionlang.notes.tn1069_servo import Row
-    from motionlang.servo.trace import ServoTrace
 
 BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6b4fa0"
 COLOURS = (BLUE, GREEN, RED, VIOLET)

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
 
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.highlight import pieces
+from motionlang.lang.step_list import ListedStep, ListedUnit
 from motionlang.views.terminal import printable, styled
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.step_list import ListedStep, ListedUnit
 
 # The styles of the tokens of a program's line, by kind.
 _STYLES = {"move": "word", "keyword": "word", "not-simulated": "warning", "comment": "dim"}

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from motionlang.views.servo_plot import BLUE, COLOURS, GREY, RED, drawing, dress
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from matplotlib.axes import Axes
 
-    Point = tuple[float, ...]
+Point = tuple[float, ...]
 
 WIDTH, HEIGHT, PANEL = 9.0, 5.0, 2.2
 # The largest number of lines in one panel; more are indistinguishable.

@@ -7,27 +7,23 @@ per program line.
 from __future__ import annotations
 
 from array import array
+from collections.abc import Iterator
 from math import fsum
+from typing import Any
 
 from motionlang.planners.total import exact_terms
 from motionlang.report import axes as axes_of
 from motionlang.report import device_writes as writes_of
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
+from motionlang.result import Run
 from motionlang.views.chart import velocity_chart
 from motionlang.views.grid import Column, decimals_of, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time, dialect_name, figure, outcome
 from motionlang.views.written import written
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any
-
-    from motionlang.result import Run
-
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 # At most `WITH_PHASES` moves are shown with their phases. Of more than `MAX_ROWS`, only `SHOWN` are shown,
 # with the totals.

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import os
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TextIO
+from collections.abc import Callable
+from re import split, sub
+from typing import TextIO
 
 WIDTH = 100
 PIPED_WIDTH = 160
@@ -124,7 +122,6 @@ def shower(stream: TextIO) -> Callable[[str], object]:
 
 
 def _between_screens(text: str) -> list[str]:
-    from re import split  # few programs have a screen
 
     return split(_SCREEN, text)
 
@@ -136,7 +133,6 @@ def harmless(text: str) -> str:
     """
     if text.isascii() and text.isprintable():
         return text
-    from re import sub
 
     return sub(_POWERS, lambda found: _picture(found[0]), text)
 

@@ -7,29 +7,25 @@ show as text. The timescale is a nanosecond.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from heapq import merge
 from itertools import groupby
 from operator import itemgetter
-from typing import IO, TYPE_CHECKING
+from typing import IO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motionlang import __version__
+from motionlang.log.records import Event
+from motionlang.log.trace import Column, Trace
 from motionlang.views.csv import decimals_for
-from motionlang.views.lanes import lanes
+from motionlang.views.lanes import Lane, lanes
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+Report = Callable[[float], object]
 
-    from numpy.typing import NDArray
-
-    from motionlang.log.records import Event
-    from motionlang.log.trace import Column, Trace
-    from motionlang.views.lanes import Lane
-
-    Report = Callable[[float], object]
-    # Nanoseconds, and a line of the file.
-    Change = tuple[int, str]
+# Nanoseconds, and a line of the file.
+Change = tuple[int, str]
 
 PER_SECOND = 10**9
 # Identifiers are numbers in this base, in the characters from "!" on.

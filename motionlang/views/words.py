@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.result import Run
+from motionlang.result import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 _OUTCOMES = {

@@ -5,15 +5,13 @@ The devices are servers and remote nodes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Any
-
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 # More rows than this are only in the JSON report.
 MAX_ROWS = 40

@@ -14,14 +14,14 @@ from motionlang.cli.parser import Formatter
 PROGRAM = str(Path(__file__).parent.parent.parent / "scripts" / "mint" / "hello.mnt")
 # Libraries that take a millisecond or more each, and the packages that questions about runs need.
 OTHERS = {
-    "email", "hashlib", "http", "json", "lzma", "motionlang.analysis.diff", "motionlang.analysis.sweeps",
-    "motionlang.cli.welcome", "motionlang.report", "multiprocessing", "numpy", "pathlib", "shutil", "socket",
+    "email", "hashlib", "http", "motionlang.analysis.diff", "motionlang.analysis.sweeps",
+    "motionlang.cli.welcome", "multiprocessing", "numpy", "pathlib", "socket",
     "urllib.request", "xml",
 }  # fmt: skip
 
 
 # Those of Lark.
-PARSING = {"hashlib", "lzma", "pathlib", "shutil"}
+PARSING = {"hashlib", "pathlib"}
 
 
 @pytest.mark.parametrize(

@@ -12,21 +12,17 @@ nearest 1 is chosen, and a reversed sign only if no other delay fits.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import fsum, log
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.log.trace import Trace
 from motionlang.planners.formula import summit
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.log.trace import Trace
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Maximum steps of the coarse grid, and points of a signal that are used to choose a delay and to refine it.
 COARSE, ROUGH, FINE = 1 << 16, 2_000, 20_000

@@ -5,26 +5,23 @@ The figures are given in total, and for each move and phase.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motionlang.analysis.compare.alignment import Signal, find_delay, fit, lag, simulated
 from motionlang.analysis.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.log.trace import MOTOR, UNITS
 from motionlang.report import moves as moves_of
+from motionlang.result import Run
+from motionlang.source import Source
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+Array = NDArray[np.float64]
 
-    from numpy.typing import NDArray
-
-    from motionlang.result import Run
-    from motionlang.source import Source
-
-    Array = NDArray[np.float64]
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 SCHEMA = "motionlang.compare/1"
 # A recorded motor's position is compared with its commanded position.

@@ -6,22 +6,18 @@ the decimal point. A row of names and a row of units may come first, preceded by
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import isfinite, nan
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motionlang.errors import Diagnostic, ProgramError, count_of, nearest
+from motionlang.source import Source
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.source import Source
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 SEPARATORS = ("\t", ";", ",", " ")
 REMARKS = ("#", "%", "//")

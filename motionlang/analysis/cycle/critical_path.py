@@ -8,37 +8,35 @@ buffer had ended. Saving time outside the critical path does not make the run sh
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from operator import itemgetter, sub
 
-from motionlang.analysis.cycle.motions import Motions
+from motionlang.analysis.cycle.motions import Motion, Motions, Phases
 from motionlang.analysis.cycle.polls import Polls
 from motionlang.analysis.cycle.source_positions import SourcePosition, SourcePositions
-from motionlang.analysis.cycle.tasks import all_waits, ended_at, parent_of
+from motionlang.analysis.cycle.tasks import Wait, all_waits, ended_at, parent_of
 from motionlang.lang.loop_dependencies import MOVING
+from motionlang.planners import Profile
+from motionlang.planners.ramps import Recipe
 from motionlang.planners.total import exact_terms
 from motionlang.record import record
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+# One of several links that differ only in their times, with their durations: terms of an exact sum.
+LinkGroup = tuple["Link", list[float]]
 
-    from motionlang.analysis.cycle.motions import Motion, Phases
-    from motionlang.analysis.cycle.tasks import Wait
-    from motionlang.planners import Profile
-    from motionlang.planners.ramps import Recipe
-    from motionlang.result import Run
+# Its cause, source position, task, axes and the line that waited.
+About = tuple[str, SourcePosition, str, tuple[int, ...], int]
 
-    # One of several links that differ only in their times, with their durations: terms of an exact sum.
-    LinkGroup = tuple["Link", list[float]]
-    # Its cause, source position, task, axes and the line that waited.
-    About = tuple[str, SourcePosition, str, tuple[int, ...], int]
-    Put = Callable[[float], None]
-    # Of a wait at a position: cause, callers and position, the appenders of begins and ends of computing, if a
-    # motion may have ended it, and its own appenders.
-    WaitedAt = tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]
-    # Of a move that was waited for: line, axes and shape, the position, and the appenders of begins and ends.
-    MovedAt = tuple[tuple[int, tuple[int, ...], Profile | Recipe], SourcePosition, Put, Put]
+Put = Callable[[float], None]
+
+# Of a wait at a position: cause, callers and position, the appenders of begins and ends of computing, if a
+# motion may have ended it, and its own appenders.
+WaitedAt = tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]
+
+# Of a move that was waited for: line, axes and shape, the position, and the appenders of begins and ends.
+MovedAt = tuple[tuple[int, tuple[int, ...], Profile | Recipe], SourcePosition, Put, Put]
 
 # A wait ends up to this many statements after its cause; nothing else happens in between.
 STATEMENTS = 2.5

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from itertools import chain
+from typing import Any
 
 from motionlang import __version__
-from motionlang.analysis.cycle.profile import PROGRAM
+from motionlang.analysis.cycle.profile import PROGRAM, TimeProfile
 from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.files import replacing
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any
-
-    from motionlang.analysis.cycle.profile import TimeProfile
-
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 # The suffixes of `--profile-to`, the longest first.
 FORMATS = (".speedscope.json", ".json")

@@ -6,26 +6,22 @@ Axes that begin and end together on one line are one motion.
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from itertools import compress, islice
 from operator import add, itemgetter, lt, ne
+from typing import Any
 
-from motionlang.planners.ramps import named_ramps
+from motionlang.controller.move import Move
+from motionlang.planners import Profile
+from motionlang.planners.ramps import Recipe, named_ramps
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Any
+# End, begin, line, axes, and the profile or its recipe of ramps. Those that are one motion have the axes
+# of all of them, and the profile of the first that moves.
+Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
 
-    from motionlang.controller.move import Move
-    from motionlang.planners import Profile
-    from motionlang.planners.ramps import Recipe
-    from motionlang.result import Run
-
-    # End, begin, line, axes, and the profile or its recipe of ramps. Those that are one motion have the axes
-    # of all of them, and the profile of the first that moves.
-    Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
-    # The name of a link in each phase of a move, and the duration of the phase, s.
-    Phases = tuple[tuple[str, float], ...]
+# The name of a link in each phase of a move, and the duration of the phase, s.
+Phases = tuple[tuple[str, float], ...]
 
 # Phases of a move, and the name of a link in each.
 PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}

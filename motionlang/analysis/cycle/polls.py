@@ -20,28 +20,25 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from math import fsum, inf
 from operator import itemgetter
+from typing import Any
 
-from motionlang.lang.loop_dependencies import KINDS, MOVING, LoopDependencies
+from motionlang.analysis.cycle.motions import Motions
+from motionlang.analysis.cycle.tasks import Wait
+from motionlang.lang.loop_dependencies import KINDS, MOVING, LoopDependencies, Read
 from motionlang.lang.waits import ROUNDING
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-    from typing import Any
+# Task, position, begin, end, callers: the fields of `records.Looped`.
+Row = tuple[str, int, float, float, tuple[int, ...]]
 
-    from motionlang.analysis.cycle.motions import Motions
-    from motionlang.analysis.cycle.tasks import Wait
-    from motionlang.lang.loop_dependencies import Read
-    from motionlang.result import Run
+# Begin, end, position and callers of computing.
+Span = tuple[float, float, int, tuple[int, ...]]
 
-    # Task, position, begin, end, callers: the fields of `records.Looped`.
-    Row = tuple[str, int, float, float, tuple[int, ...]]
-    # Begin, end, position and callers of computing.
-    Span = tuple[float, float, int, tuple[int, ...]]
-    # When a wait was over, its cause, and the axes or channels.
-    Ended = tuple[float, str, tuple[int, ...]]
+# When a wait was over, its cause, and the axes or channels.
+Ended = tuple[float, str, tuple[int, ...]]
 
 # Statements between a change and the end of the wait for it, if the loop has no WAIT of its own. A shorter
 # stretch of a loop was no wait.

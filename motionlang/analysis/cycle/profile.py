@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from math import fsum
 from operator import attrgetter
+from typing import Any
 
-from motionlang.analysis.cycle.critical_path import CriticalPath, Link, grouped
+from motionlang.analysis.cycle.critical_path import About, CriticalPath, Link, grouped
 from motionlang.analysis.cycle.slacks import Slack, slacks
 from motionlang.analysis.cycle.tasks import TaskTime, parent_of, reported, task_times
+from motionlang.log.records import Waited
 from motionlang.planners.total import exact_terms
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-    from typing import Any
-
-    from motionlang.analysis.cycle.critical_path import About
-    from motionlang.log.records import Waited
-    from motionlang.result import Run
+from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/2"
 # The root of all calls, which contains the lines outside subs.
@@ -59,7 +54,6 @@ class TimeProfile:
 
     def waits(self) -> dict[str, Iterator[Waited]]:
         """Return the waits of each task in order of time, including loops that waited."""
-        from motionlang.log.records import Waited
 
         return {name: map(Waited._make, reported(waits)) for name, waits in self._waits.items()}
 

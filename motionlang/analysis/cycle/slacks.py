@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from math import fsum
 from operator import eq, sub
+from typing import TypeVar
 
+from motionlang.analysis.cycle.motions import Motions
+from motionlang.analysis.cycle.tasks import Wait
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
-    from typing import TypeVar
+T = TypeVar("T")
 
-    from motionlang.analysis.cycle.motions import Motions
-    from motionlang.analysis.cycle.tasks import Wait
-
-    T = TypeVar("T")
-    # The axes of moves that began together, and the ends of each, begin after begin.
-    Group = tuple[tuple[int, ...], list[list[float]]]
+# The axes of moves that began together, and the ends of each, begin after begin.
+Group = tuple[tuple[int, ...], list[list[float]]]
 
 
 @record

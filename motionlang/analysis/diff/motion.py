@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
 from motionlang.planners.evaluate import piece_values
 from motionlang.planners.sample import PieceTable
 from motionlang.record import record
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-
-    from numpy.typing import NDArray
-
-    from motionlang.controller.axis import Axis
-    from motionlang.result import Run
-
-    Array = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Times in each stretch between two profiles of either run at which they are compared, and bisections to find
 # the time.

@@ -32,23 +32,19 @@ guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from math import floor, inf
 
 from motionlang.execution import run
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.loop_dependencies import InputRead
 from motionlang.lang.machine.layers import layered
+from motionlang.lang.program import Program
+from motionlang.lang.task import Task
+from motionlang.result import Run
+from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.loop_dependencies import InputRead
-    from motionlang.lang.program import Program
-    from motionlang.lang.task import Task
-    from motionlang.result import Run
-    from motionlang.source import Source
-
-    Entry = dict[str, object]
+Entry = dict[str, object]
 
 # Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
 DELAY = 0.3

@@ -7,22 +7,17 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable, Mapping
 from math import ceil, floor, isclose
 
-from motionlang.analysis.guesses import answer_entry
+from motionlang.analysis.guesses import Entry, Guesses, answer_entry
 from motionlang.analysis.quantities import quantity
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
+from motionlang.lang.dialect import Target
+from motionlang.lang.loop_dependencies import InputRead
 from motionlang.report import moves
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.analysis.guesses import Entry, Guesses
-    from motionlang.lang.dialect import Target
-    from motionlang.lang.loop_dependencies import InputRead
-    from motionlang.result import Run
-    from motionlang.source import Source
+from motionlang.result import Run
+from motionlang.source import Source
 
 # Lines of the program that a comment quotes, and characters of one.
 MAX_LINES = 3

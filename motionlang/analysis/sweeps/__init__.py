@@ -6,29 +6,27 @@ The variants run on the processors of this machine or on a cluster.
 from __future__ import annotations
 
 import os
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from typing import TYPE_CHECKING, Any
 
 from motionlang.analysis.cores import cores
-from motionlang.analysis.quantities import quantity
+from motionlang.analysis.quantities import ResultValue, quantity
 from motionlang.analysis.sweeps.job import Job
 from motionlang.analysis.sweeps.pool import Hand
 from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_next_to
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.literals import edited
+from motionlang.lang.machine.file import check_setting
 from motionlang.library.tables import Table, transposed
 from motionlang.record import record
 from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-    from concurrent.futures import Executor
-    from typing import Any
-
-    from motionlang.analysis.quantities import ResultValue
     from motionlang.analysis.sweeps.job import Problem, Result
     from motionlang.analysis.sweeps.space import Value
-    from motionlang.lang.dialect import Dialect
 
 KEEP = ("time",)
 
@@ -143,7 +141,6 @@ class Sweep:
 
     def _check(self, source: Source, language: Dialect) -> None:
         """Report the mistakes of every variant once, before any run."""
-        from motionlang.lang.machine.file import check_setting
 
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):

@@ -8,19 +8,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from motionlang.analysis.certificate import certificate, violations
 from motionlang.analysis.quantities import ResultValue, quantity
 from motionlang.analysis.sweeps.space import Value
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.lang.literals import Literal, bound, edited, has_address, literals
+from motionlang.lang.machine.layers import layered
+from motionlang.lang.program import Program
+from motionlang.result import Run
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from motionlang.lang.program import Program
-    from motionlang.result import Run
 
 # A variant by its number and its values; a row by its number, its results, and its error.
 Variant = tuple[int, tuple[Value, ...]]
@@ -72,8 +72,6 @@ class Job:
         settings, overrides = self.settings, dict(self.overrides)
         for name, value in zip(self.names, values, strict=True):
             if name in self.worlds:
-                from motionlang.lang.machine.layers import layered
-
                 world = self.worlds[name][str(value)]
                 settings = dict(world) if name == MACHINE else layered(settings, world)
         changed = {name: v for name, v in zip(self.names, values, strict=True) if "." in name}
@@ -189,8 +187,6 @@ class Worker:
         elif self.job.prove:
             diagnostics += found.proof().violations
         if self.job.certify and found.crash is None:
-            from motionlang.analysis.certificate import certificate, violations
-
             lines = certificate(found.controller, found.machine.settings, found.time)
             diagnostics += violations(lines)
         return problem_of(diagnostics) if diagnostics else None

@@ -7,14 +7,10 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator
 
+from motionlang.analysis.sweeps.job import Result
 from motionlang.files import appending
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.analysis.sweeps.job import Result
 
 SCHEMA = "motionlang.sweep/1"
 

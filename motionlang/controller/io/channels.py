@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable
 
-    from motionlang.controller.clock import Clock
-    from motionlang.controller.io.sensor import Sensor
-    from motionlang.log.log import Log
-    from motionlang.log.records import Changed
-    from motionlang.log.stream import Stream
+from motionlang.controller.clock import Clock
+from motionlang.controller.io.sensor import Sensor
+from motionlang.log.log import Log
+from motionlang.log.records import Changed
+from motionlang.log.stream import Stream
 
 
 class Channels:

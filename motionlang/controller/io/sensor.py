@@ -11,18 +11,17 @@ notified of each sample, the language does not record dependencies, or the axis 
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from motionlang.controller.clock import INFINITY, Event
 from motionlang.log.records import Sampled
 from motionlang.log.samples import PERIOD, sample, value_at
+from motionlang.log.stream import Stream
+from motionlang.planners import Profile
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Event
     from motionlang.controller.controller import Controller
-    from motionlang.log.stream import Stream
-    from motionlang.planners import Profile
 
 # `until` searches FIRST_TICKS ahead, then twice as far, and so on, up to MAX_TICKS. It searches again from there.
 MAX_TICKS, FIRST_TICKS = 1 << 20, 1 << 10

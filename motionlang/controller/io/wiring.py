@@ -6,9 +6,11 @@ become counts with the scale that the program sets, and are converted again when
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.io.sensor import Sensor
@@ -16,15 +18,11 @@ from motionlang.controller.triggers.events import note
 from motionlang.controller.triggers.limit import Limit
 from motionlang.controller.triggers.region import Region
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
+Entry = Mapping[str, object]
 
-    from motionlang.controller.controller import Controller
+Settings = Mapping[str, object]
 
-    Entry = Mapping[str, object]
-    Settings = Mapping[str, object]
-    Pair = Sequence[float]
+Pair = Sequence[float]
 
 # The faults that a machine file may inject, with their fault bit and action.
 FAULTS: dict[str, tuple[int, str]] = {

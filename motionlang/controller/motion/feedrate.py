@@ -7,11 +7,9 @@ multiplies the speed, at once.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.controller.move import Move
+from motionlang.controller.axis import Axis
+from motionlang.controller.core import Core
+from motionlang.controller.move import Move
 
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})

@@ -40,26 +40,21 @@ cycle takes as much memory as any other profile; a cycle with a changed table co
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.move import Action, Move
-from motionlang.planners import hold, plan, plan_velocity
+from motionlang.planners import Profile, hold, plan, plan_velocity
 from motionlang.planners.curve import relabelled
 from motionlang.planners.dwell import rest, with_rest
 from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import added
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
 
 # A smaller difference of velocities, counts/s, counts as zero.
 _STILL = 1e-9

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from motionlang.controller.axis import BY_WORD
+from motionlang.controller.axis import BY_WORD, Axis
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, keeps_rates
 from motionlang.controller.triggers.conditions import release
+from motionlang.planners import Profile
 from motionlang.planners.dwell import with_rest
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
+from motionlang.planners.ramp_down import stop_in_motion
 
 
 class Stopping(Action):
@@ -68,7 +65,6 @@ def check_stop(controller: Core, a: Axis) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """Return the motion from the state of the axis to rest."""
-    from motionlang.planners.ramp_down import stop_in_motion
 
     now, (speed, own_accel, own_decel) = controller.clock.now, a.speed_and_rates(a.move)
     jerks = a.jerks(speed, own_accel, own_decel)

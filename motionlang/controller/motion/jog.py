@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from math import isclose
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move, keeps_rates
 from motionlang.controller.triggers.events import clamped
-from motionlang.planners import plan_velocity
+from motionlang.planners import Profile, plan_velocity
 from motionlang.planners.curve import relabelled
 from motionlang.planners.ramp_down import admitted, onset
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
-
-    Rates = tuple[float | None, float | None]
+Rates = tuple[float | None, float | None]
 
 # The relative rounding of a velocity.
 _ROUNDING = 1e-12

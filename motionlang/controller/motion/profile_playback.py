@@ -7,24 +7,23 @@ A spline that is resumed covers the rest of its segment in the axis's `suspend_t
 from __future__ import annotations
 
 from bisect import bisect_right
+from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
-from motionlang.planners import hold, plan_stop, plan_velocity
+from motionlang.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.planners.curve import relabelled
 from motionlang.planners.dwell import with_rest
 from motionlang.planners.pvt.motion import pvt_segment
 from motionlang.planners.reparametrised import Reparametrised
 from motionlang.planners.stop import running
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
     from motionlang.controller.moves.entries import Timed
-    from motionlang.planners import Profile
 
 
 class Playback(Action):

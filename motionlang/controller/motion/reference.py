@@ -6,7 +6,9 @@ period of the profiler. All writes until another motion form one entry of the lo
 
 from __future__ import annotations
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import FollowMove
@@ -16,12 +18,7 @@ from motionlang.planners.curve import relabelled
 from motionlang.planners.ramp_down import admitted
 from motionlang.planners.reference import Slope, plan_reference
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-
-    Slopes = tuple[Slope, Slope]
+Slopes = tuple[Slope, Slope]
 
 # The period of the profiler, seconds: a reference without a ramp is reached within one.
 PERIOD = 1e-3

@@ -6,7 +6,11 @@ is at standstill and is to stay there; the cause of the next motion calls `wake`
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.sensor import next_tick
 from motionlang.controller.motion.follow import FollowMove
@@ -15,13 +19,6 @@ from motionlang.log.samples import PERIOD
 from motionlang.planners import Profile
 from motionlang.planners.curve import far_end
 from motionlang.planners.dwell import rest
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
 
 
 class Track(Reference):

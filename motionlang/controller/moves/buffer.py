@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import islice
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.planners.dwell import rest
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
 
 
 def put(a: Axis, move: Move) -> None:

@@ -8,25 +8,20 @@ from __future__ import annotations
 from bisect import bisect_right
 from math import ulp
 
-from motionlang.controller.clock import INFINITY
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import INFINITY, Event
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.planners import hold
+from motionlang.planners import Profile, hold
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dwell import rest
 from motionlang.planners.reparametrised import travelled
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.clock import Event
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
-
-    Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
+Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
 # Fraction of a cycle by which the master must at least reverse to leave it, and may fall short of its end.
 # The reversal is larger if the rounding of the clock is, and `_UNKNOWN` if the speed has no bound.

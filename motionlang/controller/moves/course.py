@@ -6,27 +6,24 @@ event and moves no axis: `path_run.PathRun` does that, with the superposition of
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.moves.buffer import motion_at
-from motionlang.controller.moves.geometry import corner
-from motionlang.planners import Profile, hold
+from motionlang.controller.moves.geometry import Segment, corner
+from motionlang.planners import Profile, State, hold
 from motionlang.planners.dwell import with_rest
-from motionlang.planners.lookahead import plan_course
+from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.ramp_down import onset, stop_in_motion
 from motionlang.planners.reparametrised import travelled
 from motionlang.planners.total import total
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.path import PathMove
-    from motionlang.planners import State
-    from motionlang.planners.lookahead import Pace
 
 # How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
 SLACK = 1e-9

@@ -6,7 +6,11 @@ wait for the following to end: it begins as soon as it is released and the previ
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.follow import FollowMove, check_chain
 from motionlang.controller.motion.offset import offset
@@ -14,22 +18,18 @@ from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.cam import MIN_CYCLE, Cam
+from motionlang.planners import Profile
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import table_curve
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+Points = tuple[Sequence[float], Sequence[float]]
 
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
+Table = Callable[[float], Points]
 
-    Points = tuple[Sequence[float], Sequence[float]]
-    Table = Callable[[float], Points]
-    # Positions, velocities there, and the times from each to the next one.
-    Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
-    Make = Callable[[float], Timed]
+# Positions, velocities there, and the times from each to the next one.
+Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
+
+Make = Callable[[float], Timed]
 
 # ------------------------------------------------------------------------------------------------------ cams
 

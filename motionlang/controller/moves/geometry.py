@@ -5,20 +5,16 @@ They are measured in user units and run in counts.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
+from typing import TypeVar
 
+from motionlang.planners import Profile
 from motionlang.planners.arc import arc_over, direction, line_over, rotated
 from motionlang.planners.total import total
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import TypeVar
-
-    from motionlang.planners import Profile
-
-    _Value = TypeVar("_Value")
+_Value = TypeVar("_Value")
 
 
 class Segment:

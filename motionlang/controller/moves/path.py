@@ -6,24 +6,19 @@ rates are those of the path, and GO on it releases all entries.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.controller.moves.geometry import Arc, Line, corner, limits
+from motionlang.controller.moves.geometry import Arc, Line, Segment, corner, limits
+from motionlang.controller.moves.path_policy import PathPolicy
 from motionlang.controller.moves.path_run import PathRun
+from motionlang.planners import Profile
 from motionlang.planners.lookahead import Pace
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
-    from motionlang.controller.moves.geometry import Segment
-    from motionlang.controller.moves.path_policy import PathPolicy
-    from motionlang.controller.moves.path_run import PathRun
-    from motionlang.planners import Profile
 
 
 class PathMove(Action):

@@ -45,27 +45,24 @@ for each axis. Entering a path plans again only if further paths have been relea
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
-from motionlang.controller.clock import INFINITY
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import INFINITY, Event
+from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
+from motionlang.controller.move import Move
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.course import SLACK, Course
 from motionlang.controller.triggers.conditions import release
 from motionlang.controller.triggers.events import clamped_blend
-from motionlang.planners import hold
+from motionlang.planners import Profile, hold
 from motionlang.planners.superposition import added
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.clock import Event
-    from motionlang.controller.core import Core
-    from motionlang.controller.move import Move
     from motionlang.controller.moves.path import PathMove
-    from motionlang.planners import Profile
 
     # A course, its new profile, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller import lazy_family
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.triggers import conditions, events, next_watches, watch
 

@@ -5,6 +5,8 @@ Each is logged when it happens, as an `Event` in user units by the scale of that
 
 from __future__ import annotations
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.core import Core
 from motionlang.controller.faults import (
     ABORT,
     ERROR_INPUT,
@@ -15,11 +17,6 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_REVERSE,
     names,
 )
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.core import Core
 
 # The name of a fault of each bit; the others are "fault".
 KINDS = {

@@ -9,7 +9,10 @@ an offset is given, moves to the position that far from the datum.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.controller import Controller
 from motionlang.controller.faults import (
     LIMIT_FORWARD,
     LIMIT_REVERSE,
@@ -17,20 +20,12 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_REVERSE,
     Rejected,
 )
-from motionlang.controller.triggers.watch import watched_position
+from motionlang.controller.move import Move
+from motionlang.controller.triggers.limit import Limit
+from motionlang.controller.triggers.watch import Watch, watched_position
 from motionlang.planners import plan
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.move import Move
-    from motionlang.controller.triggers.limit import Limit
-    from motionlang.controller.triggers.watch import Watch
-
-    Rates = tuple[float | None, float | None]
+Rates = tuple[float | None, float | None]
 
 # The target of the search: the home switch, the limit switch of its direction, or only an index mark.
 HOME, LIMIT, INDEX = "home", "limit", "index"

@@ -6,12 +6,9 @@ axis then takes the limit's `action`. Moving away from an active limit is always
 
 from __future__ import annotations
 
+from motionlang.controller.controller import Controller
 from motionlang.controller.triggers.conditions import Condition
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.triggers.watch import Watch
+from motionlang.controller.triggers.watch import Watch
 
 
 class Limit(Condition):

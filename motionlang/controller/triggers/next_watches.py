@@ -9,15 +9,18 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from math import inf
 
-from motionlang.controller.triggers.watch import arm, side_of, solve_reserved, take_side, watched_position
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import Clock
+from motionlang.controller.triggers.watch import (
+    Watch,
+    arm,
+    side_of,
+    solve_reserved,
+    take_side,
+    watched_position,
+)
+from motionlang.controller.watches import Key
 from motionlang.planners import Profile
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.clock import Clock
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.controller.watches import Key
 
 # Shapes without jumps of the position. Others (tables, points, sums) may jump, so all watches are solved on
 # them.

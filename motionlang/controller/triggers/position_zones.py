@@ -7,17 +7,13 @@ time at which the track reaches an edge, in either direction. A new zero that ch
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from math import floor
 
 from motionlang.controller.axis import Axis
+from motionlang.controller.core import Core
 from motionlang.controller.triggers.watch import Watch, arm, margin
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.controller.core import Core
-    from motionlang.planners import Profile
+from motionlang.planners import Profile
 
 
 class Cells:

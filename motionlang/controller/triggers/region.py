@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.clock import INFINITY
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.triggers.watch import Watch
+from motionlang.controller.controller import Controller
+from motionlang.controller.triggers.watch import Watch
 
 
 class Region:

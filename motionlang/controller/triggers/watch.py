@@ -6,16 +6,16 @@ new profile of an axis solves the nearest ones again (see `next_watches`); nothi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ulp
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
+from motionlang.controller.clock import Clock, Event
+from motionlang.planners import Profile
+
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.axis import Axis
-    from motionlang.controller.clock import Clock, Event
     from motionlang.controller.triggers.next_watches import NextWatches
-    from motionlang.planners import Profile
 
 # Counts within which an axis is at a position: far below any encoder, far above rounding.
 _ON = 1e-6

@@ -5,6 +5,7 @@ An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, shown
@@ -34,6 +35,10 @@ from motionlang.lang.machine.keys import (
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import problem as reading_problem
 from motionlang.lang.nesting import StackSpace
+from motionlang.log.records import EVENTS
+from motionlang.servo import settings as servo
+from motionlang.servo.settings import KEYS as SERVO_KEYS
+from motionlang.servo.settings import mistakes as servo_mistakes
 from motionlang.source import Source
 
 # Every key of the vocabulary has fewer parts than this.
@@ -66,8 +71,6 @@ def read_machine(
         if not problems:
             settings[key] = value
     if any(".plant." in key or ".servo." in key for key in settings):
-        from motionlang.servo.settings import mistakes as servo_mistakes
-
         for section, message, hint in servo_mistakes(settings):
             mistakes.append(_located(source, f"{section}.", message, hint, f"[{section}]"))
     if mistakes:
@@ -136,12 +139,8 @@ def check_setting(key: str, value: object, language: Dialect | None = None) -> t
     """
     row = KEYS.get(generic(key))
     if row is None and generic(key).startswith(SERVO):
-        from motionlang.servo import settings as servo
-
         return servo.setting_problem(key, generic(key), value)
     if row is None:
-        from motionlang.servo.settings import KEYS as SERVO_KEYS
-
         near = _nearest_key(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else _keys_below(key)
         return f"there is no key {key}", words
@@ -350,8 +349,6 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
     if kind == "event":
-        from motionlang.log.records import EVENTS
-
         return None if value in EVENTS else f"must be one of {', '.join(EVENTS)}"
     fits, words = tests[kind]
     return None if fits else words
@@ -440,7 +437,6 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
 
 
 def _refuse_long_keys(source: Source) -> None:
-    import re
 
     found = re.search(_LONG_KEY, source.text)
     if found is not None:
@@ -449,7 +445,6 @@ def _refuse_long_keys(source: Source) -> None:
 
 
 def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
-    import re
 
     text = str(error)
     found = re.search(r"\(at line (\d+), column (\d+)\)", text)
@@ -461,7 +456,6 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
 
 def _too_many_digits(source: Source) -> Diagnostic:
     """Return the diagnostic for a number with more digits than Python can parse."""
-    import re
 
     digits = re.search("[0-9_]{1000,}", source.text)
     line, column = source.location(digits.start()) if digits else (0, 0)
@@ -473,7 +467,6 @@ def _refuse_nesting(source: Source) -> None:
 
     Brackets in strings and comments do not count.
     """
-    import re
 
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
     most, deepest = _deepest(plain)

@@ -5,23 +5,24 @@ The machine file describes the world.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import Clock, WatchedClock
 from motionlang.controller.controller import Controller
+from motionlang.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+from motionlang.controller.io.wiring import World
+from motionlang.controller.move import Move
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.machine.axes import missing_axes
+from motionlang.lang.machine.nonvolatile import NonVolatile
+from motionlang.lang.machine.operator import Operator
 from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
 from motionlang.log.log import Log
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.controller.io.host_memory import HostMemory
-    from motionlang.controller.io.wiring import World
-    from motionlang.controller.move import Move
-    from motionlang.errors import Diagnostic
     from motionlang.lang.debugging import Hook
-    from motionlang.lang.machine.nonvolatile import NonVolatile
-    from motionlang.lang.machine.operator import Operator
     from motionlang.lang.scheduler import Scheduler
 
 DEFAULT_AXES = 8
@@ -107,8 +108,6 @@ class Machine:
         if "input" not in settings and "analogue" not in settings:
             return
         if self.world is None:
-            from motionlang.controller.io.wiring import World
-
             self.world = World(self.controller, self.settings)
         self.world.wire_inputs(settings)
 
@@ -127,7 +126,6 @@ class Machine:
 
     def _hurried(self, move: Move, count: int, span: float) -> None:
         """Warn about a line that starts one move after another without waiting."""
-        from motionlang.errors import Diagnostic
 
         message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
         hint = "wait for each to end, or let time pass between them"
@@ -179,8 +177,6 @@ class Machine:
         It includes the writes that the machine file schedules for the host.
         """
         if self._host is None:
-            from motionlang.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
-
             self._host = HostMemory(PRODUCTS[product(self.model)])
             for area in AREAS:
                 for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
@@ -191,8 +187,6 @@ class Machine:
     def nonvolatile(self) -> NonVolatile:
         """Data that outlives the run; without a file it lasts only as long as the run."""
         if self.nv is None:
-            from motionlang.lang.machine.nonvolatile import NonVolatile
-
             self.nv = NonVolatile()
         return self.nv
 
@@ -210,8 +204,6 @@ class Machine:
         """Return the operator at terminal `number`, created on first use."""
         found = self._operators.get(number)
         if found is None:
-            from motionlang.lang.machine.operator import Operator
-
             found = self._operators[number] = Operator(
                 self.clock, self.terminal_at(number), self.settings, number
             )
@@ -245,11 +237,8 @@ class Machine:
 
 def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> None:
     """Raise ProgramError if the settings name axes that do not exist."""
-    from motionlang.lang.machine.axes import missing_axes
 
     if wrong := missing_axes(settings, axes, first_axis):
-        from motionlang.errors import ProgramError
-
         raise ProgramError(wrong)
 
 
@@ -257,7 +246,6 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> World | No
     """Return the world of a machine file, or None if it describes only the controller."""
     if _is_plain(settings):
         return None
-    from motionlang.controller.io.wiring import World
 
     return World(controller, settings)
 

@@ -6,14 +6,13 @@ file, they last only as long as the run.
 
 from __future__ import annotations
 
+from json import dumps, loads
 from math import inf
 from struct import pack, unpack
+from typing import Any
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
-
-    from motionlang.files import Lock
+from motionlang.files import Lock, replacing
+from motionlang.source import contents
 
 SCHEMA = "motionlang.nv/1"
 # Seconds for which a run waits for another one that has the file: runs that a script starts at once take
@@ -38,8 +37,6 @@ class NonVolatile:
         self._words: dict[int, int] = {}
         self._live: dict[str, list[object]] = {}
         if path is not None:
-            from motionlang.files import Lock
-
             self._lock = Lock(path, PATIENCE)
             try:
                 self._read(path)
@@ -48,9 +45,6 @@ class NonVolatile:
                 raise
 
     def _read(self, path: str) -> None:
-        from json import loads
-
-        from motionlang.source import contents
 
         try:
             with open(path, "rb") as file:
@@ -107,9 +101,6 @@ class NonVolatile:
         """Write the file; raise OSError if that fails."""
         if self.path is None:
             return
-        from json import dumps
-
-        from motionlang.files import replacing
 
         values = {**self._values, **self._live}
         words = {str(address): word for address, word in sorted(self._words.items())}

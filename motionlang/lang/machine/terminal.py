@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from io import StringIO
 
+from motionlang.controller.clock import Clock
 from motionlang.controller.faults import Rejected
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Clock
-    from motionlang.log.records import Printed
-    from motionlang.log.stream import Stream
+from motionlang.log.records import Printed
+from motionlang.log.stream import Stream
 
 MAX_CHARACTERS = 50_000_000
 # The smallest screen; a text beyond it may scroll, or continue on the next row.

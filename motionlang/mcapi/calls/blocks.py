@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import block
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, commands
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import line_of
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.interface import Interface
     from motionlang.mcapi.session import Session
-    from motionlang.mccl.resolve.command import Command
 
 
 @at_once("MCBlockBegin")

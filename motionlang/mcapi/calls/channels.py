@@ -5,17 +5,18 @@ An analogue channel has 12 bits over ±10 V: 0 is -10 V, 4095 is +10 V.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query
 from motionlang.mccl.axis.volts import volts
 from motionlang.mccl.keywords.io import is_on
+from motionlang.mccl.resolve.command import Command
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.interface import Interface
-    from motionlang.mccl.resolve.command import Command
 
 MAX_CHANNEL = 255
 FULL_SCALE = 10.0

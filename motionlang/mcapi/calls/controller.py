@@ -5,16 +5,17 @@ A board has the modules that its model accepts: one per axis, servo or stepper a
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.calls.channels import BITS, FULL_SCALE, MAX_CHANNEL
 from motionlang.mcapi.command import lacks
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import query
+from motionlang.mccl.runtime.board import Board
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.interface import Interface
-    from motionlang.mccl.runtime.board import Board
 
 # MCAPI's number of each model, with the codes of its servo and stepper modules.
 MODELS: dict[str, tuple[int, int, int]] = {

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.session import Session

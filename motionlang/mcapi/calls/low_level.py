@@ -6,6 +6,7 @@ They also look up variables of the board.
 from __future__ import annotations
 
 from math import inf
+from typing import TYPE_CHECKING
 
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command, line, own
@@ -14,17 +15,16 @@ from motionlang.mcapi.registry import at_once, commands, poll, query
 from motionlang.mccl.axis.variables import NAMES
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.registers import wrapped
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import CommandTask
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.calls.motion import Polled
     from motionlang.mcapi.interface import Interface
     from motionlang.mcapi.session import Handle, Session
     from motionlang.mcapi.table import Value
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import CommandTask
 
 NUMBERS = (mc.MC_TYPE_LONG, mc.MC_TYPE_FLOAT, mc.MC_TYPE_DOUBLE)
 # The one numeric code that a source gives.

@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from math import inf
+from typing import TYPE_CHECKING, TypeAlias
 
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, poll
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.motion_phase import at_target_time
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from typing import TypeAlias
-
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.interface import Interface
     from motionlang.mcapi.session import Session
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
 
-    # Whether it is so, when it may be so next, the time-out, and what to do at the end.
-    Polled: TypeAlias = tuple[Callable[[], bool], Callable[[], float], float, Callable[[bool], None]]
+# Whether it is so, when it may be so next, the time-out, and what to do at the end.
+Polled: TypeAlias = tuple[Callable[[], bool], Callable[[], float], float, Callable[[bool], None]]
 
 # The command of each constant.
 PROFILES = {mc.MC_PROF_TRAPEZOID: "PT", mc.MC_PROF_SCURVE: "PS", mc.MC_PROF_PARABOLIC: "PP"}

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import at_once, query
 from motionlang.mccl.axis import status
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.launch import aim
+from motionlang.mccl.models import Model
+from motionlang.mccl.runtime.board import Board
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.interface import Interface
     from motionlang.mcapi.session import Session
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.models import Model
-    from motionlang.mccl.runtime.board import Board
 
 # The word and bit of each flag of MCAPI on a MultiFlex; flags 0 to 30 are bits of word 0.
 FLAGS: dict[int, tuple[int, int]] = {

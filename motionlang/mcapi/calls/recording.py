@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query
 from motionlang.mccl.axis.status import RECORD_PERIOD
 from motionlang.mccl.keywords.motion_record import recorded_actual, recorded_optimal, recorded_times
+from motionlang.mccl.resolve.command import Command
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mcapi.interface import Interface
-    from motionlang.mccl.resolve.command import Command
 
 # The kinds of data, with the names of old hosts.
 ACTUAL = (mc.MC_CAPTURE_ACTUAL, mc.MC_DATA_ACTUAL)

@@ -6,6 +6,9 @@ a function for that command alone is not supported.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, TypeAlias
+
 from motionlang.mcapi import table as mc
 from motionlang.mcapi.calls.motion import DIRECTIONS, PROFILES, of
 from motionlang.mcapi.command import command, lacks
@@ -13,24 +16,20 @@ from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query
 from motionlang.mcapi.table import STRUCTURES
 from motionlang.mccl.axis import flags
-from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
 from motionlang.mccl.axis.limits import ALL, HARD_MINUS, HARD_PLUS, SOFT_HIGH, SOFT_LOW
 from motionlang.mccl.axis.motor import torque
 from motionlang.mccl.axis.status import SHAPES
 from motionlang.mccl.keywords.reports import STORED_DEFAULTS
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from typing import TypeAlias
-
     from motionlang.mcapi.interface import Interface
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
 
-    Get: TypeAlias = Callable[[Board, AxisState], float]
-    Put: TypeAlias = Callable[[Board, int, float], list[Command]]
+Get: TypeAlias = Callable[[Board, AxisState], float]
+
+Put: TypeAlias = Callable[[Board, int, float], list[Command]]
 
 # The rate of the servo loop of each constant, and its command.
 RATES = {mc.MC_RATE_LOW: 1000.0, mc.MC_RATE_MEDIUM: 2000.0, mc.MC_RATE_HIGH: 4000.0}

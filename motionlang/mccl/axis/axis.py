@@ -5,19 +5,15 @@ It consists of user units, mode, limits and flags.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import floor
 
+from motionlang.controller.controller import Controller
+from motionlang.controller.readers import Writer
 from motionlang.controller.scale import Scale
+from motionlang.mccl.axis.backlash import Backlash
 from motionlang.mccl.axis.flags import FAULTS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.readers import Writer
-    from motionlang.mccl.axis.backlash import Backlash
-    from motionlang.mccl.models import Model
+from motionlang.mccl.models import Model
 
 # Modes of operation, named like their commands.
 POSITION, VELOCITY, TORQUE, GAIN, CONTOUR = "position", "velocity", "torque", "gain", "contour"

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from copy import copy
 
+from motionlang.controller.controller import Controller
 from motionlang.controller.motion.takeup import Takeup
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.controller import Controller
 
 
 class Backlash:

@@ -10,13 +10,13 @@ file, home and travel, also work without a channel. The index input is on where 
 from __future__ import annotations
 
 from functools import cache
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.mccl.axis.axis import AxisState
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 FIRST, PER_AXIS, LAST_AXIS, BEYOND = 17, 4, 4, 49

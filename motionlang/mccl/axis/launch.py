@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from math import copysign, sqrt
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
 from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.codes import Fault
-from motionlang.planners import Profile
+from motionlang.planners import Profile, plan_trapezoid
+from motionlang.planners.curve import from_curve
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.controller import Controller
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 
@@ -94,8 +95,6 @@ def _going_on(
 
     It is the beginning of the trapezoid that would come to rest beyond the target.
     """
-    from motionlang.planners import plan_trapezoid
-    from motionlang.planners.curve import from_curve
 
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)

@@ -7,6 +7,8 @@ axis then accepts no motion command until MN.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.faults import (
     ERROR_INPUT,
     FOLLOWING_ERROR,
@@ -18,11 +20,10 @@ from motionlang.controller.faults import (
 from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.inputs import ORDER, SWITCHES, channel_of, is_channel_active
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 HARD_PLUS, HARD_MINUS, SOFT_HIGH, SOFT_LOW = 1, 2, 4, 8

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
+from motionlang.mccl.axis.axis import AxisState
+
 if TYPE_CHECKING:
-    from motionlang.controller.controller import Controller
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 

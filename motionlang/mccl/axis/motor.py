@@ -5,15 +5,15 @@ Only axes with a motor in the machine file have a simulated one.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import INFINITY
 from motionlang.mccl import codes
-from motionlang.mccl.axis.axis import GAIN, TORQUE
+from motionlang.mccl.axis.axis import GAIN, TORQUE, AxisState
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import tuning
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 # The setting of the loop's rate, which three commands set.

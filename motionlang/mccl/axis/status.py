@@ -6,9 +6,11 @@ auxiliary, profile and mode words of a MultiFlex. Their bits there are our choic
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import INFINITY
 from motionlang.mccl import codes
-from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
 from motionlang.mccl.axis.flags import (
     AMPLIFIER_ON,
     AT_TARGET,
@@ -26,9 +28,7 @@ from motionlang.mccl.axis.motion_phase import at_target_time, is_backward, next_
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import elsewhere
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 

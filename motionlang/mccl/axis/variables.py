@@ -6,21 +6,20 @@ address of one board is not valid on another, so programs look them up.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from math import ceil, floor
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.axis.status import VOLATILE, word
 from motionlang.mccl.codes import Fault
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
     # The value, and the time until which it is valid without a notifying event.

@@ -11,27 +11,21 @@ It runs in real time, or only while hosts wait.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from traceback import walk_tb
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task
+from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
-from motionlang.mccl.hosts.download import Download
-from motionlang.mccl.hosts.port import HostWait, Port
+from motionlang.mccl.hosts.download import Complain, Download, Write
+from motionlang.mccl.hosts.port import HostPort, HostWait, Port
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.waits import Wait
-    from motionlang.mccl.hosts.download import Complain, Write
-    from motionlang.mccl.hosts.port import HostPort
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # The number of moves, profiles and changes that a served board stores, because it may run for days.
 MEMORY = 1000

@@ -8,35 +8,32 @@ with at least one line, then the prompt.
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
 from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.resolve.line import line_of, too_long
+from motionlang.mccl.resolve.line import Line, line_of, too_long
+from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.mccl.runtime.writer import LineSteps
 from motionlang.mccl.syntax.parser import MAX_LINE
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Protocol
 
-    from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.board import Board
+class HostPort(Protocol):
+    """The interface of a port to a server, whatever the language of its host."""
 
-    class HostPort(Protocol):
-        """The interface of a port to a server, whatever the language of its host."""
-
-        @property
-        def busy(self) -> bool: ...
-        @property
-        def working(self) -> bool: ...
-        @property
-        def waiting(self) -> Wait | None: ...
-        def feed(self, data: bytes) -> int: ...
-        def take(self) -> bytes: ...
-        def close(self) -> None: ...
+    @property
+    def busy(self) -> bool: ...
+    @property
+    def working(self) -> bool: ...
+    @property
+    def waiting(self) -> Wait | None: ...
+    def feed(self, data: bytes) -> int: ...
+    def take(self) -> bytes: ...
+    def close(self) -> None: ...
 
 
 CTRL_B, XON, XOFF, ESC = 2, 17, 19, 27

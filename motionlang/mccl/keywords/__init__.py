@@ -8,12 +8,10 @@ function of a command is called with the task and the `Command`.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Collection
+from collections.abc import Collection
 
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.vocabulary import Vocabulary
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.vocabulary import Vocabulary
 
 # In the order of the pages.
 ORDER = """
@@ -29,7 +27,6 @@ def table() -> Vocabulary:
     """Return all commands of MCCL."""
     global _vocabulary  # noqa: PLW0603 - one vocabulary per process
     if _vocabulary is None:
-        from motionlang.lang.vocabulary import Vocabulary
         from motionlang.mccl.keywords.index import FILES
 
         _vocabulary = Vocabulary("motionlang.mccl.keywords", FILES)

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
-from motionlang.mccl.axis.axis import CONTOUR
+from motionlang.mccl.axis.axis import CONTOUR, AxisState
 from motionlang.mccl.axis.launch import check_unslaved
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
 from motionlang.mccl.motion.path import Path
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:

@@ -9,11 +9,8 @@ from motionlang.lang.keyword import Actions
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import nearest_whole
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def _keep(verb: str) -> Action:

@@ -10,11 +10,8 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
 
 # MCAPI's output modes: the name of each, and whether a simulated motor has it.
 OUTPUT_MODES: dict[int, tuple[str, bool]] = {

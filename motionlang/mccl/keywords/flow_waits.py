@@ -5,21 +5,18 @@ Each wait ends at its exact time, without polling.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.steps import BRANCH, TRY, WAIT
 from motionlang.lang.waits import Standstill, Wait, until_idle, wait_until
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.motion_phase import at_target_time
 from motionlang.mccl.keywords.row import Group, pure, written
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import CommandTask
-    from motionlang.mccl.runtime.writer import LineWriter
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.writer import LineWriter
 
 BEFORE_NEVER = 1e300
 # Counts within which a position counts as reached: far below one, far above rounding.

@@ -15,13 +15,10 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.flow import skip_unless
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure, written
 from motionlang.mccl.models import models_with
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import CommandTask
-    from motionlang.mccl.runtime.writer import LineWriter
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.writer import LineWriter
 
 
 def is_on(board: Board, channel: int) -> bool:

@@ -6,11 +6,8 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis.limits import ALL
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def limit_mode(task: CommandTask, command: Command) -> None:

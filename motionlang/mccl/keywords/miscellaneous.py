@@ -8,11 +8,8 @@ from __future__ import annotations
 from motionlang import __version__
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def decimal(task: CommandTask, command: Command) -> None:

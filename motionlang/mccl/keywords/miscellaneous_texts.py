@@ -6,16 +6,13 @@ is our choice.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 _ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "\\": "\\"}
 _FLAGS = "-+ 0"

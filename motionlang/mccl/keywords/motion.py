@@ -8,32 +8,26 @@ axis that runs continuously in velocity mode rejects the move.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import wraps
+from typing import TypeAlias
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.steps import DO, WAIT
-from motionlang.lang.waits import wait_idle
+from motionlang.lang.waits import Wait, wait_idle
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
-from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
 from motionlang.mccl.axis.flags import MOTOR_ERROR
 from motionlang.mccl.axis.launch import aim, check_unslaved, launch
 from motionlang.mccl.codes import Abandoned, Fault
 from motionlang.mccl.keywords.row import Group, written
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
+from motionlang.mccl.runtime.writer import LineWriter
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TypeAlias
-
-    from motionlang.lang.waits import Wait
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
-    from motionlang.mccl.runtime.writer import LineWriter
-
-    Targets: TypeAlias = list[tuple[AxisState, float]]
+Targets: TypeAlias = list[tuple[AxisState, float]]
 
 
 def motor_on(task: CommandTask, command: Command) -> None:

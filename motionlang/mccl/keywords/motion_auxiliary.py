@@ -12,15 +12,11 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.lang.steps import DO, WAIT
 from motionlang.lang.waits import Wait
-from motionlang.mccl.axis.axis import nearest_whole
+from motionlang.mccl.axis.axis import AxisState, nearest_whole
 from motionlang.mccl.keywords.row import Group, written
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
-    from motionlang.mccl.runtime.writer import LineWriter
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.writer import LineWriter
 
 # A mark nearer than this, in counts, is the mark that the encoder is on: the search is for the next one.
 _ON = 1e-6

@@ -7,14 +7,10 @@ from math import inf
 from motionlang.mccl import codes
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.motion import movable, moves
+from motionlang.mccl.keywords.motion import Targets, movable, moves
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.keywords.motion import Targets
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def learn_position(task: CommandTask, command: Command) -> None:

@@ -5,21 +5,17 @@ Nothing is sampled while the machine runs.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
-from motionlang.mccl.axis.axis import real
+from motionlang.mccl.axis.axis import AxisState, real
 from motionlang.mccl.axis.status import RECORD_PERIOD
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import Action, CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def record(task: CommandTask, command: Command) -> None:

@@ -5,21 +5,18 @@ They hold 32-bit integers that wrap, or real numbers.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
-
-    Operation = Callable[[float | int, float | int], float | int]
+Operation = Callable[[float | int, float | int], float | int]
 
 LARGEST = 1e300
 

@@ -6,20 +6,16 @@ Angles are in degrees, as in contour arcs. The board's function numbers are not 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import limited, too_large
 from motionlang.mccl.keywords.row import Group, accumulator, polls
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
-
-    Function = Callable[[float], float | int]
+Function = Callable[[float], float | int]
 
 
 def _tangent(angle: float) -> float:

@@ -13,11 +13,8 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.registers import wrapped
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 @accumulator("sets")

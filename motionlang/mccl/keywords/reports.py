@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.lang.keyword import Actions
-from motionlang.mccl.axis.axis import real
+from motionlang.mccl.axis.axis import AxisState, real
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.axis.motor import torque
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.keywords.row import Group
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
-
-    Reader = Callable[[CommandTask, AxisState], str]
+Reader = Callable[[CommandTask, AxisState], str]
 
 
 def _each(reader: Reader) -> Action:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
+
 from motionlang.lang.keyword import Actions, Keyword
+from motionlang.mccl.resolve.command import Command
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any, TypeVar
-
-    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
-    Action = TypeVar("Action", bound=Callable[..., Any])
+Action = TypeVar("Action", bound=Callable[..., Any])
 
 
 def pure(action: Action) -> Action:

@@ -5,14 +5,11 @@ from __future__ import annotations
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def accel(task: CommandTask, command: Command) -> None:

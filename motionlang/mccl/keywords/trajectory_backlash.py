@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from motionlang.mccl.axis.backlash import Backlash
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import CommandTask
 
 
 def backlash_distance(task: CommandTask, command: Command) -> None:

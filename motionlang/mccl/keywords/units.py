@@ -7,11 +7,8 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions
 from motionlang.mccl.keywords.row import Group
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import Action, CommandTask
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def _unit(field: str) -> Action:

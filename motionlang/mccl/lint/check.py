@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from motionlang.errors import Diagnostic
+from motionlang.lang.lint import silence
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.lang.typography import plain
 from motionlang.mccl import codes
@@ -35,7 +36,6 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
 
     A file without errors also gets the warnings of the linter.
     """
-    from motionlang.lang.lint import silence
 
     wanted = str((settings or {}).get("controller.model", "")) or written_for(source.name)
     model = named(wanted) or MODELS[DEFAULT]

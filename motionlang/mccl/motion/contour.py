@@ -7,21 +7,21 @@ corner.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from motionlang.controller.moves.geometry import Arc, Line, Segment
 from motionlang.controller.moves.path_policy import PathPolicy
 from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.codes import Fault
 from motionlang.planners.lookahead import Pace
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from motionlang.controller.moves.geometry import Arc, Line, Segment
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-    # The axes of a path, its geometry, its policy, its command and its line number.
-    Described = tuple[tuple[int, ...], "Line | Arc", "Vector", str, int]
+# The axes of a path, its geometry, its policy, its command and its line number.
+Described = tuple[tuple[int, ...], "Line | Arc", "Vector", str, int]
 
 # The largest number of paths in the queue.
 MAX_QUEUE = 1000

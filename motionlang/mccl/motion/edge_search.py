@@ -6,18 +6,14 @@ the axis: the program must do so, usually in velocity mode.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import floor
 
+from motionlang.controller.triggers.watch import Watch
 from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.inputs import is_active
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.board import Board
 
 # A mark nearer than this, in counts, is the mark that the axis is on: the search is for the next one.
 _ON = 1e-6

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.faults import Rejected
 from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.volts import volts
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
 

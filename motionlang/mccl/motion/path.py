@@ -6,11 +6,12 @@ CP opens it, and the first command that is not part of the description closes it
 from __future__ import annotations
 
 from math import hypot, radians
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.moves.geometry import Arc, Line
 from motionlang.mccl import codes
-from motionlang.mccl.axis.axis import CONTOUR
+from motionlang.mccl.axis.axis import CONTOUR, AxisState
 from motionlang.mccl.axis.motor import check_on
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
@@ -22,13 +23,10 @@ from motionlang.mccl.motion.arcs import (
     end_of,
     radius_of,
 )
-from motionlang.mccl.motion.contour import Vector
+from motionlang.mccl.motion.contour import Contour, Vector
 from motionlang.planners.lookahead import Pace
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
-    from motionlang.mccl.motion.contour import Contour
     from motionlang.mccl.runtime.task import CommandTask
 
 USER, LINE, CLOCKWISE, ANTICLOCKWISE = range(4)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from motionlang.lang.keyword import Keyword
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
     from motionlang.mccl.runtime.task import Action
 
 # The kinds of parameters.

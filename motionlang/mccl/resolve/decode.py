@@ -7,6 +7,7 @@ from math import nextafter
 from typing import TYPE_CHECKING
 
 from motionlang.errors import as_hint
+from motionlang.lang.keyword import Keyword
 from motionlang.lang.typography import typographic, unclosed
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
@@ -17,7 +18,6 @@ from motionlang.mccl.resolve.nearest import candidates, hint
 from motionlang.mccl.syntax import tree
 
 if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 _DIGITS = "0123456789"

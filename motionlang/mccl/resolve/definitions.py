@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.lang.names import Block, Definition, Names
 from motionlang.mccl.keywords import table
 from motionlang.mccl.models import DEFAULT, MODELS, named, written_for
-from motionlang.mccl.resolve.command import NUMBER, REGISTER
+from motionlang.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.mccl.resolve.command import Command
 
 _DEFINES = "define_macro"
 # Verbs whose parameter is the number of a macro, and those whose parameter is the number of a register.

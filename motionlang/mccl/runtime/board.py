@@ -5,12 +5,18 @@ It consists of the axes' units and modes, registers, macros, tasks, and the last
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
+from motionlang.controller.triggers.watch import Watch
 from motionlang.errors import Diagnostic
+from motionlang.lang.debugging import Hook
 from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.loops import Loops
-from motionlang.lang.machine.machine import MAX_DIAGNOSTICS
+from motionlang.lang.machine.machine import MAX_DIAGNOSTICS, Machine
 from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
@@ -18,26 +24,17 @@ from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.limits import ALL, Inputs, Limits
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import of_families
-from motionlang.mccl.models import DEFAULT, MODELS, named
+from motionlang.mccl.keywords.switchable import SWITCHED
+from motionlang.mccl.models import DEFAULT, MODELS, Model, named
 from motionlang.mccl.motion.contour import MAX_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
 from motionlang.mccl.runtime.register_uses import PRIVATE
-from motionlang.mccl.runtime.task import BackgroundTask
+from motionlang.mccl.runtime.task import BackgroundTask, CommandTask
 from motionlang.mccl.runtime.writer import LineSteps, LineWriter
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
-
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.lang.debugging import Hook
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.mccl.models import Model
     from motionlang.mccl.motion.edge_search import Seek
     from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.task import CommandTask
 
 # Codes that are assumptions, by their names in the machine file.
 CODES = {
@@ -137,8 +134,6 @@ class Board:
             for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
                 controller.configure(number, name, value)
         if self.assumptions:
-            from motionlang.mccl.keywords.switchable import SWITCHED
-
             for key, choice in self.assumptions.items():
                 if key in SWITCHED:
                     axis.stored[SWITCHED[key]] = choice  # type: ignore[assignment]

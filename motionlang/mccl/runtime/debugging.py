@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from motionlang.lang.debugging import Frame, Variable
+from motionlang.lang.steps import Steps
+from motionlang.lang.task import Task
+from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.register_uses import PRIVATE
 from motionlang.mccl.runtime.task import CommandTask
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.steps import Steps
-    from motionlang.lang.task import Task
-    from motionlang.mccl.runtime.board import Board
 
 # A register has 32 bits; a number with a fraction is a float of 64.
 _LOW, _HIGH = -(2**31), 2**31 - 1

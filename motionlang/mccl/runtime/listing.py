@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.lang.machine.machine import Machine
-from motionlang.lang.step_list import listed
+from motionlang.lang.step_list import ListedUnit, listed
+from motionlang.lang.steps import Step
 from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.writer import LineWriter
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.step_list import ListedUnit
-    from motionlang.lang.steps import Step
 
 
 def step_list(source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:

@@ -6,6 +6,7 @@ Each line is sent when the previous one has ended.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.program import Program
@@ -14,6 +15,7 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.debugging import Inspection
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.mccl.syntax.parser import parse
 from motionlang.source import Source
@@ -61,8 +63,6 @@ class MacroFile(Program):
         machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)
         if self.debug:
-            from motionlang.mccl.runtime.debugging import Inspection
-
             board.hook = machine.hook
             assert board.hook is not None, "a debug build needs a machine with a hook"
         task = FileTask(self, board)
@@ -144,7 +144,6 @@ def remark_on(source: Source, task: CommandTask) -> str:
 
 def override(task: CommandTask, values: dict[str, float | str]) -> None:
     """Set registers by the names R0 to R255, for `--set`."""
-    from motionlang.controller.faults import Rejected
 
     for name, value in values.items():
         number = name[1:]

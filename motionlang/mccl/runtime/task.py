@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.step_task import StepTask
 from motionlang.lang.steps import CALL, END, JUMP, TRY, WAIT, Steps, Values
 from motionlang.lang.variable_uses import Copy
+from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.variables import changes_by_event, crossing_time, levels
 from motionlang.mccl.codes import Abandoned, Fault
-from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT
+from motionlang.mccl.motion.path import Path
+from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT, Command
 from motionlang.mccl.resolve.decode import checked
 from motionlang.mccl.runtime.register_uses import ACCUMULATOR, PRIVATE
 from motionlang.mccl.runtime.writer import LineSteps
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from typing import TypeAlias
-
-    from motionlang.lang.waits import Wait
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.motion.edge_search import Seek
-    from motionlang.mccl.motion.path import Path
-    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
 
-    Action: TypeAlias = Callable[[Any, Command], Wait | None]
+Action: TypeAlias = Callable[[Any, Command], Wait | None]
 
 # Formats of a report of an axis, by the machine file's assumption `mccl.reply-form`.
 FORMS: dict[object, str] = {

@@ -12,20 +12,17 @@ a wait writes its steps itself (`keywords.row.written`). The end of the line is 
 from __future__ import annotations
 
 from bisect import bisect_right
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
-from motionlang.lang.steps import COMMAND, GO, RETURN, WAIT, Steps
+from motionlang.lang.steps import COMMAND, GO, RETURN, WAIT, Steps, Values
 from motionlang.mccl.models import missing
 from motionlang.mccl.motion.path import DESCRIBES
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.runtime.register_uses import uses_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
-
-    from motionlang.lang.steps import Values
-    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask

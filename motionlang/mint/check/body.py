@@ -7,19 +7,18 @@ expressions.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.check.values import NOTHING, Value, article
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Function, Type
+from motionlang.mint.syntax import nodes
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
-
-    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.resolve.names import Names
     from motionlang.mint.resolve.problems import Problems
-    from motionlang.mint.resolve.symbols import Function, Type
-    from motionlang.mint.syntax import nodes
 
 
 @record

@@ -26,6 +26,8 @@ Cost. One visit of each node, without recursion over statements in a row.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.lang.nesting import StackSpace
 from motionlang.mint.check.body import Body, Program
 from motionlang.mint.check.expressions import VALUES
@@ -38,15 +40,10 @@ from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.aliases import rename_old_words
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.resolve.recall import Recall
 from motionlang.mint.resolve.short_ramps import warn_of_short_ramps
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.mint.resolve.recall import Recall
-    from motionlang.mint.resolve.symbols import Function, Session
-    from motionlang.mint.syntax.nodes import Module
+from motionlang.mint.resolve.symbols import Function, Session
+from motionlang.mint.syntax.nodes import Module
 
 DEFAULT_AXES = 8
 

@@ -13,13 +13,14 @@ both.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
+from motionlang.lang.waits import Wait
 from motionlang.mint.hosts.editor import Editor
 from motionlang.mint.hosts.hcp import ENQ, EOT, Receiver
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
     from motionlang.mint.hosts.console import MintConsole
 
 CTRL_E = ENQ

@@ -6,9 +6,7 @@ keywords that it uses. `index` lists the file of each keyword, so the package it
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.vocabulary import Vocabulary
+from motionlang.lang.vocabulary import Vocabulary
 
 # In the order of the documentation pages. The last file holds keywords that are not simulated.
 ORDER = """
@@ -27,7 +25,6 @@ def table() -> Vocabulary:
     """Return the table of all Mint keywords."""
     global _vocabulary  # noqa: PLW0603 - one vocabulary a process
     if _vocabulary is None:
-        from motionlang.lang.vocabulary import Vocabulary
         from motionlang.mint.keywords.index import FILES
 
         _vocabulary = Vocabulary("motionlang.mint.keywords", FILES)

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from motionlang.mint.runtime.binding import scale_of, to_each_axis
+from collections.abc import Callable, Mapping
+from typing import TypeVar
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from typing import TypeVar
+from motionlang.controller.controller import Controller
+from motionlang.controller.scale import Scale
+from motionlang.lang.keyword import Keyword
+from motionlang.mint.runtime.binding import Maker, Operation, scale_of, to_each_axis
+from motionlang.mint.runtime.environment import Environment
 
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.scale import Scale
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.runtime.binding import Maker, Operation
-    from motionlang.mint.runtime.environment import Environment
-
-    Value = TypeVar("Value")
+Value = TypeVar("Value")
 
 
 class Settings:

@@ -8,6 +8,7 @@ from motionlang.controller.axis import Axis
 from motionlang.controller.triggers.watch import Watch, arm
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.mint.keywords.following_masters import master
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.motion import refuse_stopping
 from motionlang.mint.runtime.binding import Maker, Operation, axis_of, check, of
@@ -82,7 +83,6 @@ class Triggers(Settings):
             track.watches.remove(watch)
         if self.setting("TRIGGERMODE", axis) != AT_POSITION:
             return
-        from motionlang.mint.keywords.following_masters import master
 
         found = master(self.environment, int(self.setting("TRIGGERSOURCE", axis)),
                        int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip

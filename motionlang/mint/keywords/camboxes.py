@@ -22,6 +22,7 @@ from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import ByNumber, axis_of, of, scale_of
 from motionlang.mint.runtime.environment import Environment
+from motionlang.planners.extrapolation import Extrapolated
 
 LAST_BOX = 31
 # The sources, with the numbers of LATCHSOURCE.
@@ -92,8 +93,6 @@ class CamBox:
         edges, self._states = self._edges(source)
         view = None
         if self.lead:
-            from motionlang.planners.extrapolation import Extrapolated
-
             view = partial(Extrapolated, lead=self.lead)
         self._cells = Cells(
             self._environment.controller,

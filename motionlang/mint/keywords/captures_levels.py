@@ -15,6 +15,7 @@ from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.io_outputs import Analogue
 from motionlang.mint.runtime.environment import Environment
 from motionlang.planners import Profile
+from motionlang.planners.rate import Rate
 
 EdgeListener = Callable[[bool], None]
 View = Callable[[Profile], Profile]
@@ -53,8 +54,6 @@ def watch(
         view = _as_it_is if has_motor and quantity == quantities.DEMAND else None
         return _watch_motion(environment, source, source.counts, view, (level, absolute), on_edge)
     if quantity == quantities.SPEED or (quantity == quantities.MEASURED_SPEED and not has_motor):
-        from motionlang.planners.rate import Rate
-
         source = source_of(environment, AXIS, where)
         source.period, scale = 0.0, environment.controller.axes[where].scale
         return _watch_motion(

@@ -8,16 +8,12 @@ is in counts of the converter. The sum is reset to 0 within the dead band and by
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected, names
+from motionlang.controller.motion.sampled_velocity import Track
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.motion.sampled_velocity import Track
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.environment import Environment
 
 # Steps of the converter over the range of an input, which is -100 to 100 percent or 0 to 100 percent.
 COUNTS = 4096.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
+from motionlang.errors import Diagnostic
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
@@ -93,8 +94,6 @@ class Homes(Settings):
         if index and not a.index_every > 0:
             missing.append(f"index marks on axis {axis}")
         if missing:
-            from motionlang.errors import Diagnostic
-
             hint = f"the machine file sets them: axis.{axis}.home_switch, travel and index_every"
             message = f"HOME looks for {' and '.join(missing)}, which nothing provides"
             diagnostic = Diagnostic("never", message, line, hint=hint, severity="warning")

@@ -6,8 +6,12 @@ The section `[mint.values]` of the machine file can override each value.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from datetime import datetime, timedelta
 
+from motionlang import __version__
+from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword, constant, kind_of
+from motionlang.lang.run_errors import NotSimulated
 from motionlang.mint.keywords.no_effect import StoredValues
 from motionlang.mint.runtime.binding import Maker, Operation, axis_of, of
 from motionlang.mint.runtime.changes import always
@@ -42,7 +46,6 @@ def answers(known: Callable[..., object]) -> Maker:
 
 
 def version(environment: Environment) -> str:
-    from motionlang import __version__
 
     return f"motionlang {__version__}"
 
@@ -54,7 +57,6 @@ def count(environment: Environment, item: int) -> int:
     """
     if item == AXES:
         return len(environment.controller.axes)
-    from motionlang.lang.run_errors import NotSimulated
 
     words = f"how many there are of item {item} is not known here"
     raise NotSimulated(words, f'give it in the machine file: [mint.values] NUMBEROF = {{ "{item}" = 8 }}')
@@ -85,9 +87,6 @@ class Calendar:
 
     def set(self, text: str, now: float) -> None:
         """Set date and time; raise Rejected for an invalid date."""
-        from datetime import datetime
-
-        from motionlang.controller.faults import Rejected
 
         try:
             self.date = datetime.strptime(text, _DATE)
@@ -99,7 +98,6 @@ class Calendar:
 
     def text(self) -> str:
         """Return date and time in whole seconds."""
-        from datetime import timedelta
 
         try:
             return (self.date + timedelta(seconds=int(self.clock.now - self.since + 1e-9))).strftime(_DATE)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from motionlang.errors import as_hint, nearest, shown
 from motionlang.lang.keyword import WHOLE_UNITS, Keyword
 from motionlang.mint.keywords import table
 
@@ -53,7 +54,6 @@ def _numbers(where: str) -> tuple[object, ...]:
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
     """Return what is wrong with an entry and a hint, None if the entry is valid."""
-    from motionlang.errors import nearest
 
     word, _, where = key[len(SECTION) :].partition(".")
     row = table().get(word)
@@ -77,7 +77,6 @@ def _why_not(row: Keyword) -> str:
 
 
 def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:
-    from motionlang.errors import as_hint, shown
 
     brackets = 0 if row.index == "none" else len(row.index.split(", "))
     given = len(where.split(",")) if where else brackets

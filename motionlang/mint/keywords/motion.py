@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import no_axis, on_axes, on_every_axis, scale_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker, Operation
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.binding import Maker, Operation, no_axis, on_axes, on_every_axis, scale_of
+from motionlang.mint.runtime.environment import Environment
 
 
 def load_move(relative: bool) -> Maker:

@@ -10,12 +10,9 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.machine_readings import SuppliedValues
+from motionlang.mint.runtime.binding import Operation
 from motionlang.mint.runtime.changes import repeatable
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 
 class StoredValues:

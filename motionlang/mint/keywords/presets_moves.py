@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords.homing import Homes
 from motionlang.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.mint.keywords.torque import TorqueReferences
+from motionlang.planners.reference import Slope
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.keywords.presets import Presets
 
-    Start = Callable[["Preset"], None]
+Start = Callable[["Preset"], None]
 
 COMMAND = "PRESETMOVE"
 
@@ -92,7 +93,6 @@ def _position(preset: Preset) -> None:
 
 
 def _speed(preset: Preset) -> None:
-    from motionlang.planners.reference import Slope
 
     controller = preset.presets.controller
     scale = controller.axes[preset.axis].scale

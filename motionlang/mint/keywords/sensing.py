@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import floor
+from typing import TYPE_CHECKING
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.moves import buffer
@@ -13,17 +16,12 @@ from motionlang.mint.keywords.axis_settings import Settings, setting_reader, set
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.keywords.state import IS_IDLE, wrapped_position
 from motionlang.mint.keywords.unsimulated import write_jump
-from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of, unchecked
+from motionlang.mint.runtime.binding import Maker, Operation, by_axis, of, of_word, scale_of, unchecked
 from motionlang.mint.runtime.changes import always, end_of_motion, moving, repeatable, with_dependency
 from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.axis import Axis
     from motionlang.mint.keywords.compensation import Compensation
-    from motionlang.mint.runtime.binding import Maker, Operation
 
 
 # AXISMODE: the bit of each kind of motion, by the keyword that started it. 0 is idle. The bits are our own

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine.switch import Switch
 from motionlang.mint.keywords import table
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
 
 # `mint.homespeed-default` is the value of HOMESPEED at power-up.
 PREFIX, SUFFIX = "mint.", "-default"

@@ -6,10 +6,13 @@ segment. A value that the program writes to an array takes effect in the next cy
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import ceil
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.controller.readers import Level
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
@@ -18,15 +21,12 @@ from motionlang.mint.runtime.changes import moving, with_dependency
 from motionlang.mint.runtime.environment import Environment
 from motionlang.planners.total import total
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.readers import Level
     from motionlang.mint.keywords.table_motion_splines import Splines
 
-    Array = list[float]
-    Points = tuple[list[float], list[float]]
+Array = list[float]
+
+Points = tuple[list[float], list[float]]
 
 
 # Bits of CAM and SPLINE.

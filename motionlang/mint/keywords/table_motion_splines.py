@@ -12,6 +12,7 @@ from itertools import pairwise
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.profile_playback import Playback
+from motionlang.controller.moves.entries import Timed
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.buffer import loads
@@ -28,15 +29,11 @@ from motionlang.mint.keywords.table_motion_cams import (
 )
 from motionlang.mint.runtime.binding import Operation, check, of, of_word
 from motionlang.mint.runtime.changes import with_dependency
+from motionlang.mint.runtime.environment import Environment
 from motionlang.planners.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.planners.table_motion import spline_slopes
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.moves.entries import Timed
-    from motionlang.mint.runtime.environment import Environment
-
-    Array = list[float]
+Array = list[float]
 
 
 SECOND = 8

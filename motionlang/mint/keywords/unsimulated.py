@@ -13,17 +13,15 @@ Every operation receives the line of its statement and the source offset of its 
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Actions
+from copy import copy
+from typing import NoReturn
+
+from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.run_errors import NotSimulated
 from motionlang.mint.keywords.no_effect import StoredValues, note
 from motionlang.mint.keywords.no_effect import write_value as _store
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import NoReturn
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.runtime.binding import Operation
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.binding import Operation
+from motionlang.mint.runtime.environment import Environment
 
 # Keywords that are simulated for reads only, and the effect of writing them.
 WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
@@ -93,7 +91,6 @@ def _end(row: Keyword, message: str, at: object, with_hint: bool = False) -> NoR
 
     With `with_hint` the message suggests a machine file entry.
     """
-    from motionlang.lang.run_errors import NotSimulated
 
     hint = f"{row.name}: {row.help.rstrip('.')}"
     if with_hint:
@@ -124,8 +121,6 @@ def written(row: Keyword) -> Keyword:
     """Return the row for writing a keyword that is simulated only for reads."""
     changed = _changed.get(row.name)
     if changed is None:
-        from copy import copy
-
         changed = _changed[row.name] = copy(row)
         changed.verb, changed.simulated = JUMP, False
     return changed

@@ -6,19 +6,17 @@ Languages differ in precedence: in some of them the comparison binds more tightl
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from motionlang.mint.resolve.symbols import STRING
+from motionlang.mint.resolve.symbols import STRING, Function
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.tokens import Tokens
 from motionlang.mint.syntax.traversal import walk
+from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
     from motionlang.mint.lint.effects import Facts
-    from motionlang.mint.resolve.symbols import Function
-    from motionlang.source import Source
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _BITS = frozenset("&|")

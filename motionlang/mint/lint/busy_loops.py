@@ -5,21 +5,18 @@ Such a loop takes all the time of its task, and nothing outside the program can 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.mint.resolve.flowgraph import END
-from motionlang.mint.resolve.symbols import TIME
+from motionlang.mint.resolve.flowgraph import END, Graph, Step
+from motionlang.mint.resolve.symbols import TIME, Function
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.lint.effects import Facts
-    from motionlang.mint.resolve.flowgraph import Graph, Step
-    from motionlang.mint.resolve.symbols import Function
 
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 # Statements that let time pass or start another task.
 _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import CHANGES, Follower
@@ -12,16 +13,14 @@ from motionlang.mint.lint.iterations import check_iterations
 from motionlang.mint.lint.motion import Motion, Reach
 from motionlang.mint.lint.reachability import Reachability
 from motionlang.mint.lint.settings import TOUCHES, Settings
+from motionlang.mint.resolve.recall import Recall
 from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax.nodes import Module
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterable, Mapping
-
     from motionlang.mint.lint.axis_state import After, Axis
     from motionlang.mint.lint.effects import Facts, Key
     from motionlang.mint.lint.findings import Findings
-    from motionlang.mint.resolve.recall import Recall
-    from motionlang.mint.syntax.nodes import Module
 
 
 class FunctionChecks:

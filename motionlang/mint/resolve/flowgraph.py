@@ -46,17 +46,14 @@ once for each bit, and once more.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from heapq import heappop, heappush
+from typing import TypeVar
 
 from motionlang.mint.keywords.event_kinds import label_event
 from motionlang.mint.syntax import nodes
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TypeVar
-
-    State = TypeVar("State")
+State = TypeVar("State")
 
 # Kinds of steps. "start" and "leave" are the two ends of the function, "end" is the end of the program.
 # "turn" is the head of a For, where its limit is checked, and "next" is where it counts.

@@ -5,10 +5,12 @@ A label is a handler if it has the name of an event and no jump leads to it.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
+from typing import TYPE_CHECKING
+
+from motionlang.mint.resolve.symbols import Function
+
 if TYPE_CHECKING:
     from motionlang.mint.resolve.names import Names
-    from motionlang.mint.resolve.symbols import Function
 
 
 def label_handlers(function: Function) -> set[str]:

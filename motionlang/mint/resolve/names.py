@@ -38,13 +38,17 @@ expanded expressions nest to at most `MAX_DEFINED_DEPTH` levels.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from itertools import chain
 from math import inf
 
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.mint.models import STRINGS
-from motionlang.mint.resolve.folding import fold, given
+from motionlang.mint.resolve.folding import Meaning, fold, given
+from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
@@ -62,15 +66,6 @@ from motionlang.mint.resolve.symbols import (
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nesting import depth_of
 from motionlang.mint.syntax.traversal import Survey, copied, walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.vocabulary import Vocabulary
-    from motionlang.mint.resolve.folding import Meaning
-    from motionlang.mint.resolve.problems import Problems
 
 # The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
 MAX_ELEMENTS = 10_000_000

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
 from motionlang.errors import Diagnostic, ProgramError, differ_little, nearest
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.models import V4_SUFFIX
+from motionlang.mint.resolve.recorder import Recorder
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.tokens import token_at, value_length
 from motionlang.mint.syntax.traversal import names_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
-    from motionlang.lang.vocabulary import Vocabulary
-    from motionlang.mint.resolve.recorder import Recorder
-    from motionlang.mint.syntax.nodes import Module
 
 # More are not useful; most errors after the first hundred are consequences of earlier ones.
 MAX_PROBLEMS = 100

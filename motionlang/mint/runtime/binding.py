@@ -36,21 +36,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import TypeVar
 
 from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.faults import Rejected
+from motionlang.controller.scale import Scale
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    from motionlang.controller.scale import Scale
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.runtime.environment import Environment
-
-    Made = TypeVar("Made")
+Made = TypeVar("Made")
 
 Operation = Callable[..., object]
 Maker = Callable[["Environment", "Keyword"], Operation]

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.readers import Until
+from motionlang.lang.keyword import Keyword
+from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
-
-    from motionlang.controller.readers import Until
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.runtime.environment import Environment
-
-    Maker = Callable[[Environment, Keyword], Callable[..., Any]]
+Maker = Callable[[Environment, Keyword], Callable[..., Any]]
 
 
 def moving(make: Maker) -> Maker:

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil, floor
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Rejected
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import ALL, Rejected
+from motionlang.controller.moves.buffer import end
 from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.loops import Loops
+from motionlang.lang.machine.machine import Machine
 from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.steps import Steps
 from motionlang.lang.waits import Wait
+from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.runtime.functions import Random
 from motionlang.mint.runtime.task import MintTask, until_free
 from motionlang.mint.runtime.waits import Waits
+from motionlang.mint.steps.places import Places
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any, TypeVar
-
-    from motionlang.controller.controller import Controller
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.mint.resolve.symbols import Function
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
     from motionlang.mint.runtime.power_up import PowerUp
-    from motionlang.mint.steps.places import Places
     from motionlang.mint.steps.program import ProgramWriter, Unit
 
-    Component = TypeVar("Component")
+Component = TypeVar("Component")
 
 # Rounding of a time in seconds must not cost a millisecond.
 MILLISECOND = 1e-6
@@ -40,7 +40,6 @@ DAY = 86400.0
 
 def _apply_mint_settings(controller: Controller) -> None:
     """Apply Mint's settings to the axes; an axis with an error accepts no motion."""
-    from motionlang.controller.faults import ALL
 
     for axis in controller.axes:
         mint_settings(controller, axis)
@@ -268,8 +267,6 @@ class Environment(Waits):
     def random(self) -> float:
         """Return the next number of `Rnd`."""
         if self._random is None:
-            from motionlang.mint.runtime.functions import Random
-
             self._random = Random()
         self.acts += 1
         return self._random()
@@ -286,8 +283,6 @@ class Environment(Waits):
         """
         a, wrap = self.controller.axes[axis], self.wraps.get(axis)
         if wrap:
-            from motionlang.controller.moves.buffer import end
-
             value += a.scale.position_to_user(end(a)) // wrap * wrap
         return a.scale.position_to_counts(value)
 

@@ -7,16 +7,17 @@ so the run then ends with a `never` error.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from motionlang.controller.clock import Event as ClockEvent
 from motionlang.controller.faults import Rejected
+from motionlang.lang.waits import Wait
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import KINDS, RAISED_BY, SINGLE, kind_and_number
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import MintTask
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.clock import Event as ClockEvent
-    from motionlang.lang.waits import Wait
-    from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.steps.program import Unit
 
 

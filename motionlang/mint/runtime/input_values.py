@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.machine.machine import CONSOLE
+from motionlang.lang.machine.operator import Operator
 from motionlang.lang.waits import Wait
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.functions import value
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.machine.operator import Operator
-    from motionlang.mint.runtime.environment import Environment
 
 FOR_ANSWER = "for the operator to answer INPUT"
 

@@ -5,17 +5,14 @@ They are in the section `[assumptions]` of that file.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from motionlang.controller.faults import Rejected
 from motionlang.errors import ProgramError
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.switchable import word_of
 from motionlang.mint.runtime.binding import bind
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 
 class PowerUp:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from math import inf, isnan
 
 from motionlang.lang.machine.machine import Machine
+from motionlang.mint.models import V4, age
 
 LARGE, SMALL = 1e9, 1e-4
 DECIMALS = 4
@@ -66,6 +67,5 @@ def shows_float(machine: Machine) -> Callable[[float], str]:
 
 
 def _is_older(model: str) -> bool:
-    from motionlang.mint.models import V4, age
 
     return age(model) == V4

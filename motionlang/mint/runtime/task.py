@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.lang.loops import Loops
 from motionlang.lang.nesting import MAX_DEPTH
 from motionlang.lang.step_task import StepTask
 from motionlang.lang.waits import Wait
@@ -11,9 +14,7 @@ from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 from motionlang.mint.syntax.unparse import shown
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.loops import Loops
     from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.steps.program import Unit
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from motionlang.controller.clock import INFINITY, Clock
+from motionlang.controller.controller import Controller
+from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.waits import Condition, Wait
+from motionlang.mint.runtime.task import MintTask
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Clock
-    from motionlang.controller.controller import Controller
-    from motionlang.lang.dependencies import Dependencies
     from motionlang.mint.runtime.errors import Errors
-    from motionlang.mint.runtime.task import MintTask
 
 
 class Waits:

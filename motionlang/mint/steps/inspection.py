@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 from motionlang.lang.debugging import Frame, Variable
+from motionlang.lang.steps import Steps, Values
+from motionlang.lang.task import Task
 from motionlang.mint.keywords import table
 from motionlang.mint.resolve.symbols import INTEGER, Function, Symbol, Type
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
 from motionlang.mint.steps.places import is_shared, variables_of
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
-
-    from motionlang.lang.steps import Steps, Values
-    from motionlang.lang.task import Task
     from motionlang.mint.resolve.names import Names
-    from motionlang.mint.runtime.environment import Environment
 
 # The range of an Integer.
 _LOW, _HIGH = -(2**31), 2**31 - 1

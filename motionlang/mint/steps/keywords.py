@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.steps import DO, NOW, TRY, Values
 from motionlang.lang.waits import Wait
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Type
 from motionlang.mint.runtime import binding
 from motionlang.mint.steps import expressions, waiting, words
+from motionlang.mint.steps.unit import UnitWriter
 from motionlang.mint.steps.values import Get, Value
 from motionlang.mint.syntax import nodes
 
 # The number in `Uses` of the memory that a host reads, for which no variable is so far from 0.
 HOST_VARIABLE = 1 << 40
-
-if TYPE_CHECKING:
-    from motionlang.mint.steps.unit import UnitWriter
 
 
 def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:

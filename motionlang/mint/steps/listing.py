@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from motionlang.lang.machine.machine import Machine
-from motionlang.lang.step_list import listed
-from motionlang.lang.steps import END
+from motionlang.lang.step_list import ListedUnit, listed
+from motionlang.lang.steps import END, Step
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.steps.places import Places
 from motionlang.mint.steps.program import ProgramWriter
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.step_list import ListedUnit
-    from motionlang.lang.steps import Step
-    from motionlang.mint.resolve.names import Names
-    from motionlang.mint.resolve.symbols import Function
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 def step_list(source: Source, names: Names, settings: Mapping[str, object]) -> list[ListedUnit]:

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.lang.steps import DO, END, NOW, RETURN, Steps
 from motionlang.mint.resolve.handlers import handles, label_handlers
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.printing import shows_float
 from motionlang.mint.steps.places import is_shared, variables_of
 from motionlang.mint.steps.statements import block
 from motionlang.mint.steps.unit import UnitWriter, is_stop
 from motionlang.mint.syntax.traversal import walk
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.mint.resolve.names import Names
-    from motionlang.mint.resolve.symbols import Function
-    from motionlang.mint.runtime.environment import Environment
 
 
 @dataclass(slots=True, eq=False)

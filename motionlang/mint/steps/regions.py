@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-if TYPE_CHECKING:
-    from motionlang.mint.resolve.symbols import Function
 
 
 @dataclass(slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from motionlang.lang.steps import DO, NOW, Values
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
@@ -11,11 +11,9 @@ from motionlang.mint.runtime import binding
 from motionlang.mint.runtime.formats import USING
 from motionlang.mint.runtime.printing import show_integer
 from motionlang.mint.steps import expressions, words
+from motionlang.mint.steps.unit import UnitWriter
 from motionlang.mint.steps.values import Get, Value
 from motionlang.mint.syntax import nodes
-
-if TYPE_CHECKING:
-    from motionlang.mint.steps.unit import UnitWriter
 
 _KINDS: dict[str, str] = {STRING: "text", FLOAT: "float"}
 

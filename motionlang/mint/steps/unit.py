@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from motionlang.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, Uses
+from motionlang.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, Uses, Values
 from motionlang.lang.variable_uses import Copy
-from motionlang.mint.resolve.symbols import TIME
+from motionlang.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.mint.steps import expressions
 from motionlang.mint.steps.regions import Region, regions
+from motionlang.mint.steps.values import Get
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
 
 if TYPE_CHECKING:
-    from motionlang.lang.steps import Values
-    from motionlang.mint.resolve.symbols import Function, Symbol
     from motionlang.mint.steps.program import ProgramWriter
-    from motionlang.mint.steps.values import Get
 
 # Words of the language that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant"))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import inf
-from typing import TYPE_CHECKING
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
@@ -11,13 +10,11 @@ from motionlang.lang.waits import Delay, Wait, next_tick
 from motionlang.mint.resolve.symbols import FLOAT, STRING, Type
 from motionlang.mint.runtime.input_values import take, wait_for_answer
 from motionlang.mint.steps import expressions, terminal
+from motionlang.mint.steps.unit import UnitWriter
 from motionlang.mint.steps.values import Get, Value
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
 from motionlang.mint.syntax.unparse import shown
-
-if TYPE_CHECKING:
-    from motionlang.mint.steps.unit import UnitWriter
 
 
 def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:

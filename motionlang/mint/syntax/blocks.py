@@ -5,9 +5,10 @@ This table is for messages. It repeats what the grammar states, and a test keeps
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.syntax.stack import Cell
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import inf
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import lark
 from lark import Transformer, v_args
@@ -61,13 +61,12 @@ from motionlang.mint.syntax.nodes import (
     While,
 )
 
-if TYPE_CHECKING:
 
-    class Token(lark.Token):
-        """A token of a text, which has its position."""
+class Token(lark.Token):
+    """A token of a text, which has its position."""
 
-        start_pos: int
-        end_pos: int
+    start_pos: int
+    end_pos: int
 
 
 T = TypeVar("T")

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from motionlang.lang.keyword import Keyword
 from motionlang.record import record
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import ClassVar, Self
-
-    from motionlang.lang.keyword import Keyword
     from motionlang.mint.resolve.symbols import Symbol
     from motionlang.mint.syntax.nodes import Expr
 

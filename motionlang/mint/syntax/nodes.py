@@ -9,13 +9,14 @@ The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `As
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.syntax.word import Word
 from motionlang.mint.syntax.node import Expression, Resolved, ResolvedName
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
 from motionlang.record import record
 from motionlang.source import Source
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.resolve.symbols import Type
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from typing import Any
+
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nodes import Assign, Binary, For, Given, Input, Name, Number, String
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-    from typing import Any
 
 # Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
 _NOT_NODES = frozenset(("args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",

@@ -8,26 +8,22 @@ that one segment reaches, all that two reach, and so on.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Point, plan_points
 from motionlang.planners.sample import PieceTable
 from motionlang.planners.total import total
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+Array = NDArray[np.float64]
 
-    from numpy.typing import NDArray
-
-    from motionlang.planners.curve import Profile
-
-    Array = NDArray[np.float64]
-    Indices = NDArray[np.int64]
+Indices = NDArray[np.int64]
 
 MILLISECOND = 0.001
 MAX_SEGMENT_MS = 255

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import json
 from bisect import bisect_right
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
 from math import copysign, isfinite, isnan
 from string import Template
@@ -20,35 +21,32 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from motionlang import __version__
+from motionlang.analysis.cycle.critical_path import Link
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.cycle.source_positions import SourcePositions
+from motionlang.controller.controller import Controller
 from motionlang.files import replacing
 from motionlang.log.records import GRAVE
 from motionlang.log.track import WholeTrack, axes_of, pieces_of
+from motionlang.planners.ramps import Piece
 from motionlang.report import events as events_of
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
+from motionlang.result import Run
 from motionlang.views.lanes import lanes
 from motionlang.views.plot_panel import PHASES
 from motionlang.views.quantities import UNITS
 from motionlang.views.terminal import printable
-from motionlang.views.window import WHOLE
+from motionlang.views.window import WHOLE, Window
 from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-
     from motionlang.analysis.compare.comparison import Comparison
-    from motionlang.analysis.cycle.critical_path import Link
-    from motionlang.controller.controller import Controller
     from motionlang.log.trace import Array
-    from motionlang.planners.ramps import Piece
-    from motionlang.result import Run
     from motionlang.servo.trace import ServoTrace
     from motionlang.views.panels import Curve, Panel
-    from motionlang.views.window import Window
 
-    Row = dict[str, Any]
+Row = dict[str, Any]
 
 SCRIPTS = ("model", "panels", "draw", "path", "tools", "script")
 MAX_RECORDS = 200_000

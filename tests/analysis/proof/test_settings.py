@@ -11,7 +11,7 @@ from motionlang import run
 from motionlang.controller.axis import Axis
 from motionlang.controller.core import Core
 from motionlang.controller.motion import feedrate
-from motionlang.controller.motion import jog as jogs
+from motionlang.controller.motion.jog import jog as honest
 from motionlang.source import Source
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
@@ -33,13 +33,12 @@ def deaf(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
     """Return a function that makes a jogging axis ignore commands."""
 
     def forge() -> None:
-        honest = jogs.jog
 
         def jog(controller: Core, a: Axis, *rest: Any) -> None:
             if a.move is None:
                 honest(controller, a, *rest)
 
-        monkeypatch.setattr(jogs, "jog", jog)
+        monkeypatch.setattr("motionlang.controller.axis_verbs.jog", jog)
 
     return forge
 
