@@ -1,8 +1,7 @@
 """Lazy imports of modules within a package: only those listed here.
 
 An import inside a function crosses packages or loads a heavy library. Imports within a package are at the
-top, where a reader looks for them. The exceptions serve a fast start: a module that a run may not need is
-imported where it is used.
+top, where a reader looks for them.
 """
 
 from __future__ import annotations
@@ -26,21 +25,15 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "controller/axis_verbs.py": "motion.jog motion.profile_playback",
-    "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
-    "moves.cam moves.entries triggers.limit",
-    "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
+    "controller/axis_verbs.py": "motion.profile_playback",
+    "controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
+    "moves.entries triggers.limit",
     "mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
     "mint/__init__.py": "keywords keywords.machine_readings keywords.switchable models resolve.aliases "
     "resolve.chosen_rates runtime.wait_sources",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
-    "mint/program.py": "steps.inspection",
-    "mint/runtime/environment.py": "runtime.errors runtime.events runtime.functions runtime.power_up",
-    "planners/packed.py": "extrapolation rate reparametrised sequence superposition",
-    "planners/shapes.py": "jerk parabolic scurve",
-    # The plainest runs, which load as little as they can.
-    "planners/trapezoid.py": "feasibility",
+    "mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
     "cli/__init__.py": "commands complaints crash options run welcome",
     "cli/input_files.py": "complaints",
     "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_tree",
@@ -49,10 +42,6 @@ LAZY = {
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
-    "mccl/runtime/board.py": "keywords.switchable",
-    "mccl/runtime/program.py": "runtime.debugging",
-    "mint/keywords/buffer.py": "keywords.following_masters",
-    "mint/runtime/printing.py": "models",
     "mint/runtime/task.py": "runtime.errors",
 }
 

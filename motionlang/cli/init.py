@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.guesses import Guesses, answer_entry, branches, guessed
+from motionlang.analysis.guesses import Entry, Guesses, answer_entry, branches, guessed
 from motionlang.analysis.guesses.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
@@ -14,23 +14,17 @@ from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.numbers import machine_time
 from motionlang.cli.options import REPORTS, Options
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.errors import Diagnostic, count_of
 from motionlang.execution import MACHINE_SUFFIX, language_of
 from motionlang.files import create
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.loop_dependencies import InputRead
 from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.source import STDIN, Source
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.analysis.guesses import Entry
-    from motionlang.cli.parser import Commands
-    from motionlang.lang.dialect import Dialect
-    from motionlang.lang.loop_dependencies import InputRead
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from time import monotonic
 
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import Machine
+from motionlang.result import Run
 from motionlang.views.progress import Watcher, is_shown, run_line
 from motionlang.views.terminal import shower
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.result import Run
 
 
 def watched(

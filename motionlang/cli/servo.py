@@ -5,25 +5,21 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
+from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unreadable, unwritten
 from motionlang.cli.format_options import add_format
 from motionlang.cli.options import REPORTS
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import Row, add_all, arrange, sentence
+from motionlang.cli.parser import Commands, Row, add_all, arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
 from motionlang.cli.servo_options import COMPARE, RUN, STEP, TUNE
 
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable, Sequence
-
-    Handler = Callable[[argparse.Namespace], int]
-    from motionlang.cli.parser import Commands
+Handler = Callable[[argparse.Namespace], int]
 
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.servo/1"

@@ -5,12 +5,13 @@ Each row is written as soon as it is computed.
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.sweeps import KEEP, Sweep
 from motionlang.analysis.sweeps.description import SUFFIX, Description, read_description
+from motionlang.analysis.sweeps.job import Result
 from motionlang.analysis.sweeps.journal import Journal, OtherSweep, read
 from motionlang.analysis.sweeps.space import dimension
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
@@ -18,7 +19,7 @@ from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import set_values
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, add_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
@@ -28,12 +29,6 @@ from motionlang.execution import dialect_of, language_of, machine_of
 from motionlang.files import unwritable
 from motionlang.source import STDIN, Source
 from motionlang.views.progress import Progress
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.analysis.sweeps.job import Result
-    from motionlang.cli.parser import Commands
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
 # The suffix of --rows-to for the rows of an incomplete sweep.

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import os
 from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
-from motionlang.client.wire import SerialWire, TcpWire
-
-if TYPE_CHECKING:
-    from motionlang.client.wire import Wire
+from motionlang.client.wire import SerialWire, TcpWire, Wire
 
 # Seconds that a client waits for an answer.
 TIMEOUT = 5.0

@@ -42,12 +42,12 @@ until something affects it.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock, Event
-from motionlang.controller.core import Core
 from motionlang.controller.faults import FOLLOWING_ERROR, Rejected
 from motionlang.controller.joined import Followed
 from motionlang.controller.triggers.watch import Watch, margin, watched_position
@@ -69,6 +69,9 @@ from motionlang.servo.samples import (
 from motionlang.servo.servo import Servo, sample_at
 from motionlang.servo.settings import make_plant
 from motionlang.servo.standstill import StandstillDetector, extent, is_still
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 Section = Mapping[str, object]
 

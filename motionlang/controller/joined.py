@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from motionlang.controller.axis import Axis
 from motionlang.planners import Profile
+
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
 
 # Older profiles that are cached as objects once they have been read.
 _MAX_CACHED = 1024

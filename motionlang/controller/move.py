@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.controller.axis import Axis
 from motionlang.planners import Profile
 
 if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.motion.follow import Follow
 

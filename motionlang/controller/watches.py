@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort_right
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from motionlang.controller.triggers.watch import Watch
 from motionlang.planners import Profile
 
+if TYPE_CHECKING:
+    from motionlang.controller.triggers.watch import Watch
+
 # Position and order of a watch: the sort key.
-Key = tuple[float, int, Watch]
+Key = tuple[float, int, "Watch"]
 
 
 class Watches:

@@ -10,11 +10,13 @@ has frames with variables.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.task import Task
 from motionlang.record import record
+
+if TYPE_CHECKING:
+    from motionlang.lang.task import Task
 
 
 class Inspection(Protocol):
@@ -40,7 +42,7 @@ class Inspection(Protocol):
 
 
 # Called with the task, the time of the statement, s, and its source offset.
-Stop = Callable[[Task, float, int], None]
+Stop = Callable[["Task", float, int], None]
 
 
 class Hook:

@@ -11,19 +11,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, nearest, shown
-from motionlang.lang.keyword import Keyword
-from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.names import LineLayout, Names
-from motionlang.lang.program import Program
-from motionlang.lang.step_list import ListedUnit
-from motionlang.lang.task import Task
-from motionlang.lang.vocabulary import Vocabulary
 from motionlang.record import record
 from motionlang.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+    from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
+    from motionlang.lang.names import LineLayout, Names
+    from motionlang.lang.program import Program
+    from motionlang.lang.step_list import ListedUnit
+    from motionlang.lang.task import Task
+    from motionlang.lang.vocabulary import Vocabulary
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.

@@ -5,14 +5,18 @@ The wait itself may state its purpose; if it does not, the condition at its sour
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.controller import Controller
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.loop_dependencies import Read
-from motionlang.lang.machine.machine import Machine
 from motionlang.lang.task import Task
-from motionlang.lang.waits import Wait
 from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.lang.loop_dependencies import Read
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.waits import Wait
 
 # Seconds from now at which the suggested option acts.
 SOON = 0.5

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
-from motionlang.lang.keyword import Keyword
 from motionlang.servo.gains import Gains
+
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
 
 # Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are
 # three.

@@ -6,8 +6,10 @@ The dialect splits a text into tokens; the rows of its table define the keywords
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from motionlang.lang.dialect import Dialect
+if TYPE_CHECKING:
+    from motionlang.lang.dialect import Dialect
 
 # The kinds of tokens that are looked up in the table of the dialect.
 _WORDS = frozenset(("word", "command", "not-simulated"))

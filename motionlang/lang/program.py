@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.task import Task
+
+if TYPE_CHECKING:
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.task import Task
 
 
 class Program:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.lang.dialect import Dialect
-from motionlang.lang.task import Task
 from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.task import Task
 
 # Python's arithmetic errors, in the terms of the program's author.
 _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.waits import Wait
+
+if TYPE_CHECKING:
+    from motionlang.lang.waits import Wait
 
 # A loop of fewer statements leaves no record; it counts for the code around it.
 MIN_STATEMENTS = 100.0

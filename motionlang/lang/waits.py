@@ -15,11 +15,14 @@ The waits of individual statements and commands are defined with them: WAIT and 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.controller import Controller
-from motionlang.lang.dependencies import Dependencies, Note
-from motionlang.lang.machine.machine import Machine
+
+if TYPE_CHECKING:
+    from motionlang.lang.dependencies import Dependencies, Note
+    from motionlang.lang.machine.machine import Machine
 
 # Times that differ by less than this are equal, so that rounding does not decide the order.
 ROUNDING = 1e-9

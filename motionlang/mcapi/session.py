@@ -17,7 +17,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
@@ -27,14 +27,11 @@ from motionlang.mcapi.command import command, line, own, takes_all_axes
 from motionlang.mcapi.errors import Refused, code_of
 from motionlang.mcapi.interface import Interface, Poll, expire
 from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
-from motionlang.mcapi.table import BITS, FUNCTIONS, STRUCTURES
+from motionlang.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.runtime.task import CommandTask
-
-if TYPE_CHECKING:
-    from motionlang.mcapi.table import Argument, Function, Value
 
 MAX_HANDLES = 1000
 # Arguments that are axes.

@@ -8,13 +8,13 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from motionlang.analysis.cores import cores
 from motionlang.analysis.quantities import ResultValue, quantity
-from motionlang.analysis.sweeps.job import Job
+from motionlang.analysis.sweeps.job import Job, Problem, Result
 from motionlang.analysis.sweeps.pool import Hand
-from motionlang.analysis.sweeps.space import Space, space_of
+from motionlang.analysis.sweeps.space import Space, Value, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_next_to
 from motionlang.lang.dialect import Dialect
@@ -23,10 +23,6 @@ from motionlang.lang.machine.file import check_setting
 from motionlang.library.tables import Table, transposed
 from motionlang.record import record
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from motionlang.analysis.sweeps.job import Problem, Result
-    from motionlang.analysis.sweeps.space import Value
 
 KEEP = ("time",)
 

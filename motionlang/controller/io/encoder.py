@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import Axis
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.planners import hold, plan_velocity
 from motionlang.planners.stop import running
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 # Auxiliary encoders have the channels from here on.
 AUXILIARY = 1000

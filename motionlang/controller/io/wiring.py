@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.controller import Controller
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.io.sensor import Sensor
 from motionlang.controller.triggers.events import note
 from motionlang.controller.triggers.limit import Limit
 from motionlang.controller.triggers.region import Region
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
 
 Entry = Mapping[str, object]
 

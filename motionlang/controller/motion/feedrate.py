@@ -7,9 +7,13 @@ multiplies the speed, at once.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import Axis
-from motionlang.controller.core import Core
 from motionlang.controller.move import Move
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})

@@ -42,10 +42,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.profile_playback import Playback
@@ -55,6 +55,9 @@ from motionlang.planners.curve import relabelled
 from motionlang.planners.dwell import rest, with_rest
 from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import added
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 # A smaller difference of velocities, counts/s, counts as zero.
 _STILL = 1e-9

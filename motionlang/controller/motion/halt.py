@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import BY_WORD, Axis
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, keeps_rates
 from motionlang.controller.triggers.conditions import release
 from motionlang.planners import Profile
 from motionlang.planners.dwell import with_rest
 from motionlang.planners.ramp_down import stop_in_motion
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 
 class Stopping(Action):

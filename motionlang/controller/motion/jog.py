@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from math import isclose
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move, keeps_rates
 from motionlang.controller.triggers.events import clamped
 from motionlang.planners import Profile, plan_velocity
 from motionlang.planners.curve import relabelled
 from motionlang.planners.ramp_down import admitted, onset
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 Rates = tuple[float | None, float | None]
 

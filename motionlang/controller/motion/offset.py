@@ -7,13 +7,16 @@ offset.
 from __future__ import annotations
 
 from math import sqrt
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.motion.follow import Follow
 from motionlang.controller.move import Move
 from motionlang.planners import Profile, plan
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 # Bits of the status of the last offset (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))

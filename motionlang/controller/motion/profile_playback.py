@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
@@ -23,6 +22,7 @@ from motionlang.planners.reparametrised import Reparametrised
 from motionlang.planners.stop import running
 
 if TYPE_CHECKING:
+    from motionlang.controller.core import Core
     from motionlang.controller.moves.entries import Timed
 
 

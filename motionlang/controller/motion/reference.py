@@ -6,9 +6,10 @@ period of the profiler. All writes until another motion form one entry of the lo
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import FollowMove
@@ -17,6 +18,9 @@ from motionlang.planners import Profile, hold
 from motionlang.planners.curve import relabelled
 from motionlang.planners.ramp_down import admitted
 from motionlang.planners.reference import Slope, plan_reference
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 Slopes = tuple[Slope, Slope]
 

@@ -7,10 +7,10 @@ is at standstill and is to stay there; the cause of the next motion calls `wake`
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.sensor import next_tick
 from motionlang.controller.motion.follow import FollowMove
@@ -19,6 +19,9 @@ from motionlang.log.samples import PERIOD
 from motionlang.planners import Profile
 from motionlang.planners.curve import far_end
 from motionlang.planners.dwell import rest
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 
 class Track(Reference):

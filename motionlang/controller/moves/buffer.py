@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.planners.dwell import rest
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 
 def put(a: Axis, move: Move) -> None:

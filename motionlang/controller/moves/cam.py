@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from math import ulp
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Event
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
@@ -20,6 +20,9 @@ from motionlang.planners import Profile, hold
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dwell import rest
 from motionlang.planners.reparametrised import travelled
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 

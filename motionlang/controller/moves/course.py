@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.moves.buffer import motion_at
 from motionlang.controller.moves.geometry import Segment, corner
@@ -23,6 +22,7 @@ from motionlang.planners.reparametrised import travelled
 from motionlang.planners.total import total
 
 if TYPE_CHECKING:
+    from motionlang.controller.core import Core
     from motionlang.controller.moves.path import PathMove
 
 # How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.

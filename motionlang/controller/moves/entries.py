@@ -7,10 +7,10 @@ wait for the following to end: it begins as soon as it is released and the previ
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.follow import FollowMove, check_chain
 from motionlang.controller.motion.offset import offset
@@ -21,6 +21,9 @@ from motionlang.controller.moves.cam import MIN_CYCLE, Cam
 from motionlang.planners import Profile
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import table_curve
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 Points = tuple[Sequence[float], Sequence[float]]
 

@@ -7,10 +7,10 @@ rates are those of the path, and GO on it releases all entries.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
@@ -19,6 +19,9 @@ from motionlang.controller.moves.path_policy import PathPolicy
 from motionlang.controller.moves.path_run import PathRun
 from motionlang.planners import Profile
 from motionlang.planners.lookahead import Pace
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 
 class PathMove(Action):

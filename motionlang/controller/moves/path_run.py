@@ -51,7 +51,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Event
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Move
 from motionlang.controller.moves.buffer import motions, reach
@@ -66,6 +65,7 @@ if TYPE_CHECKING:
 
     # A course, its new profile, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]
+    from motionlang.controller.core import Core
 
 # The largest share of a path that is blended into the next one. The rest is left for the path before it.
 MAX_SHARE = 0.5

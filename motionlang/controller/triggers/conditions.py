@@ -7,12 +7,16 @@ profile reverses into a condition that is met, an event checks the condition aga
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import BY_WORD, Axis
 from motionlang.controller.clock import Event
-from motionlang.controller.controller import Controller
-from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected, names
 from motionlang.planners.direction import sets_off
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
 
 # The actions of an axis on a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only notifies.
 ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")

@@ -5,8 +5,9 @@ Each is logged when it happens, as an `Event` in user units by the scale of that
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.axis import Axis
-from motionlang.controller.core import Core
 from motionlang.controller.faults import (
     ABORT,
     ERROR_INPUT,
@@ -17,6 +18,9 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_REVERSE,
     names,
 )
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 # The name of a fault of each bit; the others are "fault".
 KINDS = {

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
-from motionlang.controller.controller import Controller
 from motionlang.controller.faults import (
     LIMIT_FORWARD,
     LIMIT_REVERSE,
@@ -24,6 +24,9 @@ from motionlang.controller.move import Move
 from motionlang.controller.triggers.limit import Limit
 from motionlang.controller.triggers.watch import Watch, watched_position
 from motionlang.planners import plan
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
 
 Rates = tuple[float | None, float | None]
 

@@ -6,9 +6,13 @@ axis then takes the limit's `action`. Moving away from an active limit is always
 
 from __future__ import annotations
 
-from motionlang.controller.controller import Controller
+from typing import TYPE_CHECKING
+
 from motionlang.controller.triggers.conditions import Condition
 from motionlang.controller.triggers.watch import Watch
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
 
 
 class Limit(Condition):

@@ -9,11 +9,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from math import floor
+from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
-from motionlang.controller.core import Core
 from motionlang.controller.triggers.watch import Watch, arm, margin
 from motionlang.planners import Profile
+
+if TYPE_CHECKING:
+    from motionlang.controller.core import Core
 
 
 class Cells:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.controller import Controller
 from motionlang.controller.triggers.watch import Watch
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
 
 
 class Region:

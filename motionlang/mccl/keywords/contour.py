@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR, AxisState
@@ -9,8 +11,10 @@ from motionlang.mccl.axis.launch import check_unslaved
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
 from motionlang.mccl.motion.path import Path
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:

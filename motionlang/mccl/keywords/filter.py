@@ -5,12 +5,16 @@ Without a simulated motor the values are stored and reported, and motion is idea
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.keyword import Actions
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import nearest_whole
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def _keep(verb: str) -> Action:

@@ -5,13 +5,17 @@ The settings are stored, and shown in the status words and the variables.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
 
 # MCAPI's output modes: the name of each, and whether a simulated motor has it.
 OUTPUT_MODES: dict[int, tuple[str, bool]] = {

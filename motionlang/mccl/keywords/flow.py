@@ -7,15 +7,18 @@ commands are skipped.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.lang.keyword import Actions
 from motionlang.lang.steps import BACK, BRANCH, DO
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group, accumulator, pure, written
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 Condition = Callable[[float | int, float | int], bool]
 

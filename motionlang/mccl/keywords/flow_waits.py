@@ -6,6 +6,7 @@ Each wait ends at its exact time, without polling.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.steps import BRANCH, TRY, WAIT
@@ -13,10 +14,12 @@ from motionlang.lang.waits import Standstill, Wait, until_idle, wait_until
 from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.motion_phase import at_target_time
 from motionlang.mccl.keywords.row import Group, pure, written
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 BEFORE_NEVER = 1e300
 # Counts within which a position counts as reached: far below one, far above rounding.

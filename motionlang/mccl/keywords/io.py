@@ -5,6 +5,8 @@ Digital levels are logical: a low-true channel is on if its level is low.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.steps import BRANCH
 from motionlang.lang.waits import Wait
@@ -15,10 +17,12 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.flow import skip_unless
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure, written
 from motionlang.mccl.models import models_with
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 
 def is_on(board: Board, channel: int) -> bool:

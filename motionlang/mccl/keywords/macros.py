@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.steps import CALL, DO, ENTER, JUMP, Values
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Abandoned, Fault
 from motionlang.mccl.keywords.row import Group, pure, written
 from motionlang.mccl.models import no_macro_number
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.runtime.writer import LineSteps, LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineSteps, LineWriter
 
 
 @written

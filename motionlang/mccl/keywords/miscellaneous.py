@@ -5,11 +5,15 @@ They set the format of the dialogue, or little but their name is known.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang import __version__
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def decimal(task: CommandTask, command: Command) -> None:

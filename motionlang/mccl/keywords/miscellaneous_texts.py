@@ -7,12 +7,15 @@ is our choice.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 _ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "\\": "\\"}
 _FLAGS = "-+ 0"

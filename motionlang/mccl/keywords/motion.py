@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
@@ -23,9 +23,11 @@ from motionlang.mccl.axis.flags import MOTOR_ERROR
 from motionlang.mccl.axis.launch import aim, check_unslaved, launch
 from motionlang.mccl.codes import Abandoned, Fault
 from motionlang.mccl.keywords.row import Group, written
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 Targets: TypeAlias = list[tuple[AxisState, float]]
 

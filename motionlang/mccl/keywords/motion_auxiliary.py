@@ -7,6 +7,7 @@ and is independent of the axis's zeros. It has index marks if the machine file d
 from __future__ import annotations
 
 from math import floor
+from typing import TYPE_CHECKING
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
@@ -14,9 +15,11 @@ from motionlang.lang.steps import DO, WAIT
 from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.axis import AxisState, nearest_whole
 from motionlang.mccl.keywords.row import Group, written
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 # A mark nearer than this, in counts, is the mark that the encoder is on: the search is for the next one.
 _ON = 1e-6

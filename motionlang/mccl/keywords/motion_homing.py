@@ -6,6 +6,7 @@ FI and FE search at once; IA and EL arm the search, and a later WI or WE waits f
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.lang.steps import DO, TRY, WAIT
 from motionlang.lang.waits import Wait
@@ -13,9 +14,11 @@ from motionlang.mccl.axis.inputs import is_active
 from motionlang.mccl.keywords.flow_waits import passing_flag
 from motionlang.mccl.keywords.row import Group, written
 from motionlang.mccl.motion.edge_search import Seek
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.runtime.writer import LineWriter
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 
 @written

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from math import inf
+from typing import TYPE_CHECKING
 
 from motionlang.mccl import codes
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.motion import Targets, movable, moves
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def learn_position(task: CommandTask, command: Command) -> None:

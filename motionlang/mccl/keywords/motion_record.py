@@ -6,6 +6,7 @@ Nothing is sampled while the machine runs.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
@@ -13,9 +14,11 @@ from motionlang.mccl.axis.axis import AxisState, real
 from motionlang.mccl.axis.status import RECORD_PERIOD
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.task import Action, CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def record(task: CommandTask, command: Command) -> None:

@@ -6,6 +6,7 @@ They hold 32-bit integers that wrap, or real numbers.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions
@@ -13,8 +14,10 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
 
 Operation = Callable[[float | int, float | int], float | int]
 

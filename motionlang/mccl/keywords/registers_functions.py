@@ -7,13 +7,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import limited, too_large
 from motionlang.mccl.keywords.row import Group, accumulator, polls
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 Function = Callable[[float], float | int]
 

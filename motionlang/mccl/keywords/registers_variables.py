@@ -5,6 +5,8 @@ RB RW RL RV RD read the variable at an address; WB WW WL WV WD write it.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.status import word
@@ -13,8 +15,10 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.registers import wrapped
 from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 @accumulator("sets")

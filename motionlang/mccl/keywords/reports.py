@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.lang.keyword import Actions
 from motionlang.mccl.axis.axis import AxisState, real
@@ -10,10 +11,12 @@ from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.axis.motor import torque
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
 
-Reader = Callable[[CommandTask, AxisState], str]
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+Reader = Callable[["CommandTask", AxisState], str]
 
 
 def _each(reader: Reader) -> Action:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mccl.resolve.command import Command
 
 if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
 Action = TypeVar("Action", bound=Callable[..., Any])

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.mccl.axis.backlash import Backlash
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import CommandTask
 
 
 def backlash_distance(task: CommandTask, command: Command) -> None:

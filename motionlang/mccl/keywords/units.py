@@ -5,10 +5,14 @@ The units of an axis take effect when it is next switched on.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.lang.keyword import Actions
 from motionlang.mccl.keywords.row import Group
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import Action, CommandTask
+
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def _unit(field: str) -> Action:

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import floor
+from typing import TYPE_CHECKING
 
 from motionlang.controller.triggers.watch import Watch
 from motionlang.mccl.axis import flags
 from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.inputs import is_active
-from motionlang.mccl.runtime.board import Board
+
+if TYPE_CHECKING:
+    from motionlang.mccl.runtime.board import Board
 
 # A mark nearer than this, in counts, is the mark that the axis is on: the search is for the next one.
 _ON = 1e-6

@@ -16,16 +16,16 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.steps import Steps
 from motionlang.lang.waits import Wait
-from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.runtime.functions import Random
 from motionlang.mint.runtime.task import MintTask, until_free
 from motionlang.mint.runtime.waits import Waits
-from motionlang.mint.steps.places import Places
 
 if TYPE_CHECKING:
+    from motionlang.mint.resolve.symbols import Function
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
     from motionlang.mint.runtime.power_up import PowerUp
+    from motionlang.mint.steps.places import Places
     from motionlang.mint.steps.program import ProgramWriter, Unit
 
 Component = TypeVar("Component")
