@@ -33,8 +33,6 @@ NAMED = {
     "controller/triggers/homing.py": "HOME",
     "notes/figures.py": "DAC",
     "assumptions/keyword_facts.py": "RW",
-    "views/servo.py": "DAC",
-    "views/servo_plot.py": "DAC",
     "lang/machine/nonvolatile.py": "NVLONG",
     # Commands of the editor of a controller's prompt, which are no keywords of a program.
     "client/mint.py": "CON EDIT NEW PROG",
