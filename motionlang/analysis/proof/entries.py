@@ -218,6 +218,7 @@ def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
             found.begun.clear()
         else:
             _check_gap(proof, run, a, found, run.until)
+            _check_waiting(proof, run, a)
         for time in sorted(found.begun - found.instant):
             line = run.expected_motion.of[number][a.index_at(time)].line
             proof.breaks(line, f"axis {number} from {time:.6f} s: it has no entry in the log")
@@ -227,7 +228,6 @@ def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
         if found.last is not None and found.last.ended in FOLLOWED and not run.expected_motion.was_cut:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows the replaced move")
-        _check_waiting(proof, run, a)
         if found.going:
             _check_going(proof, run, a, found.going)
         elif found.last is not None:
@@ -237,7 +237,8 @@ def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
 def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
     """Check that no released move waits at the end of the run without a reason.
 
-    The reasons are another move in progress, and an error that ends the run.
+    The reasons are another move in progress, and an error that ends the run. It is not checked after an
+    interrupt, which may come between the release of a move and its start.
     """
     offsets = run.offsets.get(a.index)
     follows = run.expected_motion.of[a.index][-1].tie is not None

@@ -358,5 +358,6 @@ def test_a_released_move_does_not_wait_at_rest(fields: dict[str, Any], waits: bo
     message = "axis 0: its move is waiting at the end of the run, but nothing is in motion"
     assert violations([FIRST, SECOND], a=a) == [message] * waits
     assert violations([FIRST, SECOND], a=a, refused={0: 9.0}) == []
+    assert violations([FIRST, SECOND], a=a, was_cut=True) == []
     a.move = SECOND
     assert violations([FIRST, SECOND], a=a) == []
