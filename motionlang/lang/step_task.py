@@ -352,8 +352,9 @@ class StepTask(Task):
         """Log a wait that has passed; return the statement after it, and the new horizon."""
         time, clock, scheduler = self.time, self.clock, self.machine.scheduler
         assert scheduler is not None
+        # First: an interrupt meanwhile reads the time from the statement and its base, which change below.
+        scheduler.waited(self.waited(wait, clock.now))
         if clock.now != time.at(t):
             t = time.start(clock.now)
         time.leave(t)
-        scheduler.waited(self.waited(wait, clock.now))
         return t, min(clock.horizon, scheduler.until)
