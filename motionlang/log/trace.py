@@ -37,6 +37,9 @@ MOTOR: dict[str, tuple[str, str]] = {
     "output": ("V", "V"),
     "torque": ("N m", "Nm"),
 }
+# The numbers of decimals that a column can have in a file. A nanosecond is a hundredth of the shortest statement time
+# in use.
+DECIMALS, TIME_DECIMALS = (6, 9, 12), 9
 # Rows of one chunk: a few hundred kilobytes per column, which stay in the cache while they are written out.
 ROWS = 65_536
 MAX_ROWS = 200_000_000
@@ -294,9 +297,12 @@ class Trace:
         self.to_user(axis, quantity, values)
         return values
 
-    def resolution(self, axis: int) -> float:
-        """Return the size of one count of an axis in user units."""
-        return 1.0 / abs(self.controller.axes[axis].scale.counts)
+    def decimals(self, column: Column) -> int:
+        """Return the fewest of `DECIMALS` that show a thousandth of a count; `TIME_DECIMALS` for the time."""
+        if column.axis is None:
+            return TIME_DECIMALS
+        thousandth = 1e-3 / abs(self.controller.axes[column.axis].scale.counts)
+        return next((each for each in DECIMALS if 10.0**-each <= thousandth * (1.0 + 1e-9)), DECIMALS[-1])
 
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
         """Convert values in counts to user units, in place; times are always seconds."""

@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+import codecs
+import csv
 import os
 from collections.abc import Callable
 from typing import IO
@@ -14,15 +16,11 @@ import numpy as np
 
 from motionlang.errors import need
 from motionlang.files import replacing
-from motionlang.log.trace import Column, Trace
-from motionlang.views.csv import Formatter, decimals_for
+from motionlang.log.trace import Trace
 from motionlang.views.mcap import write_mcap
 from motionlang.views.vcd import write_vcd
 
 Report = Callable[[float], object]
-
-# A nanosecond is a hundredth of the shortest statement time in use.
-TIME_DECIMALS = 9
 
 
 def write_trace(
@@ -40,22 +38,18 @@ def write_trace(
 
 
 def _write_csv(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Write a header with names and units, then the values.
-
-    The decimals of a column show at least a thousandth of a count.
-    """
+    """Write a header with names and units, then the values with the decimals of their columns."""
     columns = trace.columns()
-    formatter = Formatter([_decimals(trace, column) for column in columns])
-    file.write((",".join(column.name for column in columns) + "\n").encode("ascii"))
+    # "z" writes a number that rounds to zero without a sign.
+    formats = [f"{{:z.{trace.decimals(column)}f}}".format for column in columns]
+    writer = csv.writer(codecs.getwriter("ascii")(file), lineterminator="\n")
+    writer.writerow(column.name for column in columns)
     total, done = trace.rows(rate), 0
     for chunk in trace.chunks(rate):
-        file.writelines(formatter.lines(chunk.data))
+        cells = [map(shown, values.tolist()) for shown, values in zip(formats, chunk.data, strict=True)]
+        writer.writerows(zip(*cells, strict=True))
         done += len(chunk)
         progress(done / total)
-
-
-def _decimals(trace: Trace, column: Column) -> int:
-    return TIME_DECIMALS if column.axis is None else decimals_for(trace.resolution(column.axis))
 
 
 def _write_npz(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
-import io
 from collections.abc import Iterable, Sequence
 from typing import IO, Any
 
@@ -11,9 +11,6 @@ from motionlang.errors import need
 from motionlang.files import replacing
 
 Cells = Sequence[Any]
-
-# The number of rows processed at a time.
-CHUNK = 10_000
 
 
 def write_rows(path: str, names: Sequence[str], rows: Iterable[Cells]) -> None:
@@ -25,13 +22,10 @@ def write_rows(path: str, names: Sequence[str], rows: Iterable[Cells]) -> None:
         if path.lower().endswith(".parquet"):
             _write_parquet(file, names, list(rows))
         else:
-            text = io.TextIOWrapper(file, "utf-8", newline="", write_through=True)
-            write_csv(text, names, rows)
-            text.flush()
-            text.detach()
+            write_csv(codecs.getwriter("utf-8")(file), names, rows)
 
 
-def write_csv(text: IO[str], names: Sequence[str], rows: Iterable[Cells]) -> None:
+def write_csv(text: IO[str] | codecs.StreamWriter, names: Sequence[str], rows: Iterable[Cells]) -> None:
     """Write a table as CSV to any stream; a missing value is an empty cell."""
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(names)

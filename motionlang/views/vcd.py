@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 from motionlang import __version__
 from motionlang.log.records import Event
 from motionlang.log.trace import Column, Trace
-from motionlang.views.csv import decimals_for
 from motionlang.views.lanes import Lane, lanes
 
 Report = Callable[[float], object]
@@ -108,7 +107,7 @@ def _movements(
     A value at standstill is repeated in the row before it changes. Viewers draw straight lines between the
     values of a real, and would otherwise draw a slope over the whole standstill.
     """
-    decimals = [decimals_for(trace.resolution(column.axis)) for column in columns if column.axis is not None]
+    decimals = [trace.decimals(column) for column in columns]
     before, time_before = np.full(len(columns), np.nan), 0
     written = np.ones(len(columns), dtype=bool)
     total, done = trace.rows(rate), 0

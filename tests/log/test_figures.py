@@ -157,8 +157,14 @@ def test_values_at_any_times() -> None:
     found = trace.at(0, "position", np.array([0.5, 0.0, 2.0, 0.1]))
     assert found.tolist() == pytest.approx([100.0, 0.0, 200.0, 6.25])
     assert trace.at(0, "velocity", np.array([0.05])).tolist() == pytest.approx([62.5])
-    assert trace.resolution(0) == pytest.approx(1.0 / 1200.0)
-    assert trace.resolution(1) == 1.0
+
+
+@pytest.mark.parametrize(("counts", "decimals"), [(1.0, 6), (1200.0, 9), (-1e6, 9), (1e9, 12), (1e15, 12)])
+def test_a_thousandth_of_a_count_is_shown(counts: float, decimals: int) -> None:
+    controller = Controller(1)
+    controller.set_scale(0, counts)
+    trace = Trace(controller)
+    assert [trace.decimals(column) for column in trace.columns()] == [9, decimals, decimals, decimals]
 
 
 @pytest.mark.parametrize(

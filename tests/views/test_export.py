@@ -26,6 +26,17 @@ def test_csv_has_names_with_units_and_a_row_a_sample(tmp_path: Path) -> None:
     assert rows[-1] == "1.000050000,200.000000000,0.000000000,0.000000000"
 
 
+def test_csv_writes_any_number_and_no_negative_zero(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    trace = ballscrew().trace
+    trace.choose(["position"])
+    data = (np.arange(5) / 8, np.array([-0.0, -4e-10, -6e-10, 1e300, np.nan]))
+    chunk = trace_module.Samples(trace.columns(), data)
+    monkeypatch.setattr(trace_module.Trace, "chunks", lambda self, rate: [chunk])
+    write_trace(trace, str(tmp_path / "x.csv"))
+    shown = [row.split(",")[1] for row in (tmp_path / "x.csv").read_text().splitlines()[1:]]
+    assert shown == ["0.000000000", "0.000000000", "-0.000000001", f"{1e300:.9f}", "nan"]
+
+
 @pytest.mark.parametrize("rate", [100.0, 1000.0, 777.7])
 def test_both_formats_hold_the_samples(tmp_path: Path, rate: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trace_module, "ROWS", 193)
