@@ -301,6 +301,7 @@ LIBRARIES = {
     "polars": ("polars", "polars"),
     "pandas": ("pandas", "pandas"),
     "mcap": ("mcap", "mcap"),
+    "vcd": ("vcd", "pyvcd"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),
     "msgpack": ("can", "msgpack"),

@@ -43,6 +43,7 @@ run move.mnt --trace move.csv --rate 100
 run move.mnt --trace move.npz
 run move.mnt --trace move.parquet [parquet]
 run move.mnt --trace move.mcap [mcap]
+run move.mnt --trace move.vcd [vcd]
 run move.mnt --plot move.html
 run move.mnt --plot move.svg [plot]
 check move.mnt

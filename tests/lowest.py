@@ -38,7 +38,7 @@ from tests.installed import (
 )
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
-TEST_TOOLS = ("hypothesis", "pytest", "jsonschema", "pyvcd", "packaging")
+TEST_TOOLS = ("hypothesis", "pytest", "jsonschema", "packaging")
 WHEELS = ("--quiet", "--only-binary", ":all:")
 # The tests that use the libraries, and the extras whose files and pictures they read.
 FOLDERS = (
@@ -48,7 +48,7 @@ FOLDERS = (
     "tests/log",
     "tests/generated/test_results.py",
 )
-TESTED_EXTRAS = ("can", "plot", "parquet", "polars", "pandas", "completion")
+TESTED_EXTRAS = ("can", "plot", "parquet", "polars", "pandas", "vcd", "completion")
 VERSION = "import platform; print(platform.python_version())"
 
 

@@ -164,6 +164,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "polars": ("library",),
     "pandas": ("library",),
     "mcap": ("views",),
+    "vcd": ("views",),
     "can": ("copley",),
     "canopen": ("copley",),
     "pygments": ("views",),

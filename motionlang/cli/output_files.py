@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.servo.trace import ServoTrace
 
 # The optional library that writes a format.
-_WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap"}
+_WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap", ".vcd": "vcd"}
 
 
 def wrong_target(option: str, path: str) -> str | None:

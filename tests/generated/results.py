@@ -47,6 +47,7 @@ from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 from tests.commits import unpacked
+from tests.dumps import read
 from tests.generated import handlers, sessions, tasks
 from tests.generated.command_lines import command_line
 from tests.generated.damage import damaged
@@ -270,6 +271,20 @@ def _written(program: Generated, path: str, *options: str) -> str:
     return printed + (written.read_text(encoding="utf-8") if written.exists() else "no file\n")
 
 
+def _changes(program: Generated) -> str:
+    """Return the output of a run and what a wave viewer shows of its value change dump."""
+    printed = _run(program, "-q", "--trace", "a.vcd")
+    if not Path("a.vcd").exists():
+        return printed + "no file\n"
+    variables, end = read(Path("a.vcd"))
+    lines = [
+        f"{name} {kind} {time} {value}\n"
+        for name, (kind, times, values) in sorted(variables.items())
+        for time, value in zip(times, values, strict=True)
+    ]
+    return printed + "".join(lines) + f"end {end}\n"
+
+
 # Options of `check`.
 _CHECKS = (
     (), ("--evidence",), ("--literals",), ("--format", "sarif"), (), ("--format", "junit"), ("--literals",),
@@ -450,7 +465,7 @@ _KINDS: dict[str, Callable[[Generated], str]] = {
     "diff": _diff,
     "picture": lambda program: _written(program, "a.html", "--plot", "a.html"),
     "profile": _profile,
-    "changes": lambda program: _written(program, "a.vcd", "--trace", "a.vcd"),
+    "changes": _changes,
     "tree": lambda program: said("run", program.name, "--show-tree"),
     "sweep": _sweep,
     "compare": _compare,
