@@ -298,8 +298,6 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
-    "polars": ("polars", "polars"),
-    "pandas": ("pandas", "pandas"),
     "mcap": ("mcap", "mcap"),
     "vcd": ("vcd", "pyvcd"),
     "can": ("can", "python-can"),
@@ -326,7 +324,7 @@ def as_hint(description: str) -> str:
 
 
 class MissingExtra(ImportError):
-    """`user`, a feature or an option, needs libraries of an extra that are missing.
+    """`user`, a feature or an option, needs libraries that are missing, mostly those of an extra.
 
     `message` names them and `hint` is the command that installs them. It uses double quotes, which every shell accepts.
     """
@@ -335,17 +333,17 @@ class MissingExtra(ImportError):
         names = " and ".join(LIBRARIES.get(library, ("", library))[1] for library in libraries)
         self.message = f"{user} needs {names}"
         self.is_required = libraries[0] in REQUIRED
-        if self.is_required:
-            self.hint = f"python -m pip install {names}"
-        else:
+        if libraries[0] in LIBRARIES:
             self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
+        else:
+            self.hint = f"python -m pip install {names}"
         # An option can be omitted; without a feature the command is useless.
         self.is_option = user.startswith("--")
         super().__init__(f"{self.message}: {self.hint}")
 
 
 def need(user: str, *libraries: str) -> None:
-    """Raise MissingExtra if any of the `libraries`, all from one extra, is missing."""
+    """Raise MissingExtra if any of the `libraries`, all from one extra or from none, is missing."""
     missing = [library for library in libraries if not _is_installed(library)]
     if missing:
         raise MissingExtra(user, missing)

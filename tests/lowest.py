@@ -48,7 +48,7 @@ FOLDERS = (
     "tests/log",
     "tests/generated/test_results.py",
 )
-TESTED_EXTRAS = ("can", "plot", "parquet", "polars", "pandas", "vcd", "completion")
+TESTED_EXTRAS = ("can", "plot", "parquet", "vcd", "completion")
 VERSION = "import platform; print(platform.python_version())"
 
 

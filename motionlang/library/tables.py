@@ -1,11 +1,13 @@
 """Rows as a polars or pandas table.
 
-Both libraries are imported on use and need not be installed.
+Both libraries are the user's: they are imported on use, and no extra installs them.
 """
 
 from __future__ import annotations
 
 from typing import Any
+
+from motionlang.errors import need
 
 
 class Table:
@@ -19,8 +21,6 @@ class Table:
 
     def to_polars(self) -> Any:
         """Return a `polars.DataFrame`; MissingExtra, an ImportError, if polars is missing."""
-        from motionlang.errors import need
-
         need("to_polars", "polars")
         import polars
 
@@ -28,8 +28,6 @@ class Table:
 
     def to_pandas(self) -> Any:
         """Return a `pandas.DataFrame`; MissingExtra, an ImportError, if pandas is missing."""
-        from motionlang.errors import need
-
         need("to_pandas", "pandas")
         import pandas
 
