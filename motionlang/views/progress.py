@@ -5,8 +5,8 @@ Nothing is imported or written before the work has taken a while, or if the stre
 
 from __future__ import annotations
 
-import _thread
 import os
+import threading
 from collections.abc import Callable
 from math import inf
 from time import monotonic
@@ -81,20 +81,18 @@ class Watcher:
         # True if the cursor is behind unfinished text, such as a question and its answer: the line would
         # erase it.
         self._begun = False
-        # `_line` is locked by the thread that writes. `_stop` is released to end the thread, `_ended` when it
-        # has ended.
-        self._line, self._stop, self._ended = (_thread.allocate_lock() for _ in range(3))
+        self._line = threading.Lock()  # held by the thread that writes
+        self._stopped = threading.Event()
+        self._thread = threading.Thread(target=self._watch, name="progress", daemon=True)
 
     def start(self) -> None:
         """Start the thread; `stop` must follow."""
-        self._stop.acquire()
-        self._ended.acquire()
-        _thread.start_new_thread(self._watch, ())
+        self._thread.start()
 
     def stop(self) -> None:
         """Remove the line and end the thread."""
-        self._stop.release()
-        self._ended.acquire()
+        self._stopped.set()
+        self._thread.join()
 
     def above(self, write: Callable[[str], object], text: str) -> None:
         """Remove the progress line and let `write` write `text` in its position."""
@@ -115,17 +113,15 @@ class Watcher:
 
     def _watch(self) -> None:
         try:
-            if self._stop.acquire(timeout=RUN_PATIENCE):
-                return
-            self.show()
-            while not self._stop.acquire(timeout=RUN_PERIOD):
+            period = RUN_PATIENCE
+            while not self._stopped.wait(period):
                 self.show()
+                period = RUN_PERIOD
         except OSError:
             pass  # the terminal has gone, and its user with it
         finally:
             with self._line:
                 self._erase()
-            self._ended.release()
 
     def _erase(self) -> None:
         if self._live is not None:

@@ -171,20 +171,18 @@ def test_the_line_of_a_run_appears_after_half_a_second_and_changes_five_times_a_
     """The thread waits for its end, and writes after each wait; the third is the last."""
     waits: list[float] = []
 
-    class Stop:
-        def acquire(self, timeout: float) -> bool:
+    class Stopped:
+        def wait(self, timeout: float) -> bool:
             waits.append(timeout)
             return len(waits) == 3
 
     terminal = Terminal()
     watcher: Any = Watcher(terminal, lambda: f"line {len(waits)}")
-    watcher._stop = Stop()
-    watcher._ended.acquire()
+    watcher._stopped = Stopped()
     watcher._watch()
     assert waits == [0.5, 0.2, 0.2]
     assert terminal.words()[0] == "line 1"
     assert terminal.words()[-1] == "line 2"
-    assert not watcher._ended.locked()
 
 
 @pytest.mark.parametrize("kind", ["bar", "line"])
