@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
     from motionlang.lang.machine.machine import Machine
-    from motionlang.library import certify, check, compare, diff, profile, prove, run
+    from motionlang.library.functions import certify, check, compare, diff, profile, prove, run
     from motionlang.library.moves import Move, Moves
     from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
@@ -60,15 +60,15 @@ _HOMES = {
     "Run": "result",
     "Source": "source",
     "Trace": "log.trace",
-    "certify": "library",
-    "check": "library",
-    "compare": "library",
-    "diff": "library",
+    "certify": "library.functions",
+    "check": "library.functions",
+    "compare": "library.functions",
+    "diff": "library.functions",
     "parse": "lang.dialect",
     "plan": "analysis.planning",
-    "profile": "library",
-    "prove": "library",
-    "run": "library",
+    "profile": "library.functions",
+    "prove": "library.functions",
+    "run": "library.functions",
     "sweep": "analysis.sweeps",
 }
 

@@ -1,4 +1,4 @@
-"""The architecture rules that a machine can check: layers, and heavy libraries."""
+"""The architecture rules that a machine can check, in addition to the layers in `pyproject.toml`."""
 
 from __future__ import annotations
 
@@ -20,140 +20,6 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
 PAGE = (ROOT / "docs" / "contributing" / "architecture.md").read_text(encoding="utf-8")
 
-# From the top down; a package may import packages of lower levels, and itself.
-LEVELS: dict[str, int] = {
-    "__main__": 17,
-    "cli": 16,
-    "repl": 15,
-    "client": 14,
-    "mcapi": 14,
-    "serve": 13,
-    "lsp": 13,
-    "dap": 13,
-    "views": 12,
-    "analysis.guesses": 12,
-    "library": 12,
-    "tables": 12,
-    "analysis.diff": 11,
-    "debug": 11,
-    "editor": 11,
-    "analysis.sweeps": 11,
-    "analysis.scenarios": 11,
-    "execution": 10,
-    "analysis.quantities": 10,
-    "analysis.cycle": 9,
-    "analysis.compare": 8,
-    "report": 7,
-    "library.moves": 7,
-    "result": 7,
-    "assumptions": 6,
-    "mint": 5,
-    "mccl": 5,
-    "copley": 5,
-    "analysis.certificate": 4,
-    "analysis.proof": 4,
-    "lang": 4,
-    "notes": 4,
-    "controller": 3,
-    "log": 3,
-    "servo": 2,
-    "planners": 1,
-    "cache": 1,
-    "analysis.cores": 1,
-    "analysis.workers": 1,
-    "analysis.planning": 2,
-    "files": 0,
-    "library.report_types": 0,
-    "library.tables": 1,
-    "errors": 0,
-    "source": 0,
-    "record": 0,
-    "": 0,
-    "_wheel": 0,
-}
-# Packages of one level that import each other. `Run.report` is built on request; the controller writes the
-# log, whose readers need its axes.
-PEERS: tuple[set[str], ...] = (
-    {"report", "result"},
-    {"library.moves", "result"},
-    {"library.report_types", "result"},
-    {"controller", "log"},
-)
-# The layers inside a package, from the bottom up: a module may import those below it. Two names on one layer
-# do not import each other. The lookup of a keyword ("vocabulary") is at the bottom, its file higher up.
-FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
-    "lang": (
-        ("collector", "syntax"),
-        (
-            "debugging",
-            "keyword",
-            "gains",
-            "highlight",
-            "program",
-            "task",
-            "statement_time",
-            "lint",
-            "names",
-            "nesting",
-            "run_errors",
-            "dialect",
-            "typography",
-            "typed_line",
-        ),
-        (
-            "dependencies",
-            "loop_dependencies",
-            "ends",
-            "foreign",
-            "literals",
-            "machine",
-            "vocabulary",
-            "waits",
-        ),
-        ("scheduler",),
-        ("steps",),
-        ("step_list", "variable_uses"),
-        ("loop_log",),
-        ("loops",),
-        ("step_task",),
-    ),
-    "controller": (
-        ("clock", "scale", "faults", "move", "watches", "listeners"),
-        ("joined",),
-        ("axis",),
-        ("triggers",),
-        ("feedback",),
-        ("io",),
-        ("motion",),
-        ("moves", "readings"),
-        ("core",),
-        ("axis_verbs",),
-        ("readers",),
-        ("controller", "verbs"),
-    ),
-    "mint": (
-        ("models", "evidence", "vocabulary"),
-        ("syntax",),
-        ("runtime",),
-        ("keywords",),
-        ("resolve",),
-        ("check",),
-        ("steps",),
-        ("program",),
-        ("interactive", "lint"),
-        ("hosts",),
-    ),
-    "mccl": (
-        ("codes", "evidence", "vocabulary"),
-        ("models", "syntax"),
-        ("axis",),
-        ("motion",),
-        ("keywords",),
-        ("resolve",),
-        ("runtime",),
-        ("hosts", "lint"),
-    ),
-}
 # A library, and the only modules that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
     "lark": ("lang/syntax", "mccl/syntax", "mint/syntax"),
@@ -199,70 +65,6 @@ def imports(path: Path) -> set[str]:
             if node.module == "motionlang":
                 found.update(f"motionlang.{alias.name}" for alias in node.names)
     return found
-
-
-def at_run_time(path: Path) -> set[str]:
-    """Return every module of the package that a file imports at run time.
-
-    Imports under TYPE_CHECKING do not count.
-    """
-    found: set[str] = set()
-
-    def visit(node: ast.AST) -> None:
-        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
-            return
-        if isinstance(node, ast.Import):
-            found.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            found.update(f"{node.module}.{alias.name}" for alias in node.names)
-        for child in ast.iter_child_nodes(node):
-            visit(child)
-
-    visit(tree_of(path))
-    return {name for name in found if name.startswith("motionlang.")}
-
-
-# The lookup of a keyword's file, and facts about keywords for lower stages.
-VOCABULARY = frozenset(("index", "event_kinds", "switchable"))
-
-
-def inner(package: str, components: list[str]) -> str:
-    """Return the name of a module in `FLOORS`, from its path below the package."""
-    if components[0] != "keywords":
-        return components[0]
-    return "vocabulary" if len(components) == 1 or components[1] in VOCABULARY else "keywords"
-
-
-def layer(module: str) -> str:
-    """Return the name of a module in `LEVELS`, or the first name below `motionlang`."""
-    first, _, rest = module.partition(".")[2].partition(".")
-    second = f"{first}.{rest.partition('.')[0]}"
-    return second if second in LEVELS else first
-
-
-def own_layer(path: Path) -> str:
-    relative = path.relative_to(PACKAGE).with_suffix("")
-    return (
-        layer("motionlang." + ".".join(relative.parts))
-        if relative.name != "__init__" or len(relative.parts) > 1
-        else ""
-    )
-
-
-@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
-def test_imports_point_down(path: Path) -> None:
-    here = own_layer(path)
-    if here == "":
-        return  # the package itself opens `run` lazily
-    for module in sorted(imports(path)):
-        if module.split(".")[0] != "motionlang" or module in ("motionlang", "motionlang.__version__"):
-            continue
-        there = layer(module)
-        if there not in LEVELS:
-            continue  # a name, not a module: `from motionlang import __version__`
-        assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in PEERS, (
-            f"{here} imports {module}, which lies above it or beside it"
-        )
 
 
 # How many fields each of the classes that a newcomer reads first may have, with its bases and the objects that
@@ -402,56 +204,16 @@ def test_what_reaches_into_the_controller_is_seen() -> None:
     )
 
 
-def module_components(name: str) -> list[str]:
-    """Return the components of a module's name below its package.
-
-    For a name inside a module, these are the components of the module.
-    """
-    components = name.split(".")[1:]
-    while len(components) > 1 and not (
-        (there := PACKAGE.joinpath(*components)).is_dir() or there.with_suffix(".py").exists()
-    ):
-        components.pop()
-    return components[1:]
-
-
-@cases("package", FLOORS)
-def test_floors_inside_a_package(package: str) -> None:
-    level = {name: height for height, names in enumerate(FLOORS[package]) for name in names}
-    for path in sorted((PACKAGE / package).rglob("*.py")):
-        own = list(path.relative_to(PACKAGE / package).with_suffix("").parts)
-        if own == ["__init__"]:
-            continue  # the interface of the package
-        here = inner(package, own)
-        for name in sorted(at_run_time(path)):
-            below = module_components(name)
-            if name.split(".")[1] != package or not below:
-                continue
-            there = inner(package, below)
-            assert here == there or level[there] < level[here], f"{'/'.join(own)} imports {name}"
-
-
-def test_the_package_has_31_entries_and_each_has_a_level() -> None:
+def test_the_package_has_31_entries() -> None:
     entries = {
         path.stem
         for path in PACKAGE.iterdir()
         if path.suffix == ".py" or (path.is_dir() and any(path.glob("*.py")))
     } - {"__init__", "__main__", "_wheel"}
     assert len(entries) == 31
-    assert entries == {name.partition(".")[0] for name in LEVELS} - {"", "__main__", "_wheel"}
 
 
-def test_what_is_named_here_exists() -> None:
-    for name in LEVELS:
-        path = PACKAGE / name.replace(".", "/")
-        assert not name or path.is_dir() or path.with_suffix(".py").exists(), name
-    for package, floors in FLOORS.items():
-        for name in (each for floor in floors for each in floor if each != "vocabulary"):
-            assert (PACKAGE / package / name).is_dir() or (PACKAGE / package / f"{name}.py").exists(), name
-        known = {"__init__", *(name for floor in floors for name in floor)}
-        for path in (PACKAGE / package).iterdir():
-            # A folder that has moved leaves its bytecode in an older checkout.
-            assert path.stem in known or (path.is_dir() and not any(path.rglob("*.py"))), path
+def test_the_homes_of_libraries_exist() -> None:
     for home in (each for homes in HOMES.values() for each in homes):
         assert (PACKAGE / home).exists(), home
 
