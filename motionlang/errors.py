@@ -337,8 +337,6 @@ class MissingExtra(ImportError):
             self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
         else:
             self.hint = f"python -m pip install {names}"
-        # An option can be omitted; without a feature the command is useless.
-        self.is_option = user.startswith("--")
         super().__init__(f"{self.message}: {self.hint}")
 
 

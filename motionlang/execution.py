@@ -126,8 +126,10 @@ def run(
     if compiled is None:
         compiled = _compile(source, language, settings, result)
     result.program = compiled
-    if log_size is not None:
-        result.machine.log.store.disk = int(log_size * 1e9)
+    gigabytes = settings.get("run.log") if log_size is None else log_size
+    if gigabytes is not None:
+        assert isinstance(gigabytes, (int, float))
+        result.machine.log.store.disk = int(gigabytes * 1e9)
     if nv is not None and compiled is not None and not open_nonvolatile(result, nv):
         compiled = None
     if compiled is not None:
@@ -260,7 +262,7 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     found = dialect_of(source.name)
     if found is None:
         raise ValueError(
-            f"{source.name}: unknown file extension; choose the language with --dialect mint or mccl"
+            f"{source.name}: unknown file extension; choose the language with --lang mint or mccl"
         )
     return found
 

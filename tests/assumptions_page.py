@@ -17,7 +17,7 @@ HEAD = """\
 # Assumptions
 
 [What is confirmed](../fidelity.md) is the short version of this page. Nothing here has been checked on a real
-controller. `motionlang keywords KEYWORD` shows what is known about a keyword and from which source. This page lists the
+controller. `motionlang help KEYWORD` shows what is known about a keyword and from which source. This page lists the
 rest: each assumption that was made where the sources are silent, with the reason why a user of the real controller
 would expect it. `python -m tests.derived` writes it from the evidence files.
 

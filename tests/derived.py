@@ -24,7 +24,7 @@ GROUPS = (
         "tests.sources.page",
         "tests.report_types",
         "tests.mcapi_files",
-        "tests.cli_page",
+        "tests.command_pages",
         "tests.diagnostics_page",
         "tests.vscode_grammars",
         "tests.stages_page",

@@ -13,7 +13,7 @@ PAGE = Path(__file__).parents[1] / "docs" / "diagnostics.md"
 HEAD = """\
 # Diagnostics
 
-Each error and warning has a code in brackets, such as `error[never]`. `motionlang explain never` prints what is here.
+Each error and warning has a code in brackets, such as `error[never]`. `motionlang help never` prints what is here.
 The [warnings of `check`](lint.md) have more explanation on their own page.
 """
 

@@ -71,7 +71,7 @@ def _index(simulated: dict[str, list[Keyword]], known: list[Keyword], dialect: s
         f"# {dialect_name(dialect)} keywords",
         "",
         f"{len(every)} keywords are simulated; {len(known)} more are recognised but not simulated. Generated from",
-        "the keyword table by `python -m tests.derived`; `motionlang keywords KEYWORD` shows the same.",
+        "the keyword table by `python -m tests.derived`; `motionlang help KEYWORD` shows the same.",
         "",
         "| group | keywords |",
         "|---|---|",

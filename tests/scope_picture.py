@@ -65,12 +65,9 @@ def main() -> int:
             sys.executable,
             "-m",
             "motionlang",
-            "run",
+            "plot",
             PROGRAM.name,
-            "--plot",
             str(page),
-            "--format",
-            "none",
         ]
         subprocess.run(
             command,

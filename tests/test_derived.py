@@ -98,7 +98,7 @@ def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown
 def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
     pages = (copy / "docs/keywords" / ("mccl" if word == "HY" else "mint")).glob("*.md")
     assert len([page for page in pages if f"## {word}\n" in page.read_text(encoding="utf-8")]) == 1
-    assert "known from  made up (from memory" in python(copy, "-m", "motionlang", "keywords", word)
+    assert "known from  made up (from memory" in python(copy, "-m", "motionlang", "help", word)
 
 
 def test_the_linter_knows_it_by_its_row(copy: Path) -> None:

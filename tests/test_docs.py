@@ -34,6 +34,7 @@ ROOT = Path(__file__).parent.parent
 PAGES = [
     ROOT / "README.md",
     *sorted((ROOT / "docs").glob("*.md")),
+    *sorted((ROOT / "docs" / "commands").glob("*.md")),
     *sorted((ROOT / "docs" / "contributing").glob("*.md")),
 ]
 # The pages whose text names commands in passing.

@@ -38,7 +38,7 @@ def works(install: Install, *flags: str, part: slice = slice(None), **changes: s
     for command, (status, _, err) in install(uses, *flags, **changes).items():
         assert (status, "error" in err) == (0, False), (command, err)
     given, made = {"move.mnt", "recorded.csv"}, {each.name for each in install.folder.iterdir()}
-    assert given <= made <= given | {"move.golden.json", "rows.csv"}
+    assert given <= made <= given | {"move.golden.json", "move.csv", "move.html", "rows.csv"}
 
 
 def test_every_command_with_warnings_as_errors(install: Install) -> None:

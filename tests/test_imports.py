@@ -34,9 +34,7 @@ LAZY = {
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
     "mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
-    "cli/__init__.py": "commands complaints crash options run welcome",
-    "cli/input_files.py": "complaints",
-    "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_tree",
+    "cli/run.py": "keyboard",
     # Those that need one another.
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.

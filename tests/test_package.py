@@ -83,15 +83,15 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
 def test_the_description_links_to_nothing_that_an_index_lacks(built: tuple[Path, Path]) -> None:
     with zipfile.ZipFile(built[1]) as wheel:
         metadata = wheel.read(next(n for n in wheel.namelist() if n.endswith("/METADATA"))).decode()
-    assert "the command line (`docs/cli.md`)" in metadata
+    assert "the command line (`docs/commands/README.md`)" in metadata
     assert "](docs" not in metadata
 
 
 @pytest.mark.parametrize(
     ("text", "shown"),
     [
-        ("[docs/cli.md](docs/cli.md)", "`docs/cli.md`"),
-        ("[a page](docs/cli.md#run)", "a page (`docs/cli.md`)"),
+        ("[docs/commands/README.md](docs/commands/README.md)", "`docs/commands/README.md`"),
+        ("[a page](docs/commands/run.md#errors)", "a page (`docs/commands/run.md`)"),
         ("![a move](docs/move.png)\n\nA move", "A move"),
         ("[there](https://example.org/a)", "[there](https://example.org/a)"),
     ],

@@ -27,6 +27,8 @@ NAMED = {
     # The output of PLAN, and commands that the client sends to a board.
     "analysis/planning.py": "DS MR PT SA SV US",
     "cli/plan.py": "US",
+    # A placeholder of the help.
+    "cli/completion.py": "OUT",
     "client/answer.py": "VE",
     "client/client.py": "TP TS WS WT",
     # Texts that only look like keywords: a state, an axis of a chart, an access.
@@ -62,9 +64,11 @@ def named() -> dict[str, set[str]]:
         apart = {
             each.value for each in nodes_of(path) if isinstance(each, ast.keyword) and each.arg == "metavar"
         } | {
-            each.args[1]
+            each.args[0]
             for each in nodes_of(path)
-            if isinstance(each, ast.Call) and isinstance(each.func, ast.Name) and each.func.id == "option"
+            if isinstance(each, ast.Call)
+            and isinstance(each.func, ast.Name)
+            and each.func.id in ("option", "argument")
         }
         for node in nodes_of(path):
             text = node.value if isinstance(node, ast.Constant) and node not in apart else None

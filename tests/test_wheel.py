@@ -58,13 +58,12 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
 
 # Uses that need numpy among those that need no extra, and some more: by the option or command in the message.
 WITHOUT_NUMPY = {
-    "run move.mnt --format json --prove": "--prove",
-    "run move.mnt --certify": "--certify",
-    "run move.mnt --paths": "--paths",
-    "run move.mnt --trace move.csv --rate 100": "--trace",
-    "run move.mnt --trace move.npz": "--trace",
-    "run move.mnt --plot move.png": "--plot",
-    "sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --prove": "--prove",
+    "prove move.mnt --format json": "motionlang prove",
+    "certify move.mnt": "motionlang certify",
+    "profile move.mnt --paths": "motionlang profile --paths",
+    "trace move.mnt move.csv --rate 100": "motionlang trace",
+    "trace move.mnt move.npz": "motionlang trace",
+    "sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --prove": "motionlang sweep --prove",
     "run motor.mnt": "this run",
     "pvt export --positions 0,10,20 --time 10 --format pdo": "motionlang pvt",
     "servo step": "motionlang servo",

@@ -1,7 +1,7 @@
 """The evidence of each fact of a keyword: meaning, short form, brackets, unit, …
 
 The facts themselves are only in the keyword's row. Their evidence is in the `facts.txt` of the dialect, for each fact
-of each keyword. It is read by `keywords`, the documents and `check --evidence`, and never in a run.
+of each keyword. It is read by `help`, the documents and `check --evidence`, and never in a run.
 """
 
 from __future__ import annotations

@@ -2,294 +2,235 @@
 
 from __future__ import annotations
 
-import argparse
+import json
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
+from typing import ClassVar
 
-from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.dialect_option import add_dialect
-from motionlang.cli.findings_options import add_form
+from motionlang.assumptions.entries import assumptions
+from motionlang.assumptions.used import depended_on
+from motionlang.cli.command import Refused, WrongOption, argument, flag, option
+from motionlang.cli.complaints import complain, no_dialect, unwritten
 from motionlang.cli.fix import Fixed, fix
-from motionlang.cli.input_files import read_source
-from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
-from motionlang.cli.program_files import programs
+from motionlang.cli.parallel import in_parallel
+from motionlang.cli.program_files import PATHS, programs
+from motionlang.cli.shared import Findings, Jobs, OnMachine, read
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import language_of, machine_of
-from motionlang.lang.dialect import dialect, unknown_model
+from motionlang.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.lang.foreign import one_sentence
+from motionlang.lang.literals import literals
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.mccl.models import MODELS
-from motionlang.record import record
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
+from motionlang.views.assumptions import as_dict, listing
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
+from motionlang.views.steps import render_steps, steps_as_dicts
 from motionlang.views.terminal import printable, styled, wants_colour, width_of
+from motionlang.views.tree import render_tree
 
 SCHEMA = "motionlang.check/3"
-GROUPS = {
-    "program": "dialect machine model",
-    "checks": "strict fix evidence literals steps",
-    "report": "format quiet output jobs",
-}
-EPILOG = """\
-Warnings point out code that compiles but is probably a mistake: a move that no GO starts, a wait that nothing can
-end. docs/lint.md explains each warning. A comment with `lint: ignore CODE` silences a warning on its line.
 
-exit status: 0 no errors; 1 a file has an error (with --strict, or a warning); 2 the command line is invalid
+
+@dataclass
+class Checked:
+    """What is known of a file.
+
+    `language` is "" if it is unknown. `source` is the file that the diagnostics are about: the program or its machine
+    file. `settings` is None if the program could not be checked.
+    """
+
+    language: str
+    source: Source | None = None
+    settings: dict[str, object] | None = None
+    diagnostics: Sequence[Diagnostic] = ()
+    fixed: Sequence[Fixed] = ()
+
+
+@dataclass
+class Check(Findings, Jobs, OnMachine):
+    """Find the errors and warnings of programs without running them."""
+
+    title: ClassVar[str] = "checks"
+    epilog: ClassVar[str] = """\
+Warnings point out code that compiles but is probably a mistake: a move that
+no GO starts, a wait that nothing can end. docs/lint.md explains each warning.
+A comment with `lint: ignore CODE` silences a warning on its line.
+
+exit status: 0 no errors; 1 a file has an error (with --strict, or a warning);
+2 the command line is invalid
 
 examples:
-  motionlang check pick.mnt --machine cell.toml      find moves beyond the travel of the machine
-  motionlang check old.prg --model mintmt            find what MintMT does not accept
+  motionlang check pick.mnt --machine cell.toml
+  motionlang check old.prg --model mintmt
 """
-
-
-@record
-class CheckOptions:
-    """The options of a check.
-
-    `strict` counts warnings as errors, `evidence` lists open assumptions. `literals` lists the numbers of each
-    program by address, `steps` its steps. `fix` writes unambiguous fixes. `quiet` prints the diagnostics only. `form`
-    is one of `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
-    """
-
-    dialect: str | None = None
-    form: str = "text"
-    jobs: int = 0
-    machine: str | None = None
-    model: str | None = None
-    strict: bool = False
-    evidence: bool = False
-    fix: bool = False
-    literals: bool = False
-    steps: bool = False
-    quiet: bool = False
-
-
-_OPTIONS = (
-    option("files", "FILE", "programs, or folders of programs; default: this folder; - reads standard input",
-           nargs="*", default=["."]),
-    option("--machine", "M.toml", "the machine file; default: pick.machine.toml next to pick.mnt, if it exists"),
-    option("--model", "MODEL", "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL "
-           f"one of {', '.join(MODELS)}"),
-    flag("--strict", "treat warnings as errors"),
-    flag("--evidence", "list the unconfirmed assumptions that each program depends on, and the evidence for each"),
-    flag("--literals", "list the numbers of each program by the addresses that --set and --vary take, such as "
-         "SPEED[0]@12"),
-    flag("--steps", "print the steps that a run takes beside the lines of each program that has no error"),
-    flag("--fix", "fix what has only one possible fix, in the files, then report the rest"),
-)  # fmt: skip
-
-
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang check` and its options."""
-    parser = add_command(commands, "check", summary, _check_files, EPILOG)
-    add_dialect(parser)
-    add_all(parser, _OPTIONS)
-    add_form(parser, "print the diagnostics only")
-    add_jobs(parser)
-    arrange(parser, GROUPS)
-
-
-def _check_files(arguments: argparse.Namespace) -> int:
-    options = CheckOptions(
-        arguments.dialect,
-        form=arguments.format,
-        jobs=arguments.jobs,
-        machine=arguments.machine,
-        model=arguments.model,
-        strict=arguments.strict,
-        evidence=arguments.evidence,
-        literals=arguments.literals,
-        steps=arguments.steps,
-        fix=arguments.fix,
-        quiet=arguments.quiet,
+    files: list[str] = argument("FILE", f"{PATHS}; - reads standard input", many=True, default=["."])
+    model: str | None = option(
+        "MODEL",
+        "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL one of "
+        f"{', '.join(MODELS)}",
     )
-    _check_model(arguments)
-    return check_command(arguments.files, options)
+    strict: bool = flag("treat warnings as errors")
+    fix: bool = flag("fix what has only one possible fix, in the files, then report the rest")
+    evidence: bool = flag(
+        "list the unconfirmed assumptions that each program depends on, and the evidence for each"
+    )
+    literals: bool = flag("list the numbers of each program by the addresses that --set and --vary take")
+    steps: bool = flag("print the steps that a run takes beside the lines of each program without errors")
+    tree: bool = flag("print the syntax tree of each program without syntax errors")
 
+    _rows: list[dict[str, object]] = field(default_factory=list, init=False, repr=False)
 
-def _check_model(arguments: argparse.Namespace) -> None:
-    """End the command with status 2 if the model is one of no language of the files."""
-    if arguments.model is None:
-        return
-    languages = dict.fromkeys(language_of(arguments.dialect, file) for file in programs(arguments.files))
-    problems = [unknown_model(arguments.model, each) for each in languages]
-    if problems and all(problems):
-        problem = problems[0] if len(problems) == 1 else unknown_model(arguments.model)
-        assert problem is not None
-        arguments.parser.error(f"argument --model: {'; '.join(problem)}")
+    def check(self) -> None:
+        """Raise WrongOption if the model is one of no language of the files."""
+        super().check()
+        if self.model is None:
+            return
+        languages = dict.fromkeys(language_of(self.lang, file) for file in programs(self.files))
+        problems = [unknown_model(self.model, each) for each in languages]
+        if problems and all(problems):
+            problem = problems[0] if len(problems) == 1 else unknown_model(self.model)
+            assert problem is not None
+            raise WrongOption(f"argument --model: {'; '.join(problem)}")
 
+    def run(self) -> int:
+        """Check files and the programs of folders; 1 if any has an error.
 
-def check_command(files: Sequence[str], options: CheckOptions) -> int:
-    """Check files and the programs of folders; 1 if any has an error.
+        Diagnostics and one line per file go to standard output.
+        """
+        files = programs(self.files)
+        if not files:
+            sys.stderr.write(f"no programs in {', '.join(self.files)}\n")
+            return 1
+        findings: list[Found] = []
+        jobs = 1 if STDIN in files else self.jobs
+        work = partial(_checked_and_fixed, replace(self))  # a copy without its parser, for other processes
+        for file, checked in zip(files, in_parallel(work, files, jobs), strict=True):
+            name = STDIN_NAME if file == STDIN else file
+            is_about_machine = checked.source is not None and checked.source.name != name_of(file)
+            path = (machine_of(file, self.machine) or name) if is_about_machine else name
+            findings.append(Found(name, checked.diagnostics, checked.source, path, self.strict))
+            if self.format in ("text", "json"):
+                self._report(checked, findings[-1])
+        if self.format == "json":
+            sys.stdout.write(json.dumps({"schema": SCHEMA, "files": self._rows}, indent=1) + "\n")
+        elif self.format != "text":
+            sys.stdout.write(written(findings, self.format, "check"))
+        return 1 if any(each.is_wrong for each in findings) else 0
 
-    Diagnostics and one line per file go to standard output.
-    """
-    rows: list[dict[str, object]] = []
-    wrong = False
-    found_files = programs(files)
-    if not found_files:
-        sys.stderr.write(f"no programs in {', '.join(files)}\n")
-        return 1
-    document: list[Found] = []
-    jobs = 1 if STDIN in found_files else options.jobs
-    for file, (language, source, settings, diagnostics, fixed) in zip(
-        found_files, in_parallel(partial(_checked_and_fixed, options=options), found_files, jobs), strict=True
-    ):
-        wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
-        name = STDIN_NAME if file == STDIN else file
-        is_about_machine = source is not None and source.name != name_of(file)
-        path = (machine_of(file, options.machine) or name) if is_about_machine else name
-        if options.form not in ("text", "json"):
-            document.append(Found(name, diagnostics, source, path, options.strict))
-            continue
-        remarks: list[str] = []
+    def _report(self, checked: Checked, found: Found) -> None:
+        """Print what is known of a file, or make its row."""
+        source, settings = checked.source, checked.settings
+        row: dict[str, object] = {
+            "program": found.file,
+            "dialect": checked.language,
+            "diagnostics": [each.as_dict() for each in checked.diagnostics],
+        }
+        notes: list[str] = []
         if source is not None and settings is not None:
-            remarks = dialect(language).remarks(source, settings)
-        if fixed and options.form == "text":
-            sys.stdout.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
-        if options.form == "text":
-            complain(diagnostics, source, path, sys.stdout)
-            for remark in () if options.quiet else remarks:
-                sys.stdout.write(f"{styled('note:', 'note', wants_colour(sys.stdout))} {remark}\n")
-        found = [each.as_dict() for each in diagnostics]
-        rows.append({"program": name, "dialect": language, "diagnostics": found})
-        if remarks:
-            rows[-1]["notes"] = remarks
-        if options.fix:
-            rows[-1]["fixed"] = [each._asdict() for each in fixed]
-        if options.form == "text" and not options.quiet:
-            fixes = f"{len(fixed)} fixed, " if fixed else ""
-            fixable = "" if options.fix or file == STDIN else _fixable(diagnostics)
-            sys.stdout.write(f"{name}: {fixes}{tally(diagnostics) or 'no problems'}{fixable}\n")
-        if options.literals and source is not None and language:
-            _list_literals(language, source, rows[-1], options.form == "json")
-        if options.steps and source is not None and settings is not None:
-            _list_steps(language, source, settings, rows[-1], options.form == "json")
-        if options.evidence and settings is not None and source is not None:
-            _report_evidence(language, source, settings, rows[-1], options.form == "json")
-    if options.form == "json":
-        import json
+            notes = dialect(checked.language).remarks(source, settings)
+        if notes:
+            row["notes"] = notes
+        if self.fix:
+            row["fixed"] = [each._asdict() for each in checked.fixed]
+        self._rows.append(row)
+        if self.format == "text":
+            sys.stdout.write("".join(f"{printable(f'{found.file}:{each}')}\n" for each in checked.fixed))
+            complain(checked.diagnostics, source, found.path, sys.stdout)
+            if not self.quiet:
+                note = styled("note:", "note", wants_colour(sys.stdout))
+                sys.stdout.write("".join(f"{note} {each}\n" for each in notes))
+                sys.stdout.write(f"{found.file}: {self._tally(checked, found.file)}\n")
+        if source is not None and settings is not None:
+            self._show(dialect(checked.language), source, settings, row)
 
-        sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
-    elif options.form != "text":
-        sys.stdout.write(written(document, options.form, "check"))
-    return 1 if wrong else 0
+    def _show(
+        self, language: Dialect, source: Source, settings: dict[str, object], row: dict[str, object]
+    ) -> None:
+        """Print what else is asked for, or put it into the row."""
+        text, colour = self.format == "text", wants_colour(sys.stdout)
+        if self.literals:
+            found = literals(source, language)
+            row["literals"] = [
+                {"address": each.address, "line": each.line, "value": each.text} for each in found
+            ]
+            if text:
+                width = max((len(each.address) for each in found), default=0)
+                values = max((len(each.text) for each in found), default=0)
+                for each in found:
+                    line = printable(source.line(each.line).strip())
+                    sys.stdout.write(f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n")
+        try:
+            if self.tree:
+                row["tree"] = tree = render_tree(language.parse(source))
+                sys.stdout.write(tree if text else "")
+            if self.steps:
+                units = language.step_list(source, settings)
+                row["steps"] = steps_as_dicts(units)
+                sys.stdout.writelines(render_steps(language, units, colour=colour) if text else ())
+        except ProgramError:  # its errors are among the findings
+            pass
+        if self.evidence:
+            known = assumptions()
+            open_ones = [known[name] for name in depended_on(language, source.text, settings)]
+            row["assumptions"] = [as_dict(each) for each in open_ones]
+            sys.stdout.write(listing(open_ones, width=width_of(sys.stdout), colour=colour) if text else "")
 
-
-def _fixable(diagnostics: Sequence[Diagnostic]) -> str:
-    """Return what `--fix` would correct, or ""."""
-    count = len([each for each in diagnostics if each.fix])
-    if not count:
-        return ""
-    return (
-        f"; --fix corrects {'it' if len(diagnostics) == 1 else count if count < len(diagnostics) else 'all'}"
-    )
-
-
-def _list_literals(language: str, source: Source, row: dict[str, object], as_json: bool) -> None:
-    """Print the literals of a program, or put them into its row."""
-    from motionlang.lang.literals import literals
-
-    found = literals(source, dialect(language))
-    if as_json:
-        row["literals"] = [{"address": each.address, "line": each.line, "value": each.text} for each in found]
-        return
-    width = max((len(each.address) for each in found), default=0)
-    values = max((len(each.text) for each in found), default=0)
-    for each in found:
-        sys.stdout.write(
-            f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {printable(source.line(each.line).strip())}\n"
-        )
-
-
-def _list_steps(
-    language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
-) -> None:
-    """Print the steps of a program without errors beside its lines, or put them into its row."""
-    from motionlang.views.steps import render_steps, steps_as_dicts
-
-    try:
-        units = dialect(language).step_list(source, settings)
-    except ProgramError:  # its errors are among the findings
-        return
-    if as_json:
-        row["steps"] = steps_as_dicts(units)
-    else:
-        sys.stdout.writelines(render_steps(dialect(language), units, colour=wants_colour(sys.stdout)))
+    def _tally(self, checked: Checked, file: str) -> str:
+        """Return the number of findings of a file, and what the option for fixes would correct."""
+        fixed = f"{len(checked.fixed)} fixed, " if checked.fixed else ""
+        text = f"{fixed}{tally(checked.diagnostics) or 'no problems'}"
+        count = len([each for each in checked.diagnostics if each.fix])
+        if not count or self.fix or file == STDIN_NAME:
+            return text
+        among = len(checked.diagnostics)
+        return f"{text}; --fix corrects {'it' if among == 1 else count if count < among else 'all'}"
 
 
-def _report_evidence(
-    language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
-) -> None:
-    """Print a program's open assumptions with their evidence, or add them to its row."""
-    from motionlang.assumptions.entries import assumptions
-    from motionlang.assumptions.used import depended_on
-    from motionlang.views.assumptions import as_dict, listing
-
-    known = assumptions()
-    found = [known[name] for name in depended_on(dialect(language), source.text, settings)]
-    if as_json:
-        row["assumptions"] = [as_dict(each) for each in found]
-    else:
-        sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
-
-
-def _checked_and_fixed(
-    file: str, options: CheckOptions
-) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
-    """Return the findings of `_check`, and the fixes that `--fix` made beforehand."""
-    found = _check(file, options)
-    language, source, settings, diagnostics = found
+def _checked_and_fixed(options: Check, file: str) -> Checked:
+    """Return what is known of a file after its fixes."""
+    checked = _checked(options, file)
+    source, settings = checked.source, checked.settings
     if not options.fix or file == STDIN or settings is None or source is None:
-        return (*found, [])
+        return checked
     name = source.name
 
     def check(text: str) -> list[Diagnostic]:
-        return dialect(language).check(Source(name, text), settings)
+        return dialect(checked.language).check(Source(name, text), settings)
 
     try:
-        fixed = fix(file, diagnostics, check)
+        fixed = fix(file, checked.diagnostics, check)
     except OSError as error:
-        return (*found[:3], [*found[3], unwritten(file, error)], [])
-    return (*(_check(file, options) if fixed else found), fixed)
+        return replace(checked, diagnostics=[*checked.diagnostics, unwritten(file, error)])
+    return replace(_checked(options, file), fixed=fixed) if fixed else checked
 
 
-def _check(
-    file: str, options: CheckOptions
-) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
-    """Return language, source, machine settings and diagnostics of a program.
-
-    The source is the file that the diagnostics are about: the program or its machine file. The settings are None
-    if the program could not be checked.
-    """
-    language = language_of(options.dialect, file)
+def _checked(options: Check, file: str) -> Checked:
+    language = language_of(options.lang, file)
     if language is None:
-        return "", None, None, [no_dialect(file)]
-    try:
-        source = read_source(file)
-    except OSError as error:
-        return language.name, None, None, [unreadable(file, error)]
+        return Checked("", diagnostics=[no_dialect(file)])
     path = machine_of(file, options.machine)
     settings: dict[str, object] = {}
-    if path is not None:
-        try:
-            machine = Source.read(path)
-        except OSError as error:
-            return language.name, None, None, [unreadable(path, error)]
+    try:
+        source = read(file)
+        machine = None if path is None else read(path)
+    except Refused as refused:
+        return Checked(language.name, diagnostics=refused.diagnostics)
+    if machine is not None:
         try:
             settings = read_machine(machine, language=language)
         except ProgramError as error:
-            return language.name, machine, None, error.diagnostics
+            return Checked(language.name, machine, None, error.diagnostics)
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
         wrong = missing_axes(settings, axes, language.first_axis)
         if wrong:
-            return language.name, machine, None, wrong
+            return Checked(language.name, machine, None, wrong)
     if options.model is not None:
         settings["controller.model"] = options.model
     found = one_sentence(language, source, language.check(source, settings))
-    return language.name, source, settings, found
+    return Checked(language.name, source, settings, found)

@@ -3,116 +3,97 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 
 from motionlang import __version__
-from motionlang.cli.complaints import complain
-from motionlang.cli.format_options import into
+from motionlang.cli.command import Command
 from motionlang.cli.parser import Parser
-from motionlang.errors import ProgramError
 
 PROGRAM = "motionlang"
-# Every command: the module that has its options, imported only for this command, and its summary.
-COMMANDS = {
-    "run": ("run_options", "run a program and report what it did"),
-    "new": ("new", "write a small program with its machine file"),
-    "init": ("init", "write a first machine file for a program, mark the guesses, and run it"),
-    "profile": ("run_verbs:profile", "show where the time of a run goes, by line, sub and cause"),
-    "prove": ("run_verbs:prove", "verify the motion of a run against the commanded limits"),
-    "certify": ("run_verbs:certify", "report how far a run uses each limit of its machine"),
-    "plot": ("run_verbs:plot", "draw the motion of a run into a file"),
-    "trace": ("run_verbs:trace", "sample the motion of a run into a file"),
-    "check": ("check", "find the errors and warnings of programs without running them"),
-    "repl": ("repl", "type a program line by line at an interactive prompt"),
-    "plan": ("plan", "work out the missing figures of a move and write a program for it"),
-    "keywords": ("keywords", "look up a keyword"),
-    "explain": ("explain", "explain a diagnostic by its code"),
-    "verify": ("verify", "compare programs with their golden files"),
-    "pvt": ("pvt", "work with position-velocity-time moves for Copley drives"),
-    "servo": ("servo", "simulate and tune the servo loop behind the profile"),
-    "diff": (
-        "diff",
-        "compare two runs: programs, machines or variants, or a program and its golden files",
-    ),
-    "sweep": ("sweep", "run many variants of a program and find the best"),
-    "compare": (
-        "compare",
-        "compare a recording from a real controller with the run",
-    ),
-    "probe": ("probe", "write a test program that settles open questions on a real controller"),
-    "serve": ("serve", "let hosts talk to a virtual controller, or to a Mint program over Modbus"),
-    "mcapi": ("mcapi", "run hosts of PMC boards as they are: build MCAPI, record and replay calls"),
-    "lsp": ("lsp", "serve an editor: diagnostics, completion, names, simulated times"),
-    "dap": ("dap", "debug a program from an editor, forward and back"),
-    "completion": ("completion", "print a completion script for bash, zsh or fish"),
+# Every command by its group: the class that has its options and does its work, imported only for this command, and its
+# summary.
+GROUPS = {
+    "run a program": {
+        "run": ("run:Run", "run a program and report what it did"),
+        "trace": ("trace:Trace", "sample the motion of a run into a file"),
+        "plot": ("plot:Plot", "draw the motion of a run into a file"),
+        "profile": ("profile:Profile", "show where the time of a run goes, by line, sub and cause"),
+        "prove": ("prove:Prove", "verify the motion of a run against the commanded limits"),
+        "certify": ("certify:Certify", "report how far a run uses each limit of its machine"),
+    },
+    "write and check one": {
+        "init": ("init:Init", "write a first machine file for a program, and run it"),
+        "check": ("check:Check", "find the errors and warnings of programs without running them"),
+        "plan": ("plan:Plan", "work out the figures of a move and write a program for it"),
+        "pvt": ("pvt:Pvt", "work with position-velocity-time moves for Copley drives"),
+        "servo": ("servo:Servo", "simulate and tune the servo loop behind the profile"),
+        "repl": ("repl:Repl", "type a program line by line at an interactive prompt"),
+    },
+    "compare and verify": {
+        "sweep": ("sweep:Sweep", "run many variants of a program and find the best"),
+        "diff": ("diff:Diff", "compare two runs, or a program and its golden files"),
+        "compare": ("compare:Compare", "compare a recording from a real controller with the run"),
+        "verify": ("verify:Verify", "compare programs with their golden files"),
+        "probe": ("probe:ProbeCommand", "write a test program for open questions on a controller"),
+    },
+    "connect hosts": {
+        "serve": ("serve:Serve", "let hosts talk to a virtual controller"),
+        "mcapi": ("mcapi:Mcapi", "run hosts of PMC boards as they are"),
+    },
+    "editor, shell and help": {
+        "lsp": ("lsp:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),
+        "dap": ("dap:Dap", "debug a program from an editor, forward and back"),
+        "help": ("help:Help", "explain a command, a keyword or a diagnostic's code"),
+        "completion": ("completion:Completion", "print a completion script for bash, zsh or fish"),
+    },
 }
+COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
+Parser.verbs = COMMANDS
 
 EPILOG = """\
+
 examples:
-  motionlang run pick.mnt                        print its output, then a table of its moves
-  motionlang run pick.mnt --plot pick.html       draw position, velocity and acceleration
-  motionlang run pick.mnt --format json          write the same figures as JSON
-  motionlang check *.mnt                         check without running
-  motionlang plan --distance 20 --time 0.6 --rule third  work out speed and rates, write a program
-  motionlang keywords ACCELTIME                  look up a keyword
+  motionlang run pick.mnt              print its output and a table of its moves
+  motionlang plot pick.mnt pick.html   draw position, velocity and acceleration
+  motionlang check *.mnt               find errors without running
+  motionlang help ACCELTIME            explain a keyword
 """
 
 
-def parse(given: Sequence[str]) -> int:
-    """Parse a command line and run its command; argparse exits with 2 on errors."""
-    if given and given[0] == "help":
-        given = [*given[1:2], "--help"]
-    parser = build_parser(given[0] if given else "")
-    arguments, unknown = parser.parse_known_args(_with_factor(given))
+def parse(given: Sequence[str]) -> Command:
+    """Parse a command line and return its command; argparse exits with 2 on errors."""
+    arguments, unknown = build_parser(given[0] if given else "").parse_known_args(given)
     arguments.given = list(given)
     if unknown:
         arguments.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
-    command: Callable[[argparse.Namespace], int] = arguments.command
-    try:
-        if getattr(arguments, "into", None) is not None:
-            return into(arguments.into, lambda: command(arguments))
-        return command(arguments)
-    except ProgramError as error:  # for a machine that cannot be built from the command line
-        complain(error.diagnostics, None, "")
-        return 1
+    made: Command = arguments.made(arguments)
+    return made
 
 
-def _with_factor(given: Sequence[str]) -> list[str]:
-    """Rewrite `--realtime FILE` to `--realtime=1 FILE` for argparse."""
-    words = list(given)
-    for i, word in enumerate(words):
-        following = words[i + 1] if i + 1 < len(words) else ""
-        if word == "--realtime" and not following[:1].isdigit() and following[:1] not in ("-", "."):
-            words[i] = "--realtime=1"
-    return words
-
-
-def _add(module: str) -> Callable[..., object]:
-    """Return the function that adds a command.
-
-    `module` is a module with an `add_parser`, or `MODULE:FUNCTION`.
-    """
-    name, _, function = module.partition(":")
-    found: Callable[..., object] = getattr(import_module(f"motionlang.cli.{name}"), function or "add_parser")
-    return found
+def _listing() -> str:
+    """Return the commands by group, with their summaries."""
+    lines = []
+    for title, rows in GROUPS.items():
+        lines += [f"{title}:", *(f"  {name:<11} {summary}" for name, (_, summary) in rows.items()), ""]
+    return "\n".join(lines)
 
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
-    """Return the parser with all commands.
-
-    Only `command` gets its options, or all commands if it is "*".
-    """
+    """Return the parser of a command, of all commands if it is "*", or of their names alone."""
     parser = Parser(
         prog=PROGRAM,
-        description="Run motion-controller programs offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
-        epilog=EPILOG,
+        usage=f"{PROGRAM} [-h] [-V] COMMAND ...",
+        description="Run motion-controller programs offline: Mint (Baldor/ABB) and MCCL (PMC).",
+        epilog=_listing() + EPILOG,
     )
     parser.add_argument("-V", "--version", action="version", version=f"{PROGRAM} {__version__}")
-    commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for name, (module, summary) in COMMANDS.items():
+    commands = parser.add_subparsers(prog=PROGRAM, metavar="COMMAND", required=True, help=argparse.SUPPRESS)
+    for name in [command] if command in COMMANDS else COMMANDS:
+        module, summary = COMMANDS[name]
         if command in (name, "*"):
-            _add(module)(commands, summary)
+            file, _, made = module.partition(":")
+            getattr(import_module(f"motionlang.cli.{file}"), made).add(commands, name, summary)
         else:
             commands.add_parser(name, help=summary)
     return parser

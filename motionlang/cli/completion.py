@@ -1,45 +1,48 @@
-"""`motionlang completion`: a shell completion script, generated from the parser."""
+"""`motionlang completion`: a shell completion script, made from the parsers."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar
 
+from motionlang.cli.command import Command, argument
 from motionlang.cli.commands import build_parser
-from motionlang.cli.parser import Commands, add_command
 from motionlang.errors import need
 
-SHELLS = ("bash", "zsh", "fish")
 # Names of files in the help.
-FILES = ("FILE", "PATH", "M.toml")
+FILES = ("FILE", "PATH", "OUT", "M.toml")
 
 
-EPILOG = """\
+@dataclass
+class Completion(Command):
+    """Print a completion script for bash, zsh or fish."""
+
+    epilog: ClassVar[str] = """\
 examples:
-  motionlang completion bash > ~/.local/share/bash-completion/completions/motionlang
+  motionlang completion bash > \\
+      ~/.local/share/bash-completion/completions/motionlang
   motionlang completion zsh > ~/.zfunc/_motionlang
   motionlang completion fish > ~/.config/fish/completions/motionlang.fish
 """
+    shell: str = argument(
+        "SHELL", "the shell: bash, zsh or fish; needs the extra `completion`", choices=("bash", "zsh", "fish")
+    )
 
+    def run(self) -> int:
+        need("motionlang completion", "shtab")
+        import shtab
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang completion` and its options."""
-    parser = add_command(commands, "completion", summary, completion_command, EPILOG)
-    parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra `completion`")
-
-
-def completion_command(arguments: argparse.Namespace) -> int:
-    """Print the completion script of a shell; raise MissingExtra without shtab."""
-    need("motionlang completion", "shtab")
-    import shtab
-
-    whole = build_parser("*")
-    for action in _actions(whole):
-        if str(action.metavar) in FILES:
-            action.complete = shtab.FILE  # type: ignore[attr-defined]
-    sys.stdout.write(shtab.complete(whole, arguments.shell) + "\n")
-    return 0
+        whole = build_parser("*")
+        for action in _actions(whole):
+            if isinstance(action, argparse._SubParsersAction):
+                action.help = None  # the help lists them itself; shtab leaves out what is suppressed
+            if str(action.metavar) in FILES:
+                action.complete = shtab.FILE  # type: ignore[attr-defined]
+        sys.stdout.write(shtab.complete(whole, self.shell) + "\n")
+        return 0
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:

@@ -11,7 +11,6 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Iterable, Sequence
-from platform import platform
 
 from motionlang import __version__
 from motionlang.errors import Diagnostic, missing
@@ -19,6 +18,9 @@ from motionlang.execution import dialect_of, machine_of
 from motionlang.files import replacing
 from motionlang.source import LARGEST, STDIN, Source
 
+# The exit status after an internal error, as in sysexits, and without a library that the package depends on.
+CRASHED = 70
+UNAVAILABLE = 69
 MACHINE = ".toml"
 REPORT = "crash.txt"
 # The maximum of existing crash folders next to a new one.
@@ -45,6 +47,8 @@ def crash(error: BaseException, arguments: Sequence[str], source: Source | None 
 
 
 def _bundle(error: BaseException, arguments: Sequence[str], source: Source | None) -> str:
+    from platform import platform
+
     folder = _folder()
     lines = [
         f"motionlang {__version__}, Python {sys.version.split()[0]}, {platform()}",

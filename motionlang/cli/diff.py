@@ -5,292 +5,254 @@ B may also be a recording from a real controller.
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import sys
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 from motionlang.analysis.diff.charged import Charge, charged
 from motionlang.analysis.diff.literals import ChangedLiteral, changed_literals
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.analysis.quantities import values_of
-from motionlang.cli.compare import add_mapping, compare_with
-from motionlang.cli.complaints import complain, no_dialect, unreadable
-from motionlang.cli.dialect_option import add_dialect
-from motionlang.cli.format_options import add_format
+from motionlang.analysis.sweeps import Sweep
+from motionlang.analysis.sweeps.worlds import SUFFIX
+from motionlang.cli.command import Command, Refused, WrongOption, argument, option
+from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.golden import golden_files
-from motionlang.cli.machine_options import set_values
-from motionlang.cli.numbers import machine_time, quantity_names
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
+from motionlang.cli.readers import integer, quantity_names
+from motionlang.cli.recording import Compared
+from motionlang.cli.shared import Language, Program, World, with_world
 from motionlang.cli.signals import SIGNALS
-from motionlang.cli.world_options import add_world, with_world, world_of
-from motionlang.errors import ProgramError
-from motionlang.execution import dialect_of, language_of, machine_of, run
-from motionlang.lang.machine.file import read_machine
+from motionlang.cli.variants import Variants
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.execution import dialect_of, run
 from motionlang.record import as_dict
 from motionlang.report import build
 from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines, quantity_lines
+from motionlang.views.scope import write_scope
+from motionlang.views.terminal import draws, plain, wants_colour
 
-EPILOG = """\
-A and B are programs, or reports written by `run --format json`. B may also be a recording from a real controller, in
-columns; it is compared with the run of A as in `compare`. Without B, A is compared with its golden files, or with
-itself under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned by content, so an inserted
-program line is no difference.
-
-exit status: 0 no difference; 1 a difference; 2 the command line is invalid
-
-examples:
-  motionlang diff pick.mnt                                compare with the golden files
-  motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
-  motionlang diff pick.mnt --set-b rate=2000              compare two values of a constant
-  motionlang diff pick.mnt --machine-b worn.machine.toml
-  motionlang diff pick.mnt --variant-a 0 --variant-b 12   compare two variants of pick.sweep.toml
-  motionlang diff pick.mnt drive.csv --map position.0=PosAct --tolerance position=0.05uu
-"""
 SCHEMA = "motionlang.diff/2"
 # The suffixes of a recording; any other file is a program or a report.
 RECORDED = (".csv", ".tsv", ".dat")
 
-GROUPS = {
-    "program": "dialect",
-    "two sides": "machine-a set-a variant-a machine-b set-b variant-b until",
-    "recording": "map delay",
-    "report": "format output all keep tolerance",
-    "pictures": "plot",
-}
-
-
 # The name of a quantity, and its value in both runs.
-Compared = tuple[str, object, object]
-
-_OPTIONS = (
-    option("--tolerance", "WHAT=SIZE", "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be "
-           "repeated", action="append", default=[]),
-    option("--until", "S", "end the runs after S seconds of machine time", machine_time),
-    option("--plot", "PAGE", "draw both runs into an .html page"),
-    option("--keep", "NAME,…", "quantities to compare, such as peak.0 or cycle(12); motionlang sweep --help lists all",
-           quantity_names, default=()),
-    flag("--all", "list every difference, not only the first ones of each kind"),
-)  # fmt: skip
+Kept = tuple[str, object, object]
+# A report, and the run that it is of, unless it was read from a file.
+Side = tuple[dict[str, Any], Run | None]
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang diff` and its options."""
-    parser = add_command(commands, "diff", summary, diff_command, EPILOG)
-    add = parser.add_argument
-    add("a", metavar="A", help="a program, or a report")
-    add("b", metavar="B", nargs="?", help="another one")
-    add_dialect(parser)
-    for side in "ab":
-        add(
-            f"--machine-{side}",
-            metavar="M.toml",
-            help=f"the machine file of {side.upper()}; default: the one next to it",
-        )
-        add(
-            f"--set-{side}",
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help=f"set a value for {side.upper()}, as --set of run",
-        )
-        add(
-            f"--variant-{side}",
-            type=int,
-            metavar="N",
-            help=f"use variant N of the sweep next to the program as {side.upper()}",
-        )
-    add_world(parser)
-    for side in "ab":
-        add_world(parser, side)
-    add_mapping(parser)
-    add_all(parser, _OPTIONS)
-    add_format(parser)
-    arrange(parser, GROUPS)
+@dataclass
+class A(Command):
+    """What is given for A alone."""
+
+    title: ClassVar[str] = "A alone"
+    machine_a: str | None = option("M.toml", "the machine file of A; default: the one next to it")
+    set_a: list[str] = option("NAME=VALUE", "set a value for A, as --set of run", many=True)
+    variant_a: int | None = option("N", "use variant N of the sweep next to the program as A", read=integer)
+    input_a: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
+    analog_a: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
+    answer_a: list[str] = option("TEXT", "as --answer", many=True)
+    keys_a: list[str] = option("TEXT@S", "as --keys", many=True)
 
 
-def diff_command(arguments: argparse.Namespace) -> int:
-    """Compare, print the result, and return the exit status."""
-    parser = arguments.parser
-    try:
-        tolerance = Tolerance(*arguments.tolerance)
-    except ValueError as error:
-        parser.error(str(error))
-    if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
-        parser.error("--plot writes .html files here")
-    other = arguments.b
-    if other is None and (
-        arguments.set_b or arguments.machine_b or arguments.variant_b is not None or world_of(arguments, "b")
-    ):
-        other = arguments.a
-    if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
-        return _recorded(arguments, other, tolerance)
-    if arguments.map or arguments.delay is not None:
-        parser.error(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
-    if other is None and arguments.a.lower().endswith(".json"):
-        parser.error("a report needs a second report or program: give B")
-    golden = other is None
-    sides = []
-    for side, path in (("a", arguments.a), ("b", other)):
-        read = _golden(arguments.a) if path is None else _side(arguments, side, path)
-        if read is None:
-            return 1
-        sides.append(read)
-    if golden:
-        sides.reverse()  # the old one comes first
-    (old, old_run), (new, new_run) = sides
-    found = difference(old, new, tolerance)
-    diverged, charges, changed = None, [], []
-    if old_run is not None and new_run is not None:
-        from motionlang.analysis.diff.motion import divergence
+@dataclass
+class B(Command):
+    """What is given for B alone."""
 
-        diverged = divergence(old_run, new_run, tolerance.size("position"))
-        ran = old_run.program is not None and new_run.program is not None
-        charges = charged(old_run, new_run) if ran and found.time is not None else []
-        changed = changed_literals(old_run, new_run)
-    if arguments.keep and (old_run is None or new_run is None):
-        parser.error("--keep needs two runs, but one side is a report")
-    kept: list[Compared] = []
-    if old_run is not None and new_run is not None:
-        new_values = values_of(new_run, arguments.keep)
-        kept = [(name, old, new_values[name]) for name, old in values_of(old_run, arguments.keep).items()]
-    if arguments.format == "json":
-        data = _data(found, diverged, charges, changed)
-        if kept:
-            data["quantities"] = [dict(zip(("name", "old", "new"), each, strict=True)) for each in kept]
-        sys.stdout.write(json.dumps(data, default=vars) + "\n")
-    else:
-        _print(found, diverged, charges, changed, arguments.all, kept)
-    status = 0 if found.same else 1
-    if arguments.plot is not None:
-        status = max(status, _plot(old_run, new_run, arguments.plot, parser))
-    return status
+    title: ClassVar[str] = "B alone"
+    machine_b: str | None = option("M.toml", "the machine file of B; default: the one next to it")
+    set_b: list[str] = option("NAME=VALUE", "set a value for B, as --set of run", many=True)
+    variant_b: int | None = option("N", "use variant N of the sweep next to the program as B", read=integer)
+    input_b: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
+    analog_b: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
+    answer_b: list[str] = option("TEXT", "as --answer", many=True)
+    keys_b: list[str] = option("TEXT@S", "as --keys", many=True)
 
 
-def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) -> int:
-    """Compare a run with a recording and return the exit status."""
-    if arguments.a.lower().endswith(".json"):
-        arguments.parser.error("a recording is compared with a program, but A is a report")
-    read = _side(arguments, "a", arguments.a)
-    if read is None or read[1] is None:
-        return 1
-    sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
-    return compare_with(read[1], path, {name: size for name, size in sizes.items() if size}, arguments)
+@dataclass
+class Given(World, Program):
+    """A program of one side, with its machine and what it receives."""
+
+    variant: int | None = None
+
+    @classmethod
+    def of(cls, diff: Diff, side: str, file: str) -> Given:
+        """Return what is given for a side, "a" or "b"."""
+        own = {
+            name: getattr(diff, f"{name}_{side}")
+            for name in ("machine", "set", "variant", "input", "analog", "answer")
+        }
+        made = cls(lang=diff.lang, keys_=getattr(diff, f"keys_{side}"), **own)
+        made.file = file
+        made.check()
+        return made
 
 
-def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
-    """Draw the new run in front of the old one; return 1 on failure."""
-    if old is None or new is None:
-        parser.error("--plot needs two runs, but one side is a report")
-    from motionlang.views.scope import write_scope
+@dataclass
+class Diff(Compared, World, A, B, Language):
+    """Compare two runs: programs, machines or variants, or a program and its golden files."""
 
-    return written(path, lambda: write_scope(new, path, against=old))
+    title: ClassVar[str] = "comparison"
+    epilog: ClassVar[str] = """\
+A and B are programs, or reports written by `run --format json`. B may also be a
+recording from a real controller, in columns; it is compared with the run of A
+as in `compare`. Without B, A is compared with its golden files, or with itself
+under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned
+by content, so an inserted program line is no difference.
 
+exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
-def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:
-    """Return the report of one side, and its run if it is a program.
+examples:
+  motionlang diff pick.mnt                       compare with the golden files
+  motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
+  motionlang diff pick.mnt --set-b rate=2000     two values of a constant
+  motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
+  motionlang diff pick.mnt drive.csv --map position.0=PosAct
+"""
+    a: str = argument("A", "a program, or a report")
+    b: str | None = argument("B", "another one", default=None)
+    tolerance: list[str] = option(
+        "WHAT=SIZE",
+        "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
+        many=True,
+    )
+    keep: tuple[str, ...] = option(
+        "NAME,…",
+        "quantities to compare, such as peak.0 or cycle(12); motionlang sweep --help lists all",
+        read=quantity_names,
+        default=(),
+    )
 
-    Returns None if there is no report; the reason has been printed.
-    """
-    try:
+    def run(self) -> int:
+        try:
+            tolerance = Tolerance(*self.tolerance)
+        except ValueError as error:
+            raise WrongOption(str(error)) from None
+        other = self.b
+        if other is None and self._has_own_b():
+            other = self.a
+        if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
+            return self._recorded(other, tolerance)
+        if self.map or self.delay is not None:
+            raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
+        if other is None and self.a.lower().endswith(".json"):
+            raise WrongOption("a report needs a second report or program: give B")
+        if other is None:
+            old, old_run = self._golden()
+            new, new_run = self._side("a", self.a)
+        else:
+            old, old_run = self._side("a", self.a)
+            new, new_run = self._side("b", other)
+        if old_run is None or new_run is None:
+            for name in ("keep", "plot"):
+                if getattr(self, name):
+                    raise WrongOption(f"--{name} needs two runs, but one side is a report")
+        found = difference(old, new, tolerance)
+        diverged, charges, changed = None, [], []
+        kept: list[Kept] = []
+        if old_run is not None and new_run is not None:
+            from motionlang.analysis.diff.motion import divergence
+
+            diverged = divergence(old_run, new_run, tolerance.size("position"))
+            ran = old_run.program is not None and new_run.program is not None
+            charges = charged(old_run, new_run) if ran and found.time is not None else []
+            changed = changed_literals(old_run, new_run)
+            values = values_of(new_run, self.keep)
+            kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]
+        if self.format == "json":
+            data = _data(found, diverged, charges, changed)
+            if kept:
+                data["quantities"] = [dict(zip(("name", "old", "new"), each, strict=True)) for each in kept]
+            sys.stdout.write(json.dumps(data, default=vars) + "\n")
+        else:
+            _print(found, diverged, charges, changed, self.all, kept)
+        status, page = 0 if found.same else 1, self.plot
+        if page is not None and old_run is not None and new_run is not None:
+            status = max(status, written(page, lambda: write_scope(new_run, page, against=old_run)))
+        return status
+
+    def _has_own_b(self) -> bool:
+        own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)
+        return any(own) or self.variant_b is not None
+
+    def _recorded(self, path: str, tolerance: Tolerance) -> int:
+        """Compare a run with a recording and return the exit status."""
+        if self.a.lower().endswith(".json"):
+            raise WrongOption("a recording is compared with a program, but A is a report")
+        result = self._side("a", self.a)[1]
+        assert result is not None
+        sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
+        return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})
+
+    def _side(self, side: str, path: str) -> Side:
+        """Return the report of one side, and its run if it is a program."""
         if path.lower().endswith(".json"):
             return _report(path)
-        language = language_of(arguments.dialect, path)
-        if language is None:
-            complain([no_dialect(path)], None, path)
-            return None
-        settings: dict[str, object] = {}
-        overrides: dict[str, float | str] = {}
-        set_values(getattr(arguments, f"set_{side}"), settings, overrides, arguments.parser, language)
-        machine = machine_of(path, getattr(arguments, f"machine_{side}"))
-        if machine is not None:
-            try:
-                settings = read_machine(Source.read(machine), language=language) | settings
-            except ProgramError as error:
-                complain(error.diagnostics, Source.read(machine), machine)
-                return None
-        for whose in ("", side):
-            laid = with_world(settings, world_of(arguments, whose), path)
-            if laid is None:
-                return None
-            settings = laid
-        variant = getattr(arguments, f"variant_{side}")
-        if variant is not None:
-            settings, overrides = _variant(path, variant, settings, overrides)
-        result = run(
-            path, dialect=arguments.dialect, machine=settings, until=arguments.until, overrides=overrides
-        )
-        if result.diagnostics:
-            complain(result.diagnostics, result.source, path)
+        given = Given.of(self, side, path)
+        language = given.known_language()
+        settings = with_world(with_world(given.settings(), self.entries()), given.entries())
+        overrides = given.overrides()
+        try:
+            if given.variant is not None:
+                settings, overrides = _variant(path, given.variant, settings, overrides)
+            result = run(path, dialect=language.name, machine=settings, until=self.until, overrides=overrides)
+        except OSError as error:
+            raise Refused([unreadable(str(error.filename or path), error)], file=path) from None
+        except ProgramError as error:
+            raise Refused(error.diagnostics, file=path) from None
+        except ValueError as error:
+            raise Refused([Diagnostic("option", f"{path}: {error}")], file=path) from None
+        complain(result.diagnostics, result.source, path)
         SIGNALS.end_with(result)
         return build(result), result
-    except OSError as error:
-        complain([unreadable(str(error.filename or path), error)], None, path)
-    except ProgramError as error:
-        complain(error.diagnostics, None, path)
-    except ValueError as error:
-        sys.stderr.write(f"{path}: {error}\n")
-    return None
+
+    def _golden(self) -> Side:
+        path = golden_files(self.a)[0]
+        if not os.path.exists(path):
+            missing = Diagnostic("file", f"{self.a}: no {os.path.basename(path)} next to it", hint="give B")
+            raise Refused([missing], file=self.a)
+        return _report(path)
 
 
 def _variant(
     program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
 ) -> tuple[dict[str, object], dict[str, float | str]]:
-    """Return settings and overrides of a variant of the program's sweep.
-
-    Raises ValueError if there is no such variant.
-    """
-    from motionlang.analysis.sweeps import Sweep
-    from motionlang.analysis.sweeps.description import SUFFIX, read_description
-
+    """Return settings and overrides of a variant of the program's sweep; ValueError if there is none."""
     path = os.path.splitext(program)[0] + SUFFIX
     if not os.path.isfile(path):
         raise ValueError(f"there is no {os.path.basename(path)} next to it")
-    description = read_description(path)
-    worlds = description.worlds()
+    variants = Variants.of_file(path)
+    worlds = variants.worlds()
     made = Sweep(
         program,
-        description.space(worlds),
+        variants.space(worlds),
         machine=settings,
         overrides=overrides,
         worlds=worlds,
-        until=description.until,
+        until=variants.until,
     )
     if not 0 <= number < len(made.space):
         raise ValueError(f"no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}")
     return made.job.of(made.space[number])
 
 
-def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
-    path = golden_files(program)[0]
-    if not os.path.exists(path):
-        sys.stderr.write(f"{program}: no {os.path.basename(path)} next to it; give B\n")
-        return None
+def _report(path: str) -> Side:
+    """Return a report that is read from a file; Refused if it is none, or is truncated."""
     try:
-        return _report(path)
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return checked(json.load(file)), None
     except OSError as error:
-        complain([unreadable(path, error)], None, path)
-        return None
-
-
-def _report(path: str) -> tuple[dict[str, Any], None] | None:
-    """Read a report from a file; return None if it is not a report or is truncated."""
-    with open(path, encoding="utf-8", errors="replace") as file:
-        try:
-            found = json.load(file)
-        except (ValueError, RecursionError) as error:
-            sys.stderr.write(f"{path} is not JSON: {error}\n")
-            return None
-    try:
-        return checked(found), None
-    except ValueError as error:
-        sys.stderr.write(f"{path} cannot be compared with: {error}\n")
-        return None
+        raise Refused([unreadable(path, error)], file=path) from None
+    except (ValueError, RecursionError) as error:
+        is_json = not isinstance(error, json.JSONDecodeError | RecursionError)
+        why = "cannot be compared with" if is_json else "is not JSON"
+        raise Refused([Diagnostic("file", f"{path} {why}: {error}")], file=path) from None
 
 
 def _data(
@@ -322,11 +284,8 @@ def _print(
     charges: Sequence[Charge],
     changed: Sequence[ChangedLiteral],
     everything: bool,
-    kept: Sequence[Compared],
+    kept: Sequence[Kept],
 ) -> None:
-    from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines, quantity_lines
-    from motionlang.views.terminal import draws, plain, wants_colour
-
     most = 1_000_000 if everything else MAX_LINES
     lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most) or [
         "no difference"

@@ -1,52 +1,18 @@
-"""`motionlang explain CODE`: the meaning of a diagnostic, an example and its fix."""
+"""The meaning of a diagnostic, an example and its fix, for `motionlang help CODE`."""
 
 from __future__ import annotations
 
-import argparse
-import re
-import sys
 import textwrap
 
 from motionlang.cli.explanations import EXAMPLES, FIXES, MCCL, MINT, Example
-from motionlang.cli.parser import Commands, add_command
-from motionlang.errors import CODES, Diagnostic, nearest
-from motionlang.views.diagnostics import render
-from motionlang.views.terminal import draws, plain, wants_colour
+from motionlang.errors import CODES
 
 WIDTH = 80
-EPILOG = """\
-examples:
-  motionlang explain never-started
-  motionlang explain "error[never]"
-  motionlang explain                   all codes
-"""
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang explain` and its argument."""
-    parser = add_command(commands, "explain", summary, explain_command, EPILOG)
-    parser.add_argument(
-        "code",
-        metavar="CODE",
-        nargs="?",
-        help="the code in the brackets of a diagnostic; default: list all codes",
-    )
-
-
-def explain_command(arguments: argparse.Namespace) -> int:
-    """Print the explanation of a code, or the list of all; 1 if it is unknown."""
-    if arguments.code is None:
-        _write("".join(f"{_item(code)}\n" for code in sorted(CODES)))
-        return 0
-    code = re.sub(r"^(?:error|warning)\[(.*)\]:?$", r"\1", arguments.code.strip()).lower()
-    if code not in CODES:
-        near = nearest(code, CODES)
-        hint = f"did you mean {near}?" if near else "motionlang explain lists all codes"
-        found = Diagnostic("unknown-word", f"there is no diagnostic {code}", hint=hint)
-        sys.stderr.write(render(found, colour=wants_colour(sys.stderr)))
-        return 1
-    _write(explanation(code))
-    return 0
+def codes() -> str:
+    """Return a list of all codes."""
+    return "".join(f"{_item(code)}\n" for code in sorted(CODES))
 
 
 def explanation(code: str) -> str:
@@ -80,7 +46,3 @@ def _item(code: str) -> str:
     return textwrap.fill(
         CODES[code], WIDTH, initial_indent=f"{code:<22}", subsequent_indent=" " * 22, break_on_hyphens=False
     )
-
-
-def _write(text: str) -> None:
-    sys.stdout.write(text if draws(sys.stdout) else plain(text))

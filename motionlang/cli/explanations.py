@@ -1,4 +1,4 @@
-"""Examples and fixes of all diagnostics, for `explain` and docs/diagnostics.md.
+"""Examples and fixes of all diagnostics, for `help` and docs/diagnostics.md.
 
 A test runs both commands of each example: the first produces the diagnostic, the second does not.
 """
@@ -285,18 +285,18 @@ WITHOUT_EXAMPLE = {
 
 # By code: what to do about it.
 FIXES: dict[str, str] = {
-    "syntax": 'write what the hint names at the mark, such as a missing ) or "; motionlang keywords WORD shows how a '
+    "syntax": 'write what the hint names at the mark, such as a missing ) or "; motionlang help WORD shows how a '
     "keyword is written",
-    "language": "give the file the extension of its language, or choose the language with --dialect",
+    "language": "give the file the extension of its language, or choose the language with --lang",
     "missing-end": "close the block with the End, Next or Until that the hint names",
     "answers": "pass the text that the probe program printed on the controller, from its first line to its last",
     "stray-end": "delete the line, or open the block before it",
-    "unknown-word": "write the keyword that the hint names, or declare a variable with Dim; motionlang keywords TEXT "
+    "unknown-word": "write the keyword that the hint names, or declare a variable with Dim; motionlang help TEXT "
     "searches keywords by what they do, and [mint.words] of the machine file names those of an older Mint",
     "not-simulated": "remove the keyword for a run, or give its value in [mint.values] of the machine file",
-    "values": "give as many axes, arguments or values as motionlang keywords WORD shows",
+    "values": "give as many axes, arguments or values as motionlang help WORD shows",
     "read-only": "read the keyword instead of writing it",
-    "write-only": "read another keyword; motionlang keywords WORD names related ones",
+    "write-only": "read another keyword; motionlang help WORD names related ones",
     "not-a-command": "write the value with =, or read it in an expression",
     "type": "convert the value, or declare the variable with the type of the value",
     "duplicate": "rename one of the two, or assign to the one that exists",
@@ -333,7 +333,7 @@ FIXES: dict[str, str] = {
     "capture-triggered": "trigger a capture only while it waits for its trigger",
     "event": "raise an event that exists and has a handler",
     "recursion": "end the recursion with a condition",
-    "limit": "end the run sooner with --until, or allow a larger log with --log-size",
+    "limit": "end the run sooner with --until, or allow a larger log with run.log",
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",
     "proof": "end the run sooner with --until; report a violation as a mistake of motionlang",
     "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
@@ -341,7 +341,7 @@ FIXES: dict[str, str] = {
     "--resume",
     "crash": "report it with the folder that the hint names",
     "window": "choose a time span and axes that the run has",
-    "budget": "shorten the lines that --profile shows, or correct the budget",
+    "budget": "shorten the lines that motionlang profile shows, or correct the budget",
     "recording": "assign its columns with --map; the hint lists them",
     "extra": "install the library with the command in the hint, or choose another format",
     "file": "give the path of a file that exists, in a folder that you may read and write",

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
+from dataclasses import dataclass
+from errno import ENOENT
+from typing import ClassVar
 
 from motionlang.analysis.guesses import Entry, Guesses, answer_entry, branches, guessed
 from motionlang.analysis.guesses.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
-from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.dialect_option import add_dialect
-from motionlang.cli.format_options import add_format
-from motionlang.cli.numbers import machine_time
-from motionlang.cli.options import REPORTS, Options
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli import small_program
+from motionlang.cli.command import Refused, WrongOption, argument, flag, option
+from motionlang.cli.complaints import no_dialect, unreadable, unwritten
 from motionlang.cli.program_files import programs
-from motionlang.cli.run import run_command
+from motionlang.cli.readers import machine_time
+from motionlang.cli.run import Run
+from motionlang.cli.shared import Language, Report, forms, read
 from motionlang.cli.signals import SIGNALS
-from motionlang.errors import Diagnostic, count_of
-from motionlang.execution import MACHINE_SUFFIX, language_of
+from motionlang.errors import Diagnostic, count_of, nearest
+from motionlang.execution import MACHINE_SUFFIX, dialect_of, language_of
 from motionlang.files import create
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.loop_dependencies import InputRead
@@ -28,106 +29,126 @@ from motionlang.source import STDIN, Source
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
-EPILOG = """\
-init runs the program and finds where it waits for its machine: for an input, for an answer to INPUT, for a key, in a
-homing. It guesses what lets the program continue, writes the guesses into FILE.machine.toml next to the program, and
-runs it. On a terminal it asks about each guess; Enter keeps it. A file that exists is never overwritten. If the program
-has menus, init makes every choice, and writes a scenario into FILE.scenarios for each one that moves an axis.
 
-exit status: 0 the file is written and the program ran; 1 the file exists, or the program has an error or a fault
+
+@dataclass
+class Init(Report, Language):
+    """Write a first machine file for a program, mark the guesses, and run it."""
+
+    title: ClassVar[str] = "program"
+    epilog: ClassVar[str] = """\
+init runs the program and finds where it waits for its machine: for an input,
+for an answer to INPUT, for a key, in a homing. It guesses what lets the
+program continue, writes the guesses into FILE.machine.toml next to the
+program, and runs it. On a terminal it asks about each guess; Enter keeps it.
+A file that exists is never overwritten. If the program has menus, init makes
+every choice, and writes a scenario into FILE.scenarios for each one that
+moves an axis.
+
+exit status: 0 the file is written and the program ran; 1 the file exists, or
+the program has an error or a fault
 
 examples:
   motionlang init packer.prg
-  motionlang init old --format none        every program of the folder old
+  motionlang init old --format none   every program of the folder old
+  motionlang init --new feed          write feed.mnt and feed.machine.toml
+  motionlang init --new feed.mcl      the same in MCCL
 """
-
-
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang init` and its options."""
-    parser = add_command(commands, "init", summary, init_command, EPILOG)
-    parser.add_argument("file", metavar="FILE", help="the program, or a folder with programs")
-    add_dialect(parser)
-    parser.add_argument(
-        "--until",
-        type=machine_time,
+    file: str = argument("FILE", "the program, or a folder with programs")
+    format: str = forms("text", "json", "none", what="what follows the program's own output, as in run")
+    new: bool = flag("write a small program with its machine file; FILE without an extension is Mint")
+    until: float = option(
+        "S",
+        f"the time limit of the machine file, in seconds of machine time ({UNTIL:.10g})",
+        read=machine_time,
         default=UNTIL,
-        metavar="S",
-        help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:.10g})",
     )
-    add_format(parser, REPORTS, "what follows the program's own output, as in run")
-    arrange(parser, {"program": "dialect until", "report": "format quiet output"})
+
+    def check(self) -> None:
+        super().check()
+        if self.new and (self.until != UNTIL or self.format != "text"):
+            raise WrongOption("--new runs nothing: it takes neither --until nor --format")
+
+    def run(self) -> int:
+        """Write the machine file of a program and run it, or those of a whole folder; return the exit status."""
+        if self.file == STDIN:
+            hint = "save the program, then motionlang init FILE"
+            found = Diagnostic("file", "init writes a file next to the program, not next to -", hint=hint)
+            raise Refused([found], status=2)
+        if self.new:
+            small_program.write(self.file, self.lang)
+            return 0
+        if not os.path.isdir(self.file):
+            return self._init(self.file)
+        files = programs([self.file])
+        if not files:
+            sys.stderr.write(f"no programs in {self.file}\n")
+            return 1
+        return max(map(self._status, files))
+
+    def _status(self, file: str) -> int:
+        """Return the exit status of one program; the others of its folder still follow."""
+        try:
+            return self._init(file)
+        except Refused as refused:
+            return self.refuse(refused)
+
+    def _init(self, file: str) -> int:
+        if not os.path.lexists(file):
+            raise Refused([_missing(file)], file=file)
+        language = language_of(self.lang, file)
+        path = os.path.splitext(file)[0] + MACHINE_SUFFIX
+        if language is None:
+            raise Refused([no_dialect(file)], file=file, status=2)
+        if os.path.lexists(path):
+            hint = f"motionlang run {file} runs the program with it"
+            exists = Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)
+            raise Refused([exists], file=file)
+        source = read(file)
+        mistakes = [each for each in language.check(source, {}) if each.severity == "error"]
+        if mistakes:
+            raise Refused(mistakes, source=source, file=file)
+        target = language.written_for(source)
+        board: dict[str, object] = {"controller.model": target.model} if target.model else {}
+        fixed = dict(board)
+        reads = language.input_reads(source)
+        guesses, result = guessed(source, language, self.until, fixed, reads)
+        SIGNALS.end_with(result)
+        if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
+            given = _ask(source, guesses, reads)
+            if given:
+                fixed = board | given
+                guesses, result = guessed(source, language, self.until, fixed, reads)
+                SIGNALS.end_with(result)
+        try:
+            create(path, machine_text(source, guesses, reads, result, self.until, target).encode())
+        except OSError as error:
+            raise Refused([unwritten(path, error)], file=file) from None
+        sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
+        if target.others:
+            sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
+        try:
+            _write_scenarios(file, source, language, self.until, guesses, reads)
+        except OSError as error:
+            raise Refused([unwritten(error.filename, error)], file=file) from None
+        run = Run(file=file, lang=self.lang, format=self.format, machine=path)
+        run.given = self.given
+        return run.start()
 
 
-def init_command(arguments: argparse.Namespace) -> int:
-    """Write the machine file of a program and run it, or those of a whole folder.
-
-    Returns the exit status.
-    """
-    if not os.path.isdir(arguments.file):
-        return _init(arguments, arguments.file)
-    found = programs([arguments.file])
-    if not found:
-        sys.stderr.write(f"no programs in {arguments.file}\n")
-        return 1
-    return max([_init(arguments, each) for each in found])
-
-
-def _init(arguments: argparse.Namespace, file: str) -> int:
-    language = language_of(arguments.dialect, file)
-    path = os.path.splitext(file)[0] + MACHINE_SUFFIX
-    if file == STDIN:
-        hint = "save the program, then motionlang init FILE"
-        complain(
-            [Diagnostic("file", "init writes a file next to the program, not next to -", hint=hint)],
-            None,
-            file,
-        )
-        return 2
-    if language is None:
-        complain([no_dialect(file)], None, file)
-        return 2
-    if os.path.lexists(path):
-        hint = f"motionlang run {file} runs the program with it"
-        complain([Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)], None, file)
-        return 1
+def _missing(file: str) -> Diagnostic:
+    """Return the diagnostic of a file that does not exist, with the nearest program of its folder."""
+    folder, name = os.path.split(file)
     try:
-        source = Source.read(file)
-    except OSError as error:
-        complain([unreadable(file, error)], None, file)
-        return 1
-    mistakes = [each for each in language.check(source, {}) if each.severity == "error"]
-    if mistakes:
-        complain(mistakes, source, file)
-        return 1
-    target = language.written_for(source)
-    board: dict[str, object] = {"controller.model": target.model} if target.model else {}
-    fixed = dict(board)
-    reads = language.input_reads(source)
-    guesses, result = guessed(source, language, arguments.until, fixed, reads)
-    SIGNALS.end_with(result)
-    if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
-        given = _ask(source, guesses, reads)
-        if given:
-            fixed = board | given
-            guesses, result = guessed(source, language, arguments.until, fixed, reads)
-            SIGNALS.end_with(result)
-    try:
-        create(path, machine_text(source, guesses, reads, result, arguments.until, target).encode())
-    except OSError as error:
-        complain([unwritten(path, error)], None, file)
-        return 1
-    sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
-    if target.others:
-        sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
-    try:
-        _write_scenarios(file, source, language, arguments.until, guesses, reads)
-    except OSError as error:
-        complain([unwritten(error.filename, error)], None, file)
-        return 1
-    options = Options(file)
-    options.dialect, options.report, options.machine = arguments.dialect, arguments.format, path
-    options.given = arguments.given
-    return run_command(options)
+        near = nearest(name, [each for each in os.listdir(folder or ".") if dialect_of(each) is not None])
+    except OSError:
+        near = None
+    hints = [f"did you mean {os.path.join(folder, near)}?"] if near else []
+    if dialect_of(file) is not None or not os.path.splitext(file)[1]:
+        hints.append(f"motionlang init --new {file} writes a small program")
+    found = unreadable(file, FileNotFoundError(ENOENT, os.strerror(ENOENT)))
+    found.hint = " ".join(hints)
+    return found
 
 
 def _write_scenarios(

@@ -1,4 +1,4 @@
-"""Search of keywords by description: `motionlang keywords "stop at an input"`."""
+"""Search of keywords by description: `motionlang help stop at an input`."""
 
 from __future__ import annotations
 

@@ -2,57 +2,56 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
+from dataclasses import dataclass
+from typing import ClassVar
 
-from motionlang.cli.address import address
-from motionlang.cli.complaints import complain
-from motionlang.cli.parser import Commands, add_command
+from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.errors import Diagnostic, need
 from motionlang.files import reason
-from motionlang.serve.address import listen, shown
+from motionlang.serve.address import listen, parse, shown
 
-EPILOG = """\
-An editor starts the server and talks to it on standard input and output. docs/editor.md has the settings for VS Code,
-Neovim, Helix and Emacs, and shows what each feature does.
+
+@dataclass
+class Lsp(Command):
+    """Serve an editor: diagnostics, completion, names, simulated times."""
+
+    epilog: ClassVar[str] = """\
+An editor starts the server and talks to it on standard input and output.
+docs/editor.md has the settings for VS Code, Neovim, Helix and Emacs, and shows
+what each feature does.
 
 examples:
-  motionlang lsp                                   what an editor starts
-  motionlang lsp --tcp 127.0.0.1:5020              for one editor that connects to this address
+  motionlang lsp                          what an editor starts
+  motionlang lsp --tcp 127.0.0.1:5020     for one editor that connects
 """
-
-
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang lsp` and its options."""
-    parser = add_command(commands, "lsp", summary, _serve, EPILOG)
-    group = parser.add_mutually_exclusive_group()
-    group.add_argument("--stdio", action="store_true", help="use standard input and output (default)")
-    group.add_argument(
-        "--tcp",
-        type=address,
-        metavar="HOST:PORT",
-        help=(
-            "wait for one editor at this address; without HOST only this computer can connect, port 0 is "
-            "any free port"
-        ),
+    stdio: bool = flag("use standard input and output (default)")
+    tcp: tuple[str, int] | None = option(
+        "HOST:PORT",
+        "wait for one editor at this address; without HOST only this computer can connect, port 0 is any free port",
+        read=parse,
     )
 
+    def check(self) -> None:
+        super().check()
+        if self.stdio and self.tcp is not None:
+            raise WrongOption("give either --stdio or --tcp, not both")
 
-def _serve(arguments: argparse.Namespace) -> int:
-    """Serve one editor; return 0, or 1 if it left without a shutdown request."""
-    need("motionlang lsp", "pygls")
-    from motionlang.lsp.server import Server
-    from motionlang.lsp.workers import Process
+    def run(self) -> int:
+        """Serve one editor; return 0, or 1 if it left without a shutdown request."""
+        need("motionlang lsp", "pygls")
+        from motionlang.lsp.server import Server
+        from motionlang.lsp.workers import Process
 
-    server = Server(Process())
-    if arguments.tcp is None:
-        return server.serve_streams()
-    host, port = arguments.tcp
-    try:
-        listener = listen(host, port)
-    except OSError as error:
-        complain([Diagnostic("address", f"cannot listen at {shown(host, port)}: {reason(error)}")], None, "")
-        return 1
-    sys.stderr.write(f"waiting for an editor at {shown(host, listener.getsockname()[1])}\n")
-    sys.stderr.flush()
-    return server.serve_socket(listener)
+        server = Server(Process())
+        if self.tcp is None:
+            return server.serve_streams()
+        host, port = self.tcp
+        try:
+            listener = listen(host, port)
+        except OSError as error:
+            message = f"cannot listen at {shown(host, port)}: {reason(error)}"
+            raise Refused([Diagnostic("address", message)]) from None
+        sys.stderr.write(f"waiting for an editor at {shown(host, listener.getsockname()[1])}\n")
+        sys.stderr.flush()
+        return server.serve_socket(listener)

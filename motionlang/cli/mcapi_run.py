@@ -8,25 +8,23 @@ import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from dataclasses import dataclass
 from glob import glob
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import ClassVar
 
-from motionlang.cli.complaints import complain
+from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.serve_board import mcapi_hosts, server_of
-from motionlang.cli.serve_hosts import open_lines, remark, say
+from motionlang.cli.serve_hosts import Served, remark, say
 from motionlang.errors import Diagnostic
+from motionlang.mcapi.build import TARGETS, default_path
+from motionlang.mcapi.call import Call
+from motionlang.mcapi.log import Recorder
+from motionlang.serve import Server
 from motionlang.serve.address import LOOPBACK, shown
 from motionlang.serve.spy import Spy
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable, Mapping
-    from pathlib import Path
-
-    from motionlang.cli.options import Options
-    from motionlang.mcapi.call import Call
-    from motionlang.serve import Server
 
 # Exit statuses of a shell.
 NOT_EXECUTABLE, NOT_FOUND, KILLED = 126, 127, 128
@@ -37,30 +35,58 @@ FAKETIME = (
 )
 
 
-def run_host(args: argparse.Namespace, options: Options, library: Path) -> int:
-    """Serve a board on a free port to a program; return the program's exit status."""
-    from motionlang.mcapi.log import Recorder
+@dataclass
+class McapiRun(Served):
+    """Run a host program as it is on a virtual board."""
 
-    spy = Spy(remark) if args.log else None
-    made = server_of(args, None, options.settings, options.overrides, spy)
-    if made is None:
-        return 1
-    server, console = made
-    with server, ExitStack() as files:
-        record: Callable[[Call], None] | None = None
-        if args.record is not None:
-            try:
-                file = files.enter_context(open(args.record, "w", encoding="latin-1", newline="\n"))
-            except OSError as error:
-                return _cannot(f"cannot write {args.record}: {error.strerror or error}")
-            record = Recorder(file.write, console.board.model.name)
-        address = server.listen(LOOPBACK, 0, make=mcapi_hosts(server, console, record))
-        opened = open_lines(server, args)
-        if opened is None:
-            return 1
-        say(opened)
-        host_environment = {**os.environ, **environment(os.environ, shown(*address), library, args.factor)}
-        return _run(server, args, host_environment)
+    title: ClassVar[str] = "host"
+    epilog: ClassVar[str] = """\
+PROGRAM runs with MCAPI_HOST, LD_PRELOAD and LD_LIBRARY_PATH set, so that it
+finds the library as it is. The exit status is that of PROGRAM.
+
+examples:
+  motionlang mcapi build
+  motionlang mcapi run -- ./host
+  motionlang mcapi run --record a.log -- yaqd-pmc --config stages.toml
+"""
+    program: list[str] = argument("PROGRAM", "the host program and its arguments, after --", many=True)
+    record: str | None = option("FILE", "write every call with its answer into FILE")
+
+    def run(self) -> int:
+        """Serve a board on a free port to a program; return the program's exit status."""
+        server, console = server_of(self, None, Spy(remark) if self.log else None)
+        with server, ExitStack() as files:
+            path = library()
+            record: Callable[[Call], None] | None = None
+            if self.record is not None:
+                try:
+                    file = files.enter_context(open(self.record, "w", encoding="latin-1", newline="\n"))
+                except OSError as error:
+                    raise refused(f"cannot write {self.record}: {error.strerror or error}") from None
+                record = Recorder(file.write, console.board.model.name)
+            address = server.listen(LOOPBACK, 0, make=mcapi_hosts(server, console, record))
+            opened = self.open_lines(server)
+            if opened is None:
+                return 1
+            say(opened)
+            own = {**os.environ, **environment(os.environ, shown(*address), path, self.factor)}
+            return _run(server, self.program, own)
+
+
+def refused(message: str, hint: str = "", status: int = 1) -> Refused:
+    """Return the reason why a command of `mcapi` did nothing."""
+    return Refused([Diagnostic("mcapi", message, hint=hint)], status=status)
+
+
+def library(target: str = "linux") -> Path:
+    """Return the path of the library; Refused if it has not been built."""
+    found = default_path(TARGETS[target])
+    if found is not None and found.exists():
+        return found
+    option = "" if target == "linux" else f" --target {target}"
+    raise refused(
+        "the library of this version has not been built", f"motionlang mcapi build{option} compiles it"
+    )
 
 
 def environment(
@@ -84,18 +110,17 @@ def environment(
     return found
 
 
-def _run(server: Server, args: argparse.Namespace, environment: dict[str, str]) -> int:
+def _run(server: Server, program: list[str], environment: dict[str, str]) -> int:
     """Run the program and serve until it ends."""
-    name = args.program[0]
+    name = program[0]
     if shutil.which(name) is None:
-        missing = not os.path.exists(name)
-        _cannot(f"there is no program {name}" if missing else f"{name} is not a program that can be run")
-        return NOT_FOUND if missing else NOT_EXECUTABLE
+        if os.path.exists(name):
+            raise refused(f"{name} is not a program that can be run", status=NOT_EXECUTABLE)
+        raise refused(f"there is no program {name}", status=NOT_FOUND)
     try:
-        child = subprocess.Popen(args.program, env=environment)
+        child = subprocess.Popen(program, env=environment)
     except OSError as error:
-        _cannot(f"cannot run {name}: {error.strerror or error}")
-        return NOT_EXECUTABLE
+        raise refused(f"cannot run {name}: {error.strerror or error}", status=NOT_EXECUTABLE) from None
 
     def wait() -> None:
         child.wait()
@@ -120,8 +145,3 @@ def _run(server: Server, args: argparse.Namespace, environment: dict[str, str]) 
     watcher.join()
     status = child.returncode
     return status if status >= 0 else KILLED - status
-
-
-def _cannot(message: str) -> int:
-    complain([Diagnostic("mcapi", message)], None, "")
-    return 1

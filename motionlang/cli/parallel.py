@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
 from motionlang.analysis.cores import cores
-from motionlang.cli.numbers import whole
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -35,15 +33,3 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     except BaseException:
         pool.stop()
         raise
-
-
-def add_jobs(parser: ArgumentParser) -> None:
-    """Add -j, the option of commands that take many files."""
-    parser.add_argument(
-        "-j",
-        "--jobs",
-        metavar="N",
-        type=whole("a number of processes from 1 to 1024", 1, 1024),
-        default=0,
-        help="worker processes; default: one per core",
-    )

@@ -6,15 +6,17 @@ still undetermined. A move that is too short for its speed has a lower peak, whi
 
 from __future__ import annotations
 
-import argparse
 import json
 import sys
+from dataclasses import dataclass
+from typing import ClassVar
 
-from motionlang.analysis.planning import WRITERS, number, solve_plan
-from motionlang.cli.format_options import add_format
-from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
-from motionlang.cli.plan_scale import add_scale_arguments, scale_of
+from motionlang.analysis.planning import WRITERS, solve_plan
+from motionlang.analysis.planning import number as shown
+from motionlang.cli.command import Command, WrongOption, flag, option
+from motionlang.cli.plan_scale import Scale
+from motionlang.cli.readers import integer, number
+from motionlang.cli.shared import Output, Picture
 from motionlang.lang.dialect import dialects
 from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies
@@ -34,129 +36,103 @@ UNITS = {
     "accel": "uu/s²",
     "decel": "uu/s²",
 }
-HELP = {
-    "distance": "distance of the move, user units; negative for the reverse direction",
-    "time": "time of the whole move, seconds",
-    "accel_time": "time from rest to speed, seconds",
-    "slew_time": "time at speed, seconds",
-    "decel_time": "time from speed to rest, seconds",
-    "speed": "slew speed, user units/s",
-    "accel": "acceleration, user units/s²",
-    "decel": "deceleration, user units/s²; default: the acceleration",
-}
-EPILOG = """\
+
+
+@dataclass
+class Written(Command):
+    """The program that is written for a move."""
+
+    title: ClassVar[str] = "program"
+    lang: str | None = option("", "the language of the program; default: both", choices=dialects())
+    axis: int | None = option("N", "the axis of the program (the first of the language)", read=integer)
+    use_times: bool = flag("write ACCELTIME and DECELTIME instead of rates (Mint)")
+
+
+@dataclass
+class Plan(Scale, Written, Output, Picture):
+    """Work out the missing figures of a move and write a program for it."""
+
+    title: ClassVar[str] = "move"
+    epilog: ClassVar[str] = """\
 Give any figures that determine the move; a rule fills in the rest:
   third    a third of the time each for acceleration, slew and deceleration
-  quarter  a quarter for acceleration, half for slew, a quarter for deceleration
+  quarter  a quarter each for acceleration and deceleration, half for slew
   equal    the same time for acceleration and deceleration
 
 examples:
-  motionlang plan --distance 20 --time 0.6 --rule third
   motionlang plan --distance 20 --time 0.6 --rule third --plot move.svg
   motionlang plan --distance 200 --speed 250 --accel 1250 --scale 1200
-  motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --use-times --dialect mint
-  motionlang plan --encoder-lines 1000 --gear 3:1 --pitch 10 --distance 200 --time 1 --accel-time 0.2 --decel-time 0.2
+  motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --lang mint
+  motionlang plan --resolution 0.001 --distance 20 --time 0.6 --rule third
 """
+    distance: float | None = option(
+        "X", "distance, user units; negative for the reverse direction", read=number
+    )
+    time: float | None = option("X", "time of the whole move, seconds", read=number)
+    speed: float | None = option("X", "slew speed, user units/s", read=number)
+    accel: float | None = option("X", "acceleration, user units/s²", read=number)
+    decel: float | None = option("X", "deceleration, user units/s²; default: the acceleration", read=number)
+    accel_time: float | None = option("X", "time from rest to speed, seconds", read=number)
+    slew_time: float | None = option("X", "time at speed, seconds", read=number)
+    decel_time: float | None = option("X", "time from speed to rest, seconds", read=number)
+    rule: str | None = option("", "how to split the time if the figures do not", choices=tuple(RULES))
 
-GROUPS = {
-    "move": "distance time speed accel decel accel-time slew-time decel-time rule",
-    "scale": "scale encoder-lines quadrature gear pitch degrees resolution",
-    "program": "dialect axis use-times",
-    "report": "format output",
-    "pictures": "plot",
-}
-
-
-_OPTIONS = (
-    option("--axis", "N", "the axis of the program; default: the first of the language", int),
-    flag("--use-times", "write ACCELTIME and DECELTIME instead of rates (Mint)"),
-    option("--dialect --lang", None, "the language of the program; default: both", choices=dialects()),
-    option("--plot", "FILE", "draw the move into a .png or .svg file"),
-)  # fmt: skip
-
-
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang plan` and its options."""
-    parser = add_command(commands, "plan", summary, plan_command)
-    for name in NAMES:
-        parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
-    parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time if the figures do not")
-    add_scale_arguments(parser)
-    add_all(parser, _OPTIONS)
-    add_format(parser)
-    parser.epilog = EPILOG
-    arrange(parser, GROUPS)
-
-
-def plan_command(arguments: argparse.Namespace) -> int:
-    """Solve the move, print figures and program; exit with 2 if there is no such move."""
-    parser = arguments.parser
-    given = {name: value for name in NAMES if (value := getattr(arguments, name)) is not None}
-    backwards = given.get("distance", 0.0) < 0.0
-    if backwards:
-        given["distance"] = -given["distance"]
-    try:
-        scale, how = scale_of(arguments)
-    except ValueError as problem:
-        parser.error(str(problem))
-    if arguments.axis is not None and arguments.axis < (1 if arguments.dialect == "mccl" else 0):
-        parser.error("no such axis: Mint numbers axes from 0, MCCL from 1")
-    try:
-        move, assumed, wanted = solve_plan(given, arguments.rule)
-    except ValueError as problem:
-        changes = remedies(arguments.rule, given)
-        hint = f"\n  hint: change one: {'; '.join(changes)}" if changes else ""
-        if isinstance(problem, Underdetermined):
-            hint = "\n  hint: give distance, speed and accel, or distance and time with a --rule"
-        parser.error(f"{problem}{hint}")
-    stated = (set(given) - set(wanted)) | assumed
-    behind = formulas(move, stated, arguments.rule)
-    if arguments.plot:
-        status = _draw(move, arguments.plot, parser)
+    def run(self) -> int:
+        """Solve the move, print figures and program."""
+        given = {name: value for name in NAMES if (value := getattr(self, name)) is not None}
+        backwards = given.get("distance", 0.0) < 0.0
+        if backwards:
+            given["distance"] = -given["distance"]
+        try:
+            scale, how = self.counts()
+        except ValueError as problem:
+            raise WrongOption(str(problem)) from None
+        if self.axis is not None and self.axis < (1 if self.lang == "mccl" else 0):
+            raise WrongOption("no such axis: Mint numbers axes from 0, MCCL from 1")
+        try:
+            move, assumed, wanted = solve_plan(given, self.rule)
+        except ValueError as problem:
+            changes = remedies(self.rule, given)
+            hint = f"\n  hint: change one: {'; '.join(changes)}" if changes else ""
+            if isinstance(problem, Underdetermined):
+                hint = "\n  hint: give distance, speed and accel, or distance and time with a --rule"
+            raise WrongOption(f"{problem}{hint}") from None
+        stated = (set(given) - set(wanted)) | assumed
+        behind = formulas(move, stated, self.rule)
+        status = self.drawn(lambda path: _draw(move, path))
         if status:
             return status
-    if backwards:
-        move["distance"] = -move["distance"]
-    programs = {
-        name: write(move | wanted, scale, arguments.axis, arguments.use_times)
-        for name, write in WRITERS.items()
-        if arguments.dialect in (None, name)
-    }
-    notes = [f"scale: {how} = {number(scale)} counts/uu"] if how else []
-    notes += _unreached(move, wanted)
-    if arguments.format == "json":
-        document = {
-            "schema": SCHEMA,
-            "move": move,
-            "formulas": behind,
-            "scale": scale,
-            "notes": notes,
-            "programs": programs,
+        if backwards:
+            move["distance"] = -move["distance"]
+        programs = {
+            name: write(move | wanted, scale, self.axis, self.use_times)
+            for name, write in WRITERS.items()
+            if self.lang in (None, name)
         }
-        sys.stdout.write(json.dumps(document, indent=1) + "\n")
+        notes = [f"scale: {how} = {shown(scale)} counts/uu"] if how else []
+        notes += _unreached(move, wanted)
+        if self.format == "json":
+            document = {
+                "schema": SCHEMA,
+                "move": move,
+                "formulas": behind,
+                "scale": scale,
+                "notes": notes,
+                "programs": programs,
+            }
+            sys.stdout.write(json.dumps(document, indent=1) + "\n")
+            return 0
+        colour = wants_colour(sys.stdout)
+        lines = _lines(move, set(given) - set(wanted), assumed, behind, notes, programs, colour)
+        text = "\n".join(lines) + "\n"
+        sys.stdout.write(text if draws(sys.stdout) else plain(text))
         return 0
-    colour = wants_colour(sys.stdout)
-    lines = _lines(move, set(given) - set(wanted), assumed, behind, notes, programs, colour)
-    text = "\n".join(lines) + "\n"
-    sys.stdout.write(text if draws(sys.stdout) else plain(text))
-    return 0
 
 
-def _draw(move: dict[str, float], path: str, parser: argparse.ArgumentParser) -> int:
-    """Draw the move; return 1 if the file cannot be written, which is reported."""
-    from motionlang.errors import Diagnostic
+def _draw(move: dict[str, float], path: str) -> None:
     from motionlang.views.an00115_plot import draw_plan
-    from motionlang.views.diagnostics import render
 
-    if not path.lower().endswith((".png", ".svg")):
-        parser.error("--plot draws .png and .svg files")
-    need_writer("--plot", path)
-    try:
-        draw_plan(move, path)
-    except OSError as problem:
-        sys.stderr.write(render(Diagnostic("file", f"{path}: {problem.strerror or problem}"), None))
-        return 1
-    return 0
+    draw_plan(move, path)
 
 
 def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
@@ -193,7 +169,7 @@ def _lines(
     rows, styles = [], []
     for name in NAMES:
         origin = "given" if name in given else "assumed" if name in assumed else behind.get(name, "")
-        rows.append([name.replace("_", " "), number(move[name]), UNITS[name], origin])
+        rows.append([name.replace("_", " "), shown(move[name]), UNITS[name], origin])
         styles.append("dim" if name in given else "")
     columns = (Column("figure", align="<"), Column("value"), Column("", align="<"), Column("", align="<"))
     lines = grid(columns, rows, width=1000, colour=colour, styles=styles)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 import textwrap
 from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
 
 from motionlang.assumptions.answers import (
     HOLDS,
@@ -19,97 +20,100 @@ from motionlang.assumptions.answers import (
 from motionlang.assumptions.assumption import Assumption, Probe
 from motionlang.assumptions.probe import Motion, alone, asked, written
 from motionlang.assumptions.questions import of_word, questions
-from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.input_files import read_source
-from motionlang.cli.numbers import real
-from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
+from motionlang.cli.command import Command, WrongOption, argument, flag, option
+from motionlang.cli.complaints import complain
+from motionlang.cli.readers import integer, real
+from motionlang.cli.shared import read as read_file
 from motionlang.errors import count_of, nearest
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
-
-EPILOG = """\
-The test program (the probe) goes to standard output. It moves nothing, writes no settings, prints one answer per
-question, and can be stopped at any time. Run it on the controller after power-up, save the terminal output, and read it
-with --answers. That lists the confirmed and the refuted assumptions on standard error and prints the [assumptions] of a
-machine file that make the virtual controller give the same answers. Mint probes are for MintMT.
-
-Questions that write settings or may end with an error have programs of their own, by name; comments in the program say
-what to do first and what each answer means. --list shows all questions, or those about a keyword. docs/fidelity.md
-says what is confirmed, docs/contributing/assumptions.md lists every assumption.
-
-exit status: 0 every answer was read; 1 answers are missing, cut off or contradictory; 2 the command line is invalid
-
-examples:
-  motionlang probe mint > probe.mnt                        write the questions that need no motion
-  motionlang probe mint --motion 20 --axis 1 > probe.mnt   include motion of axis 1 within 20 user units
-  motionlang probe --answers log.txt > cell.machine.toml   read the answers
-  motionlang probe mint.integer-overflow > probe.mnt       write one question
-  motionlang probe HOMESPEED --list                        list the questions about a keyword
-"""
-
 
 # The suffix of assumptions about power-up, and how many of them are named.
 DEFAULT, SHOWN = "-default", 6
 
 
-_OPTIONS = (
-    option("what", "mint|mccl|NAME", "the language of the controller, or the name of one question", nargs="?"),
-    flag("--list", "list the questions of a language or about a keyword, one per line"),
-    option("--answers", "LOG", "read the controller's terminal output; - reads standard input"),
-    option("--motion", "DISTANCE", "include questions that need motion; the axis moves at most this far, in user "
-           "units, from its position", real("a distance above 0", 0.0, above=True)),
-    option("--axis", "N", "the axis to test; default: the first", int),
-    option("--skip", "NAME", "leave a question out; may be repeated", action="append", default=[]),
-)  # fmt: skip
+@dataclass
+class ProbeCommand(Command):
+    """Write a test program that settles open questions on a real controller."""
 
+    title: ClassVar[str] = "questions"
+    epilog: ClassVar[str] = """\
+The test program (the probe) goes to standard output. It moves nothing, writes
+no settings, prints one answer per question, and can be stopped at any time. Run
+it on the controller after power-up, save the terminal output, and read it with
+--answers. That lists the confirmed and the refuted assumptions on standard
+error and prints the [assumptions] of a machine file that make the virtual
+controller give the same answers. Mint probes are for MintMT.
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang probe` and its options."""
-    parser = add_command(commands, "probe", summary, _probe, EPILOG)
-    add_all(parser, _OPTIONS)
-    arrange(parser, {"questions": "list skip motion axis", "answers": "answers"})
+Questions that write settings or may end with an error have programs of their
+own, by name; comments in the program say what to do first and what each answer
+means. --list shows all questions, or those about a keyword. docs/fidelity.md
+says what is confirmed, docs/contributing/assumptions.md lists every assumption.
 
+exit status: 0 every answer was read; 1 answers are missing, cut off or
+contradictory; 2 the command line is invalid
 
-def _probe(arguments: argparse.Namespace) -> int:
-    parser: argparse.ArgumentParser = arguments.parser
-    what: str | None = arguments.what
-    if arguments.answers is not None:
-        if arguments.motion is not None or arguments.axis is not None or arguments.skip or arguments.list:
-            parser.error("--answers reads answers; the other options write a probe")
-        if what is not None and what not in dialects():
-            problem = f"{what!r} is not one of {', '.join(dialects())}"
-            parser.error(
-                f"{problem}; --answers reports every question in the log" if what in questions() else problem
-            )
-        return _answers(arguments.answers, what or "")
-    if what is None and not arguments.list:
-        parser.error("give the language of the controller, mint or mccl, or --answers LOG")
-    if arguments.list:
-        return _list(parser, what)
-    assert what is not None
-    language = what if what in dialects() else _named(parser, what).language
-    axis = dialect(language).first_axis if arguments.axis is None else arguments.axis
-    if not 0 <= axis < 100:
-        parser.error(f"--axis {axis}: no such axis")
-    motion = None if arguments.motion is None else Motion(axis, arguments.motion)
-    if what not in dialects():
-        if arguments.skip:
-            parser.error(f"--skip leaves questions out of a list, but {what} is a single question")
-        if _named(parser, what).motion and motion is None:
-            parser.error(f"{what} needs motion: give the distance, such as --motion 20")
-        sys.stdout.write(alone(questions()[what], axis, motion))
+examples:
+  motionlang probe mint > probe.mnt            questions that need no motion
+  motionlang probe mint --motion 20 --axis 1   include motion within 20 uu
+  motionlang probe --answers log.txt > cell.machine.toml    read the answers
+  motionlang probe mint.integer-overflow > probe.mnt        one question
+  motionlang probe HOMESPEED --list            the questions about a keyword
+"""
+    what: str | None = argument(
+        "mint|mccl|NAME", "the language of the controller, or the name of one question", default=None
+    )
+    list_: bool = flag("list the questions of a language or about a keyword, one per line")
+    answers: str | None = option("LOG", "read the controller's terminal output; - reads standard input")
+    motion: float | None = option(
+        "DISTANCE",
+        "include questions that need motion; the axis moves at most this far, in user units, from its position",
+        read=real("a distance above 0", 0.0, above=True),
+    )
+    axis: int | None = option("N", "the axis to test; default: the first", read=integer)
+    skip: list[str] = option("NAME", "leave a question out; may be repeated", many=True)
+
+    def run(self) -> int:
+        what = self.what
+        if self.answers is not None:
+            if self.motion is not None or self.axis is not None or self.skip or self.list_:
+                raise WrongOption("--answers reads answers; the other options write a probe")
+            if what is not None and what not in dialects():
+                problem = f"{what!r} is not one of {', '.join(dialects())}"
+                is_question = what in questions()
+                raise WrongOption(
+                    f"{problem}; --answers reports every question in the log" if is_question else problem
+                )
+            return _answers(self.answers, what or "")
+        if self.list_:
+            return _list(what)
+        if what is None:
+            raise WrongOption("give the language of the controller, mint or mccl, or --answers LOG")
+        language = what if what in dialects() else _named(what).language
+        axis = dialect(language).first_axis if self.axis is None else self.axis
+        if not 0 <= axis < 100:
+            raise WrongOption(f"--axis {axis}: no such axis")
+        motion = None if self.motion is None else Motion(axis, self.motion)
+        if what not in dialects():
+            if self.skip:
+                raise WrongOption(f"--skip leaves questions out of a list, but {what} is a single question")
+            if _named(what).motion and motion is None:
+                raise WrongOption(f"{what} needs motion: give the distance, such as --motion 20")
+            sys.stdout.write(alone(questions()[what], axis, motion))
+            return 0
+        names = [each.name for each in asked(language, motion=True)]
+        for name in self.skip:
+            if name not in names:
+                near = nearest(name, names)
+                raise WrongOption(
+                    f"--skip {name}: no such question" + (f"; did you mean {near}?" if near else "")
+                )
+        sys.stdout.write(written(language, axis, motion, self.skip))
         return 0
-    names = [each.name for each in asked(language, motion=True)]
-    for name in arguments.skip:
-        if name not in names:
-            near = nearest(name, names)
-            parser.error(f"--skip {name}: no such question" + (f"; did you mean {near}?" if near else ""))
-    sys.stdout.write(written(language, axis, motion, arguments.skip))
-    return 0
 
 
-def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
-    """Return the probe with a name; for an unknown name exit with the alternatives."""
+def _named(name: str) -> Probe:
+    """Return the probe with a name; WrongOption, with the alternatives, for an unknown one."""
     found = questions().get(name)
     if found is not None and found.probe is not None:
         return found.probe
@@ -123,7 +127,7 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
         problem = f"{name!r} is neither mint, mccl nor a question" + (
             f"; did you mean {near}?" if near else "; motionlang probe --list shows the questions"
         )
-    return parser.error(problem)
+    raise WrongOption(problem)
 
 
 def _about(word: str) -> list[Assumption]:
@@ -132,7 +136,7 @@ def _about(word: str) -> list[Assumption]:
     return [found for language, row in rows if row is not None for found in of_word(language, row)]
 
 
-def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
+def _list(what: str | None) -> int:
     """Print the available questions, one per line, with their requirements."""
     if what is None or what in dialects():
         known = [
@@ -143,7 +147,7 @@ def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
     else:
         known = _about(what) or [each for each in questions().values() if each.name == what]
         if not known:
-            parser.error(f"{what} is not a keyword, or has no open question")
+            raise WrongOption(f"{what} is not a keyword, or has no open question")
     found = [each for each in known if each.probe is not None]
     width = max((len(each.name) for each in found), default=0)
     for each in found:
@@ -162,11 +166,7 @@ def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
 
 
 def _answers(path: str, language: str) -> int:
-    try:
-        source = read_source(path)
-    except OSError as error:
-        complain([unreadable(path, error)], None, path)
-        return 1
+    source = read_file(path)
     found = read(source.text, language)
     complain(found.problems, source, STDIN_NAME if path == STDIN else path)
     if found.verdicts:

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 
 from motionlang.lang.dialect import dialect, dialects
 
+# What a command line may name, for help.
+PATHS = "programs, or folders of programs; default: this folder"
+
 
 def programs(paths: Sequence[str], *more: str) -> list[str]:
     """Return the programs among the paths; those of a folder by extension, in order.

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 from collections.abc import Mapping
+from dataclasses import dataclass
 
-from motionlang.cli.input_files import read_machine_file
-from motionlang.cli.machine_options import add_machine, set_values
-from motionlang.cli.options import Options
-from motionlang.cli.parser import Commands, add_command
-from motionlang.cli.world_options import add_world, with_world, world_of
+from motionlang.cli.command import argument
+from motionlang.cli.shared import Program, World, with_world
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.execution import language_of, machine_of
+from motionlang.execution import language_of
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.repl.commands import load_file
 from motionlang.repl.lines import read_lines
@@ -23,30 +20,20 @@ from motionlang.views.diagnostics import render
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang repl` and its options."""
-    parser = add_command(commands, "repl", summary, _repl)
-    parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or the language")
-    add_machine(parser)
-    add_world(parser)
+@dataclass
+class Repl(World, Program):
+    """Type a program line by line at an interactive prompt."""
 
+    file: str = argument("FILE", "a program to run first, or the language", default="")
 
-def _repl(arguments: argparse.Namespace) -> int:
-    settings: dict[str, object] = {}
-    overrides: dict[str, float | str] = {}
-    if arguments.file in dialects() and not os.path.exists(arguments.file):
-        arguments.dialect, arguments.file = arguments.dialect or arguments.file, None
-    language = language_of(arguments.dialect, arguments.file or "")
-    set_values(arguments.set, settings, overrides, arguments.parser, language)
-    options = Options(arguments.file or "")
-    options.dialect = arguments.dialect
-    options.machine = machine_of(arguments.file or None, arguments.machine)
-    if options.machine is not None:
-        status = read_machine_file(options, settings)
-        if status:
-            return status
-    laid = with_world(settings, world_of(arguments), arguments.file or "")
-    return 2 if laid is None else open_session(arguments.dialect, arguments.file, laid, overrides)
+    def check(self) -> None:
+        if self.file in dialects() and not os.path.exists(self.file):
+            self.lang, self.file = self.lang or self.file, ""
+        super().check()
+
+    def run(self) -> int:
+        settings = with_world(self.settings(), self.entries())
+        return open_session(self.lang, self.file or None, settings, self.overrides())
 
 
 def open_session(

@@ -2,91 +2,86 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
 
+from motionlang.cli.command import Refused, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.output_queue import dropped
-from motionlang.cli.serve_hosts import greet, listen, open_lines, remark, say, until_signal, warn
+from motionlang.cli.output_queue import OutputQueue, dropped
+from motionlang.cli.serve_hosts import Address, Addresses, Served, listen, remark, say, until_signal, warn
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import Machine
+from motionlang.mcapi.call import Call
+from motionlang.mcapi.host import McapiHost
+from motionlang.mcapi.session import McapiBoard
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.models import written_for
 from motionlang.serve import Limits, LockStep, RealTime, Server
-from motionlang.serve.pace import STEP
+from motionlang.serve.address import parse
+from motionlang.serve.pace import STEP, Pace
+from motionlang.serve.server import MakeHost
 from motionlang.serve.spy import Spy
 from motionlang.source import Source
 
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable
 
-    from motionlang.cli.output_queue import OutputQueue
-    from motionlang.mcapi.call import Call
-    from motionlang.serve.pace import Pace
-    from motionlang.serve.server import MakeHost
+@dataclass
+class ServedBoard(Served):
+    """A served MCCL board."""
 
+    title: ClassVar[str] = Addresses.title
+    mcapi: Address | None = option(
+        "HOST:PORT",
+        "listen here for hosts that call PMC's library MCAPI",
+        read=parse,
+    )
 
-def serve_board(
-    args: argparse.Namespace,
-    source: Source | None,
-    settings: dict[str, object],
-    overrides: dict[str, float | str],
-    queues: list[OutputQueue],
-) -> int:
-    """Serve until a signal; 1 if the board or an interface fails.
+    def serve_board(self, source: Source | None, queues: list[OutputQueue]) -> int:
+        """Serve until a signal; 1 if an interface fails.
 
-    `queues` are those of standard output and standard error.
-    """
-    made = server_of(args, source, settings, overrides, Spy(remark, traffic=args.log))
-    if made is None:
-        return 1
-    server, console = made
-    with server:
-        board = console.board
-        opened = open_lines(server, args)
-        if opened is not None and args.mcapi is not None:
-            line = listen(server, *args.mcapi, make=mcapi_hosts(server, console))
-            opened = None if line is None else opened + line
-        if opened is None:
-            return 1
-        greet(args, board.model.title, len(board.numbers))
-        say(opened)
-        until_signal(server)
-    say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
-    return 0
+        `queues` are those of standard output and standard error.
+        """
+        server, console = server_of(self, source, Spy(remark, traffic=self.log))
+        with server:
+            board = console.board
+            opened = self.open_lines(server)
+            if opened is not None and self.mcapi is not None:
+                line = listen(server, *self.mcapi, make=mcapi_hosts(server, console))
+                opened = None if line is None else opened + line
+            if opened is None:
+                return 1
+            self.greet(board.model.title, len(board.numbers))
+            say(opened)
+            until_signal(server)
+        say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
+        return 0
 
 
-def server_of(
-    args: argparse.Namespace,
-    source: Source | None,
-    settings: dict[str, object],
-    overrides: dict[str, float | str],
-    spy: Spy | None,
-) -> tuple[Server, Console] | None:
+def server_of(served: Served, source: Source | None, spy: Spy | None) -> tuple[Server, Console]:
     """Return server and console of a board, after the file has been sent to it.
 
-    None if the board cannot be made.
+    Refused if the board cannot be made.
     """
+    settings, overrides = served.settings(), served.overrides()
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
         console = Console(Machine(settings, first_axis=1, overrides=overrides))
         download = console.download(
-            source or Source("", ""), say, lambda diagnostic: complain([diagnostic], source, args.file or "")
+            source or Source("", ""), say, lambda diagnostic: complain([diagnostic], source, served.file)
         )
         download.override(overrides)
     except Rejected as rejected:
-        complain([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)], None, "")
-        return None
-    limits = Limits(hosts=args.max_hosts)
-    return Server(console, _pace(args, console), limits=limits, spy=spy, complain=warn), console
+        raise Refused([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)]) from None
+    limits = Limits(hosts=served.max_hosts)
+    return Server(console, _pace(served, console), limits=limits, spy=spy, complain=warn), console
 
 
-def _pace(args: argparse.Namespace, console: Console) -> Pace:
-    if args.clock == "lockstep":
-        return LockStep(console, STEP if args.step is None else args.step)
-    return RealTime(console, args.factor or 1.0)
+def _pace(served: Served, console: Console) -> Pace:
+    if served.clock == "lockstep":
+        return LockStep(console, STEP if served.step is None else served.step)
+    return RealTime(console, served.factor or 1.0)
 
 
 def mcapi_hosts(server: Server, console: Console, record: Callable[[Call], None] | None = None) -> MakeHost:
@@ -94,8 +89,5 @@ def mcapi_hosts(server: Server, console: Console, record: Callable[[Call], None]
 
     `record` is called with every call.
     """
-    from motionlang.mcapi.host import McapiHost
-    from motionlang.mcapi.session import McapiBoard
-
     board = McapiBoard(console, warn, record)
     return lambda number, channel: McapiHost(number, channel, board, server.limits, server.spy)

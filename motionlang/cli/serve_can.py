@@ -3,74 +3,98 @@
 from __future__ import annotations
 
 import logging
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
 
-from motionlang.cli.complaints import complain
-from motionlang.cli.output_queue import dropped
-from motionlang.cli.serve_hosts import say, until_signal, warn
+from motionlang.cli.command import Refused, WrongOption, option
+from motionlang.cli.complaints import unwritten
+from motionlang.cli.output_queue import OutputQueue, dropped
+from motionlang.cli.readers import whole
+from motionlang.cli.serve_hosts import Served, say, until_signal, warn
+from motionlang.copley.switches import Switches
 from motionlang.errors import Diagnostic, need
-from motionlang.files import reason, replacing
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Mapping
-
-    from motionlang.cli.output_queue import OutputQueue
-    from motionlang.copley.switches import Switches
+from motionlang.files import replacing
 
 AXIS = "axis.{}."
 HINT = "choose an interface of python-can that this computer has; virtual works within one process"
 
 
-def serve_can(args: argparse.Namespace, settings: Mapping[str, object], queues: list[OutputQueue]) -> int:
-    """Serve until a signal; 1 if the EDS file or the bus cannot be opened.
-
-    Raises MissingExtra without the CAN libraries. `queues` are those of standard output and standard error.
-    """
-    need("motionlang serve --can", "can", "canopen")
-    from motionlang.copley.bus import BusError
-    from motionlang.copley.served import DriveServer
-
-    logging.getLogger("canopen").setLevel(logging.CRITICAL)
-    if args.eds is not None and not _write_eds(args.eds):
-        return 1
-    interface, channel = args.can
-    switches = [_switches(settings, number) for number in range(1, args.drives + 1)]
-    try:
-        server = DriveServer(
-            interface, channel, args.drives, factor=args.factor or 1.0, switches=switches, complain=warn
-        )
-    except BusError as problem:
-        complain([Diagnostic("address", str(problem), hint=HINT)], None, "")
-        return 1
-    with server:
-        nodes = "node 1" if args.drives == 1 else f"nodes 1 to {args.drives}"
-        say(f"CANopen drives, {nodes}, on {interface} {channel}; Ctrl-C ends it\n")
-        say("units: positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²\n")
-        if interface == "udp_multicast":
-            say("a master gets its own frames back: give it the can_filters of docs/hosts-can.md\n")
-        until_signal(server)
-        say(f"received {server.frames} frames; machine time {server.now:.3f} s{dropped(queues)}\n")
-    return 0
+def _bus(text: str) -> tuple[str, str]:
+    interface, colon, channel = text.partition(":")
+    if not (interface and colon and channel):
+        raise ValueError(f"{text!r} is not INTERFACE:CHANNEL, such as socketcan:vcan0")
+    return interface, channel
 
 
-def _write_eds(path: str) -> bool:
+@dataclass
+class ServedDrives(Served):
+    """Drives on a CAN bus."""
+
+    title: ClassVar[str] = "CANopen drives"
+    can: tuple[str, str] | None = option(
+        "INTERFACE:CHANNEL",
+        "put simulated drives on a bus of python-can",
+        read=_bus,
+    )
+    drives: int | None = option(
+        "N",
+        "the number of drives, nodes 1 to N (1)",
+        read=whole("a number of drives from 1 to 127", 1, 127),
+    )
+    eds: str | None = option("FILE", "write the EDS file of the drives")
+
+    def check(self) -> None:
+        super().check()
+        if self.can is None and (self.drives is not None or self.eds is not None):
+            raise WrongOption("--drives and --eds need --can INTERFACE:CHANNEL")
+
+    def serve_drives(self, queues: list[OutputQueue]) -> int:
+        """Serve until a signal; Refused if the EDS file or the bus cannot be opened.
+
+        Raises MissingExtra without the CAN libraries. `queues` are those of standard output and standard error.
+        """
+        need("motionlang serve --can", "can", "canopen")
+        from motionlang.copley.bus import BusError
+        from motionlang.copley.served import DriveServer
+
+        logging.getLogger("canopen").setLevel(logging.CRITICAL)
+        if self.eds is not None:
+            _write_eds(self.eds)
+        assert self.can is not None
+        count = self.drives or 1
+        settings = self.settings()
+        switches = [_switches(settings, number) for number in range(1, count + 1)]
+        try:
+            server = DriveServer(
+                *self.can, count, factor=self.factor or 1.0, switches=switches, complain=warn
+            )
+        except BusError as problem:
+            raise Refused([Diagnostic("address", str(problem), hint=HINT)]) from None
+        with server:
+            nodes = "node 1" if count == 1 else f"nodes 1 to {count}"
+            say(f"CANopen drives, {nodes}, on {' '.join(self.can)}; Ctrl-C ends it\n")
+            say("units: positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²\n")
+            if self.can[0] == "udp_multicast":
+                say("a master gets its own frames back: give it the can_filters of docs/hosts-can.md\n")
+            until_signal(server)
+            say(f"received {server.frames} frames; machine time {server.now:.3f} s{dropped(queues)}\n")
+        return 0
+
+
+def _write_eds(path: str) -> None:
     from motionlang.copley.eds import eds
 
     try:
         with replacing(path) as file:
             file.write(eds().encode("ascii"))
     except OSError as error:
-        complain([Diagnostic("file", f"{path} cannot be written: {reason(error)}")], None, "")
-        return False
+        raise Refused([unwritten(path, error)]) from None
     say(f"EDS file {path}\n")
-    return True
 
 
 def _switches(settings: Mapping[str, object], number: int) -> Switches:
     """Return the switches of a drive, as the machine file sets them for its axis."""
-    from motionlang.copley.switches import Switches
-
     of_axis = AXIS.format(number)
     usual = Switches()
     negative, positive = settings.get(f"{of_axis}travel", (usual.negative, usual.positive))  # type: ignore[misc]

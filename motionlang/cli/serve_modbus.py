@@ -4,92 +4,98 @@ from __future__ import annotations
 
 import signal
 import sys
+from collections.abc import Callable
+from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING
+from typing import ClassVar
 
 from motionlang import __version__
+from motionlang.cli.command import WrongOption, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.output_queue import dropped
-from motionlang.cli.serve_hosts import cannot, remark, warn
+from motionlang.cli.output_queue import OutputQueue, dropped
+from motionlang.cli.readers import whole
+from motionlang.cli.serve_hosts import Address, Served, cannot, remark, warn
 from motionlang.controller.io.host_memory import PRODUCTS, product
 from motionlang.execution import end_of, run
 from motionlang.mint.keywords.identity import VIRTUAL
 from motionlang.mint.models import named
+from motionlang.result import Run
 from motionlang.serve import Limits
-from motionlang.serve.address import is_loopback, shown
-from motionlang.serve.outside import STEP, LockStep, RealTime
+from motionlang.serve.address import is_loopback, parse, shown
+from motionlang.serve.modbus import ModbusServer
+from motionlang.serve.modbus_requests import Identity
+from motionlang.serve.outside import STEP, LockStep, Outside, RealTime
+from motionlang.source import Source
 from motionlang.views.terminal import shower
 
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable
 
-    from motionlang.cli.output_queue import OutputQueue
-    from motionlang.result import Run
-    from motionlang.serve.modbus import ModbusServer
-    from motionlang.serve.outside import Outside
-    from motionlang.source import Source
+@dataclass
+class ServedMemory(Served):
+    """The comms memory of a Mint program on Modbus."""
 
-
-def serve_modbus(
-    args: argparse.Namespace,
-    source: Source,
-    settings: dict[str, object],
-    overrides: dict[str, float | str],
-    queues: list[OutputQueue],
-) -> int:
-    """Run the program until it ends or a signal arrives; 1 if it cannot be run."""
-    host, port = args.modbus
-    outside = _outside(args)
-    server = modbus_server(args, outside, str(settings.get("controller.model", "")), warn)
-    try:
-        server.start()
-    except (OSError, UnicodeError) as error:
-        cannot(f"cannot listen on {shown(host, port)}", error, "choose another port")
-        return 1
-    _greet(server, source, str(settings.get("controller.model", "")))
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # a normal end, like Ctrl-C
-    try:
-        result = run(
-            source,
-            dialect="mint",
-            machine=settings,
-            until=end_of(settings) if "run.until" in settings else inf,
-            overrides=overrides,
-            show=_show,
-            outside=outside,
-        )
-    finally:
-        signal.signal(signal.SIGTERM, before)
-        outside.close()
-        server.stop()
-    return _farewell(result, server, args.file, queues)
-
-
-def modbus_server(
-    args: argparse.Namespace, outside: Outside, model: str, complain: Callable[[str], None]
-) -> ModbusServer:
-    """Return the Modbus server of the command line, which identifies as the model."""
-    from motionlang.serve.modbus import ModbusServer
-    from motionlang.serve.modbus_requests import Identity
-
-    host, port = args.modbus
-    return ModbusServer(
-        outside,
-        host,
-        port,
-        limits=Limits(hosts=args.max_hosts),
-        unit=args.unit,
-        identity=Identity("motionlang", named(model) or VIRTUAL, __version__),
-        complain=complain,
-        remark=remark,
+    title: ClassVar[str] = "Modbus"
+    modbus: Address | None = option(
+        "HOST:PORT",
+        "serve the memory of a Mint program to Modbus TCP clients",
+        read=parse,
+    )
+    unit: int | None = option(
+        "N",
+        "the unit that is answered, besides 0 and 255, which mean any (all)",
+        read=whole("a Modbus unit from 1 to 247", 1, 247),
     )
 
+    def check(self) -> None:
+        super().check()
+        if self.unit is not None and self.modbus is None:
+            raise WrongOption("--unit needs --modbus HOST:PORT")
 
-def _outside(args: argparse.Namespace) -> Outside:
-    if args.clock == "lockstep":
-        return LockStep(STEP if args.step is None else args.step)
-    return RealTime(args.factor or 1.0)
+    def serve_modbus(self, source: Source, queues: list[OutputQueue]) -> int:
+        """Run the program until it ends or a signal arrives; 1 if it cannot be run."""
+        settings, outside = self.settings(), self._outside()
+        model = str(settings.get("controller.model", ""))
+        server = self.modbus_server(outside, model, warn)
+        try:
+            server.start()
+        except (OSError, UnicodeError) as error:
+            assert self.modbus is not None
+            cannot(f"cannot listen on {shown(*self.modbus)}", error, "choose another port")
+            return 1
+        _greet(server, source, model)
+        before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # a normal end, like Ctrl-C
+        try:
+            result = run(
+                source,
+                dialect="mint",
+                machine=settings,
+                until=end_of(settings) if "run.until" in settings else inf,
+                overrides=self.overrides(),
+                show=_show,
+                outside=outside,
+            )
+        finally:
+            signal.signal(signal.SIGTERM, before)
+            outside.close()
+            server.stop()
+        return _farewell(result, server, self.file, queues)
+
+    def modbus_server(self, outside: Outside, model: str, complain: Callable[[str], None]) -> ModbusServer:
+        """Return the Modbus server of the command line, which identifies as the model."""
+        assert self.modbus is not None
+        return ModbusServer(
+            outside,
+            *self.modbus,
+            limits=Limits(hosts=self.max_hosts),
+            unit=self.unit,
+            identity=Identity("motionlang", named(model) or VIRTUAL, __version__),
+            complain=complain,
+            remark=remark,
+        )
+
+    def _outside(self) -> Outside:
+        if self.clock == "lockstep":
+            return LockStep(STEP if self.step is None else self.step)
+        return RealTime(self.factor or 1.0)
 
 
 def _greet(server: ModbusServer, source: Source, model: str) -> None:

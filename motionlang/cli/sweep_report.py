@@ -5,22 +5,24 @@ from __future__ import annotations
 import json
 import re
 import sys
+from collections.abc import Iterator, Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any
 
+from motionlang.analysis import sweeps
 from motionlang.analysis.quantities import unit_of
 from motionlang.analysis.sweeps.expression import Expression, pareto
+from motionlang.analysis.sweeps.job import Problem, Result
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of
+from motionlang.views.sweep_files import write_csv
+from motionlang.views.sweep_table import cell, heading, sweep_table
+from motionlang.views.terminal import draws, plain, table_width, wants_colour
 
 if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.analysis.sweeps import Sweep
-    from motionlang.analysis.sweeps.description import Description
-    from motionlang.analysis.sweeps.job import Problem, Result
+    from motionlang.cli.sweep import Sweep
+    from motionlang.cli.variants import Variants
 
     Cells = list[object]
     # The values and results of each variant without an error, by its number and their name.
@@ -32,54 +34,51 @@ SCHEMA = "motionlang.sweep/1"
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
-class Report:
+class SweepReport:
     """The report of a sweep; `keep` names the results that it needs.
 
-    These are the requested results and those used in expressions.
+    These are the requested results and those used in expressions. `names` are the varied names.
     """
 
-    def __init__(self, description: Description, names: Sequence[str], keep: Sequence[str]) -> None:
-        """Parse the expressions; ValueError for an invalid one or an unknown name."""
-        self.names = tuple(names)
-        self._expressions, self._costs = description.expressions(), description.costs()
-        needed = [name for each in (*self._expressions.values(), *self._costs) for name in each.names]
-        self.keep = tuple(dict.fromkeys((*keep, *(name for name in needed if name not in names))))
+    def __init__(self, variants: Variants, names: Sequence[str]) -> None:
+        self.names, self._variants, self._costs = tuple(names), variants, variants.pareto or []
+        expressions = (variants.minimise, variants.maximise, variants.where, *self._costs)
+        needed = [name for each in expressions if each is not None for name in each.names]
+        self.keep = tuple(dict.fromkeys((*variants.keep, *(name for name in needed if name not in names))))
 
     @property
     def columns(self) -> list[str]:
         """The columns of the file: variant number, values, results, and error."""
         return ["variant", *self.names, *self.keep, "problem"]
 
-    def cells(self, sweep: Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
+    def cells(self, sweep: sweeps.Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
         """Yield the rows of the file, in the order of the variants."""
         for index in sorted(rows):
             _, results, problem = rows[index]
             yield [index, *sweep.space[index], *results, problem and problem["message"]]
 
-    def report(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
+    def report(self, command: Sweep, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
         """Print and draw the requested output; 1 if a variant failed or a picture did."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
-        if arguments.format == "csv":
-            from motionlang.views.sweep_files import write_csv
-
+        if command.format == "csv":
             write_csv(sys.stdout, self.columns, self.cells(sweep, rows))
-        if arguments.format == "json":
+        if command.format == "json":
             found = [dict(zip(self.columns, cells, strict=True)) for cells in self.cells(sweep, rows)]
             sys.stdout.write(json.dumps({"schema": SCHEMA, "rows": found}, indent=1) + "\n")
         names = (*self.names, *self.keep)
         cells: dict[int, Cells] = {n: [*sweep.space[n], *rows[n][1]] for n in sorted(rows) if n not in bad}
         good: Good = {n: dict(zip(names, row, strict=True)) for n, row in cells.items()}
         best, front = self._best(good), self._front(good)
-        if arguments.format == "table" and rows:
-            self._print(arguments.rows, cells, good, best, front)
+        if command.format == "text" and rows:
+            self._print(command.rows, cells, good, best, front)
         sys.stdout.flush()
         self._note_limit(sweep, good)
         if bad:
             self._report_failures(sweep, bad, len(rows))
-        status = self._draw(arguments, good, best, front) if arguments.plot is not None else 0
+        status = self._draw(command.plot, command.file, good, best, front) if command.plot is not None else 0
         return 1 if bad else status
 
-    def _note_limit(self, sweep: Sweep, good: Good) -> None:
+    def _note_limit(self, sweep: sweeps.Sweep, good: Good) -> None:
         """Say that every variant ran to the time limit, so that its time compares nothing."""
         limit = sweep.job.until if sweep.job.until is not None else end_of(sweep.job.settings)
         has_cycle = any(name.startswith("cycle(") for name in self.keep)
@@ -89,28 +88,25 @@ class Report:
                 'cycle(LINE), "cycle(output N)" or "cycle(print TEXT)"\n'
             )
 
-    @property
-    def _wanted(self) -> Expression | None:
-        """The expression to minimise or maximise."""
-        return self._expressions.get("minimise") or self._expressions.get("maximise")
-
-    def _cost(self, values: dict[str, Any]) -> float | None:
+    def _cost(self, wanted: Expression, values: dict[str, Any]) -> float | None:
         """Return the value to minimise, None if it is not a number."""
-        assert self._wanted is not None
-        cost = self._wanted.number(values)
-        return -cost if cost is not None and "maximise" in self._expressions else cost
+        cost = wanted.number(values)
+        return -cost if cost is not None and self._variants.maximise is not None else cost
 
     def _best(self, good: Good) -> int | None:
         """Return the number of the best variant, the first of equal ones."""
-        if self._wanted is None:
+        wanted = self._variants.wanted
+        if wanted is None:
             return None
         found = [
-            (cost, index) for index in self._where(good) if (cost := self._cost(good[index])) is not None
+            (cost, index)
+            for index in self._where(good)
+            if (cost := self._cost(wanted, good[index])) is not None
         ]
         return min(found)[1] if found else None
 
     def _where(self, good: Good) -> list[int]:
-        where = self._expressions.get("where")
+        where = self._variants.where
         return [index for index, values in good.items() if where is None or where(values)]
 
     def _front(self, good: Good) -> list[int]:
@@ -129,19 +125,17 @@ class Report:
     def _print(
         self, most: int, cells: dict[int, Cells], good: Good, best: int | None, front: list[int]
     ) -> None:
-        from motionlang.views.sweep_table import heading, sweep_table
-        from motionlang.views.terminal import draws, plain, table_width, wants_colour
-
         colour = wants_colour(sys.stdout)
         shown = front if self._costs else self._where(good)
         what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
-        if not self._costs and len(shown) < len(good):
-            what = f"{len(shown)} of {len(good)} variants with {self._expressions['where'].text}"
+        if not self._costs and self._variants.where is not None and len(shown) < len(good):
+            what = f"{len(shown)} of {len(good)} variants with {self._variants.where.text}"
         most = most or len(shown)
-        if self._wanted is not None and not self._costs and len(shown) > most:
+        wanted = self._variants.wanted
+        if wanted is not None and not self._costs and len(shown) > most:
 
             def rank(index: int) -> tuple[float, int]:
-                cost = self._cost(good[index])
+                cost = self._cost(wanted, good[index])
                 return (inf if cost is None else cost), index
 
             shown = sorted(shown, key=rank)
@@ -156,28 +150,24 @@ class Report:
             )
         if len(shown) > most:
             lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
-        if self._wanted is not None:
-            lines += ["", self._best_line(good, best, self._wanted)]
+        if self._variants.wanted is not None:
+            lines += ["", self._best_line(good, best, self._variants.wanted)]
         text = "\n".join(lines) + "\n"
         sys.stdout.write(text if draws(sys.stdout) else plain(text))
 
     def _best_line(self, good: Good, best: int | None, wanted: Expression) -> str:
-        from motionlang.views.sweep_table import cell
-
         if best is None:
-            where = self._expressions.get("where")
+            where = self._variants.where
             return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
         values = good[best]
         found = ", ".join(f"{name} = {cell(values[name])}" for name in self.names)
-        which = "largest" if "maximise" in self._expressions else "smallest"
+        which = "largest" if self._variants.maximise is not None else "smallest"
         return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
 
     # --------------------------------------------------------------------------------------- failed variants
 
-    def _report_failures(self, sweep: Sweep, bad: dict[int, Problem], count: int) -> None:
+    def _report_failures(self, sweep: sweeps.Sweep, bad: dict[int, Problem], count: int) -> None:
         """Report failed variants separately, grouped by error."""
-        from motionlang.views.sweep_table import cell
-
         groups: dict[str, tuple[str, list[int]]] = {}
         for index, problem in bad.items():
             location = f" (line {problem['line']})" if problem["line"] else ""
@@ -195,14 +185,14 @@ class Report:
 
     # --------------------------------------------------------------------------------------------- the picture
 
-    def _draw(self, arguments: argparse.Namespace, good: Good, best: int | None, front: list[int]) -> int:
+    def _draw(self, path: str, program: str, good: Good, best: int | None, front: list[int]) -> int:
         try:
-            problem = self._picture(arguments.plot, good, best, front)
+            problem = self._picture(path, good, best, front)
         except OSError as error:
-            complain([unwritten(arguments.plot, error)], None, arguments.file)
+            complain([unwritten(path, error)], None, program)
             return 1
         if problem is not None:
-            complain([Diagnostic("file", f"{arguments.plot} was not drawn: {problem}")], None, arguments.file)
+            complain([Diagnostic("file", f"{path} was not drawn: {problem}")], None, program)
         return 0 if problem is None else 1
 
     def _picture(self, path: str, good: Good, best: int | None, front: list[int]) -> str | None:
@@ -229,7 +219,7 @@ class Report:
         if len(varied) == 1 or len(kinds) <= MAX_LINES:
             curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
             for values in good.values():
-                label = ", ".join(f"{name} = {_short(values[name])}" for name in others)
+                label = ", ".join(f"{name} = {cell(values[name])}" for name in others)
                 for name in figures:
                     if _is_number(values[name]) and _is_number(values[varied[0]]):
                         curves[name].setdefault(label, []).append((values[varied[0]], values[name]))
@@ -253,9 +243,3 @@ class Report:
 
 def _is_number(value: object) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < inf
-
-
-def _short(value: object) -> str:
-    from motionlang.views.sweep_table import cell
-
-    return cell(value)

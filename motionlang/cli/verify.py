@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
+from typing import ClassVar
 
 from motionlang.analysis.scenarios import Scenario, unmet
+from motionlang.cli.command import WrongOption, argument, flag
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
-from motionlang.cli.findings_options import add_form
 from motionlang.cli.golden import differences, golden_files, update
-from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
+from motionlang.cli.parallel import in_parallel
 from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
+from motionlang.cli.shared import Findings, Jobs
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_further import expectations, further_checks
@@ -31,89 +32,65 @@ from motionlang.views.findings import Found, written
 SCHEMA = "motionlang.verify/2"
 KINDS = ("program", "scenario", "sweep", "log")
 LOG_SUFFIX = ".mcapi-log"
-GROUPS = {"checks": "update review", "report": "format quiet output jobs"}
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 accept all changes with --update. The golden files of this program are unchanged.
 """
 
 
-_OPTIONS = (
-    option("paths", "PATH", "programs, or folders of programs; default: this folder; the golden files of pick.mnt are "
-           "pick.golden.json, with its report, and pick.golden.txt, with its output; a log of calls, host.mcapi-log, "
-           "must replay without a difference", nargs="*", default=["."]),
-    flag("--update", "rewrite the golden files that differ"),
-    flag("--review", "ask whether to accept each change"),
-)  # fmt: skip
+@dataclass
+class Verify(Jobs, Findings):
+    """Compare programs with their golden files."""
 
-
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang verify` and its options."""
-    parser = add_command(commands, "verify", summary, _verify_all)
-    add_all(parser, _OPTIONS)
-    add_form(parser, "print only what differs")
-    add_jobs(parser)
-    arrange(parser, GROUPS)
-
-
-def _verify_all(arguments: argparse.Namespace) -> int:
-    if arguments.review and (arguments.update or arguments.format != "text"):
-        arguments.parser.error("--review cannot be combined with --update or --format")
-    return verify_command(
-        arguments.paths,
-        arguments.update,
-        arguments.format,
-        arguments.jobs,
-        arguments.review,
-        quiet=arguments.quiet,
+    title: ClassVar[str] = "checks"
+    epilog: ClassVar[str] = """\
+The golden files of pick.mnt are pick.golden.json, with its report, and
+pick.golden.txt, with its output. A log of calls, host.mcapi-log, must replay
+without a difference. A missing golden file is an error.
+"""
+    paths: list[str] = argument(
+        "PATH", "programs, or folders of programs; default: this folder", many=True, default=["."]
     )
+    update: bool = flag("rewrite the golden files that differ")
+    review: bool = flag("ask whether to accept each change")
 
+    def check(self) -> None:
+        super().check()
+        if self.review and (self.update or self.format != "text"):
+            raise WrongOption("--review cannot be combined with --update or --format")
 
-def verify_command(
-    paths: Sequence[str],
-    rewrite: bool,
-    form: str = "text",
-    jobs: int = 0,
-    asks: bool = False,
-    *,
-    quiet: bool = False,
-) -> int:
-    """Verify programs, or rewrite their golden files; 1 on a difference or an error.
-
-    A missing golden file is an error. `quiet` omits the count at the end.
-    """
-    found = programs(paths, LOG_SUFFIX)
-    if not found:
-        sys.stderr.write(f"no programs in {', '.join(paths)}\n")
-        return 1
-    verdicts: list[Verdict] = []
-    quits = False
-    for each in in_parallel(partial(_verdicts_of, rewrite), found, jobs):
-        for verdict in each:
-            verdicts.append(verdict)
-            if form in ("text", "json"):
-                complain(verdict.diagnostics, verdict.source, verdict.path)
-            if form == "text":
-                sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
-            if asks and verdict.failed and verdict.lines and not quits:
-                try:
-                    _review(each[0].name, verdict)
-                except Quit:
-                    quits = True
-                except NoAnswer:
-                    sys.stderr.write(NO_ANSWER)
-                    return 2
-    if form == "text" and not quiet:
-        good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
-        sys.stdout.write(f"{good} {'have current golden files' if rewrite else 'match their golden files'}\n")
-    elif form == "json":
-        sys.stdout.write(
-            json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
-        )
-    elif form != "text":
-        document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
-        sys.stdout.write(written(document, form, "verify"))
-    return 1 if any(each.failed for each in verdicts) else 0
+    def run(self) -> int:
+        found = programs(self.paths, LOG_SUFFIX)
+        if not found:
+            sys.stderr.write(f"no programs in {', '.join(self.paths)}\n")
+            return 1
+        form, verdicts, quits = self.format, list[Verdict](), False
+        for each in in_parallel(partial(_verdicts_of, self.update), found, self.jobs):
+            for verdict in each:
+                verdicts.append(verdict)
+                if form in ("text", "json"):
+                    complain(verdict.diagnostics, verdict.source, verdict.path)
+                if form == "text":
+                    sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
+                if self.review and verdict.failed and verdict.lines and not quits:
+                    try:
+                        _review(each[0].name, verdict)
+                    except Quit:
+                        quits = True
+                    except NoAnswer:
+                        sys.stderr.write(NO_ANSWER)
+                        return 2
+        if form == "text" and not self.quiet:
+            good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
+            what = "have current golden files" if self.update else "match their golden files"
+            sys.stdout.write(f"{good} {what}\n")
+        elif form == "json":
+            rows = list(map(_row, verdicts))
+            sys.stdout.write(json.dumps({"schema": SCHEMA, "programs": rows}, indent=1) + "\n")
+        elif form != "text":
+            document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
+            sys.stdout.write(written(document, form, "verify"))
+        return 1 if any(each.failed for each in verdicts) else 0
 
 
 def _review(program: str, verdict: Verdict) -> None:

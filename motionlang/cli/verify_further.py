@@ -8,12 +8,12 @@ import os
 from collections.abc import Callable
 
 from motionlang.analysis.scenarios import Scenario, scenario_files, unmet
-from motionlang.analysis.sweeps import KEEP, Sweep
-from motionlang.analysis.sweeps.description import SUFFIX as SWEEP_SUFFIX
-from motionlang.analysis.sweeps.description import read_description
+from motionlang.analysis.sweeps import Sweep
+from motionlang.analysis.sweeps.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.golden import differences, golden_files, same, update
 from motionlang.cli.signals import SIGNALS
+from motionlang.cli.variants import Variants
 from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
 from motionlang.result import Run
@@ -81,16 +81,16 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
 def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
     """Check the rows of a sweep against its golden file."""
     path = verdict.name
-    description = read_description(path)
-    worlds = description.worlds()
+    variants = Variants.of_file(path)
+    worlds = variants.worlds()
     sweep = Sweep(
         program,
-        description.space(worlds),
-        keep=tuple(description.keep) or KEEP,
+        variants.space(worlds),
+        keep=variants.keep,
         worlds=worlds,
-        until=description.until,
-        prove=description.prove,
-        certify=description.certify,
+        until=variants.until,
+        prove=variants.prove,
+        certify=variants.certify,
     )
     names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]
     rows = [

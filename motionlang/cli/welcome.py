@@ -24,7 +24,7 @@ def welcome() -> str:
             steps.append((f"init {first}", "write a machine file for it"))
     else:
         steps = [
-            ("new feed", "write a small program with its machine file"),
+            ("init --new feed", "write a small program with its machine file"),
             ("init OLD.PRG", "write a machine file for a program that you have"),
             ("run PICK.MNT", "run a program"),
         ]

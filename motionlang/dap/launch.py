@@ -20,14 +20,14 @@ from motionlang.views.diagnostics import render
 class Launch:
     """A program to debug, as a client describes it.
 
-    `program` is its path. Optional are `machine`, `dialect`, `stopOnEntry`, `stopAtEnd`, `until`, `set` (values by
+    `program` is its path. Optional are `machine`, `lang`, `stopOnEntry`, `stopAtEnd`, `until`, `set` (values by
     name), and `input`, `analog`, `answer` and `keys` as on the command line.
     """
 
     def __init__(self, given: Arguments) -> None:
         self.path = os.path.abspath(os.path.expanduser(given.text("program")))
         self._machine = given.text("machine", "")
-        self._dialect = given.text("dialect", "")
+        self._lang = given.text("lang", "")
         self.stop_on_entry = given.flag("stopOnEntry")
         self.stop_at_end = given.flag("stopAtEnd")
         self.until = given.seconds("until")
@@ -45,15 +45,15 @@ class Launch:
             settings = {} if machine is None else read_machine(Source.read(machine))
         except OSError as error:
             raise Refused(f"{error.filename or self.path} cannot be read: {reason(error)}") from None
-        if self._dialect and self._dialect not in dialects():
-            raise Refused(f"there is no dialect {self._dialect!r}: {' or '.join(dialects())}")
-        if not self._dialect and dialect_of(self.path) is None:
-            raise Refused("unknown file extension; choose the language with dialect mint or mccl")
+        if self._lang and self._lang not in dialects():
+            raise Refused(f"there is no language {self._lang!r}: {' or '.join(dialects())}")
+        if not self._lang and dialect_of(self.path) is None:
+            raise Refused("unknown file extension; choose the language with lang mint or mccl")
         try:
             self.settings = with_entries(settings, *self._entries)
         except WrongEntry as error:
             raise Refused(str(error)) from None
-        return source, dialect_for(source, self._dialect or None), self.settings
+        return source, dialect_for(source, self._lang or None), self.settings
 
     def summary(self, debugger: Debugger) -> Iterator[str]:
         """Yield the diagnostics of a completed run, and how it ended."""

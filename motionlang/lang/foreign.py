@@ -15,7 +15,7 @@ _TIMES = 4
 # The number of wrong lines checked against the other language, which reports at most a hundred errors.
 _MAX_CHECKED = 80
 # The hints on the command line, at the prompt and in an editor.
-IN_COMMAND = "add --dialect {name}, or rename the file to {suffix}"
+IN_COMMAND = "add --lang {name}, or rename the file to {suffix}"
 AT_PROMPT = ".{name} switches the prompt to {title}"
 IN_EDITOR = "choose {title} as the language, or rename the file to {suffix}"
 

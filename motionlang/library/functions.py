@@ -57,7 +57,8 @@ def run(
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
     events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
     each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run
-    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes.
+    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes, by
+    default the file's `run.log` or 8.
 
     Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.

@@ -14,7 +14,6 @@ from motionlang.source import Source
 from motionlang.views.diagnostics import render, tally
 from motionlang.views.terminal import printable
 
-FORMATS = ("text", "json", "sarif", "junit", "github")
 SARIF = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
@@ -41,7 +40,7 @@ class Found:
 def written(found: Sequence[Found], form: str, command: str) -> str:
     """Return the whole document in a format for other tools.
 
-    `form` is one of `FORMATS` except "text" and "json". `command` is the name of the command, such as
+    `form` is "sarif", "junit" or "github". `command` is the name of the command, such as
     "check".
     """
     return {"sarif": _sarif, "junit": _junit, "github": _github}[form](found, command)

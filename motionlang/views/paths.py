@@ -1,4 +1,4 @@
-"""The paths of a run as a table, one per line: `run --paths`."""
+"""The paths of a run as a table, one per line: `profile --paths`."""
 
 from __future__ import annotations
 

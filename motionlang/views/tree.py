@@ -1,4 +1,4 @@
-"""A syntax tree as an indented outline, for `run --show-tree`."""
+"""A syntax tree as an indented outline, for `check --tree`."""
 
 from __future__ import annotations
 

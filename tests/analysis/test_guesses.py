@@ -223,7 +223,7 @@ key = [
 ]
 
 [axis.0]    # 1 count per user unit
-# Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
+# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
 # limits.position = [0, 5]
 # limits.speed = 707.107
 # limits.acceleration = 100000
@@ -231,7 +231,7 @@ key = [
 [axis.1]    # 100 counts per user unit
 home_switch = [-44.0, -40.0]
 guess = true    # the switches
-# Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
+# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
 # limits.position = [-41, 1]
 # limits.speed = 40
 # limits.acceleration = 1000

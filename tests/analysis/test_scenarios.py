@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.analysis.scenarios import Scenario, scenario_files, unmet
-from motionlang.analysis.sweeps.description import Description
+from motionlang.cli.variants import Variants
 from motionlang.errors import ProgramError
 from motionlang.execution import run
 from motionlang.lang.machine.file import read_machine
@@ -172,7 +172,5 @@ def test_a_scenario_with_a_named_input(tmp_path: Path) -> None:
     assert Scenario(str(program), str(late)).run().time == pytest.approx(3.6, abs=1e-3)
     (tmp_path / "worlds").mkdir()
     late.rename(tmp_path / "worlds" / "late.toml")
-    description = Description()
-    description.scenarios = str(tmp_path / "worlds")
-    (world,) = description.worlds()["scenario"].values()
+    (world,) = Variants(scenarios=str(tmp_path / "worlds")).worlds()["scenario"].values()
     assert world["input"] == [{"name": "Part", "at": 3.0}]

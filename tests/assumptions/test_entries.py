@@ -83,7 +83,7 @@ def test_what_can_be_set_is_an_assumption_with_as_many_alternatives() -> None:
 
 
 def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
-    """`keywords WORD` parses only the entries that name the keyword.
+    """`help WORD` parses only the entries that name the keyword.
 
     They are the same as with all files, for each keyword of both languages.
     """

@@ -91,10 +91,10 @@ def test_a_model_by_the_name_of_its_product(cell: Cell) -> None:
 def test_standard_input_has_one_name(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     """Checks and runs call it `<stdin>`, in text as well as in JSON."""
     for arguments, where in [
-        (("check", "-", "--dialect", "mint"), "out"),
-        (("check", "-", "--dialect", "mint"), "out"),
-        (("check", "-", "--dialect", "mint", "--format", "json"), "out"),
-        (("run", "-", "--dialect", "mint", "--format", "json"), "out"),
+        (("check", "-", "--lang", "mint"), "out"),
+        (("check", "-", "--lang", "mint"), "out"),
+        (("check", "-", "--lang", "mint", "--format", "json"), "out"),
+        (("run", "-", "--lang", "mint", "--format", "json"), "out"),
         (("run", "-", "--format", "json"), "out"),
     ]:
         monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"x = y\n")))

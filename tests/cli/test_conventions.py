@@ -27,14 +27,6 @@ def test_help_fits_80_columns(parser: object, monkeypatch: pytest.MonkeyPatch) -
     assert [line for line in text.splitlines() if len(line) > 80] == []
 
 
-def test_a_long_example_continues_after_a_backslash(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In 40 columns the example takes 3 lines; a shell accepts it as it is."""
-    monkeypatch.setenv("COLUMNS", "40")
-    assert (
-        "  motionlang serve --can \\\n      socketcan:vcan0 --drives 2 \\\n      --eds drive.eds\n"
-    ) in cell("serve", "--help").out
-
-
 def test_a_wrong_command_line_leaves_the_old_file(program: Cell) -> None:
     path = program.write("out.json", "old")
     assert program("plan", "--distance", "20", "-o", "out.json").status == 2
@@ -86,14 +78,3 @@ def test_rows_of_a_sweep_as_json(program: Cell) -> None:
     assert [row["time"] for row in rows] == [
         pytest.approx(5.0 / rate + rate / accel, abs=1e-4) for rate in (1.0, 2.0)
     ]
-
-
-def test_a_command_that_draws_has_no_option_to_draw(cell: Cell) -> None:
-    """`plot` names its file in place of the option, `trace` has both."""
-    cell.write("a.mnt", "MOVER(0) = 1 : GO(0)\n")
-    ran = cell("plot", "a.mnt", "a.html", "--plot", "b.html")
-    assert (ran.status, ran.err.splitlines()[0]) == (
-        2, "motionlang plot: error: unrecognized arguments: --plot b.html",
-    )  # fmt: skip
-    assert cell("trace", "a.mnt", "a.csv", "--plot", "b.html").status == 0
-    assert (cell.folder / "b.html").exists()

@@ -167,7 +167,7 @@ def test_every_kind_has_its_row_on_the_page() -> None:
 
 def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
     cell.write("a.mnt", CASES["a stop in no time"][0])
-    assert cell("run", "a.mnt", "--format", "none", "--trace", "a.vcd", "--rate", "10").status == 0
+    assert cell("trace", "a.mnt", "a.vcd", "--rate", "10").status == 0
     found, _ = read(Path("a.vcd"))
     kind, _, texts = found["events.event"]
     assert (kind, texts[-1]) == ("string", "cancel_axis0_50,velocity_jump_axis0_50")
@@ -177,7 +177,7 @@ def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: py
     monkeypatch.setattr(stream, "CHUNK", 20)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     cell.write("a.mnt", "Dim i As Integer\nLoop\ni = (i * 75 + 74) Mod 65537\nOUT(0) = i Mod 2\nEnd Loop\n")
-    ran = cell("run", "a.mnt", "--format", "json", "--log-size", "1e-5")
+    ran = cell("run", "a.mnt", "--format", "json", "--set", "run.log=1e-5")
     report = json.loads(ran.out)
     assert (ran.status, report["status"], report["diagnostics"][0]["code"]) == (1, "fault", "limit")
     assert "the log of the run has reached 1e-05 GB" in ran.err

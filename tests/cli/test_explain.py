@@ -1,4 +1,4 @@
-"""`motionlang explain`: each example has its diagnostic, and its fix has none."""
+"""`motionlang help CODE`: each example has its diagnostic, and its fix has none."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_the_page_is_written_from_the_examples() -> None:
 
 @pytest.mark.parametrize("code", CODES)
 def test_every_code_is_explained_in_80_columns(code: str, cell: Cell) -> None:
-    shown = cell("explain", code).out
+    shown = cell("help", f"error[{code}]").out
     assert shown.startswith(f"{code}\n\n  ")
     assert f"Fix: {FIXES[code].split()[0]}" in shown
     assert max(map(len, shown.splitlines())) <= 80
@@ -72,19 +72,17 @@ def test_every_code_is_explained_in_80_columns(code: str, cell: Cell) -> None:
 
 def test_the_code_of_a_message_can_be_pasted(cell: Cell) -> None:
     assert (
-        cell("explain", "error[never]").out
-        == cell("explain", "warning[never]:").out
-        == cell("explain", "never").out
+        cell("help", "error[never]").out == cell("help", "warning[never]:").out == cell("help", "never").out
     )
 
 
-def test_without_a_code_all_are_listed(cell: Cell) -> None:
-    shown = cell("explain").out
+def test_all_codes_are_listed(cell: Cell) -> None:
+    shown = cell("help", "codes").out
     assert all(f"\n{code} " in f"\n{shown}" for code in CODES)
     assert max(map(len, shown.splitlines())) <= 80
 
 
 def test_an_unknown_code_gets_a_suggestion(cell: Cell) -> None:
-    ran = cell("explain", "never-startd")
+    ran = cell("help", "never-startd")
     assert (ran.status, ran.out) == (1, "")
     assert "did you mean never-started?" in ran.err

@@ -290,7 +290,7 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
         in file.read_text()
     )
     file.write_text(file.read_text().replace("# limits", "limits"))
-    ran = cell("run", "old.prg", "--certify", "--format", "none")
+    ran = cell("certify", "old.prg", "--format", "none")
     assert (ran.status, ran.err) == (0, "")
 
 

@@ -23,9 +23,9 @@ OTHER = START.format(speed=120) + 'PRINT "b"\n'
 COMMANDS = {
     "check": "check --evidence --format json {folder}/a.mnt",
     "compare": "compare {folder}/b.mnt {folder}/b.csv --map position.0=p --format json",
-    "cycle": "run {folder}/b.mnt --profile --format json",
+    "cycle": "profile {folder}/b.mnt --format json",
     "diff": "diff {folder}/a.mnt {folder}/b.mnt --format json",
-    "keywords": "keywords HOMESPEED --format json",
+    "keywords": "help HOMESPEED --format json",
     "plan": "plan --distance 20 --time 0.6 --rule third --format json",
     "pvt": "pvt stream --scurve 1000 --time 100 --format json",
     "servo": "servo step --format json",

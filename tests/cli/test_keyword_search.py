@@ -1,4 +1,4 @@
-"""`motionlang keywords` finds keywords by words of their descriptions."""
+"""`motionlang help` finds keywords by words of their descriptions."""
 
 from __future__ import annotations
 
@@ -37,33 +37,33 @@ def test_a_long_list_says_what_it_omits() -> None:
 
 
 def test_the_words_need_no_quotes(cell: Cell) -> None:
-    assert cell("keywords", "following", "error").out == cell("keywords", "following error").out
-    assert cell("keywords", "SPEED").out.startswith("SPEED · Mint setting")
+    assert cell("help", "following", "error").out == cell("help", "following error").out
+    assert cell("help", "SPEED").out.startswith("SPEED · Mint setting")
 
 
 def test_a_misspelt_keyword_is_no_question(cell: Cell) -> None:
-    ran = cell("keywords", "SPED")
+    ran = cell("help", "SPED")
     assert (ran.status, ran.out) == (1, "")
     assert "did you mean SPEED?" in ran.err
 
 
 def test_a_part_of_a_name_is_no_misspelt_keyword(cell: Cell) -> None:
     """JERK is near RK, the short form of READKEY, but part of ACCELJERK."""
-    ran = cell("keywords", "jerk", "--dialect", "mint")
+    ran = cell("help", "jerk", "--lang", "mint")
     assert ran.status == 0
     assert {"ACCELJERK", "DECELJERK"} <= {line.split()[0] for line in ran.out.splitlines() if line.strip()}
 
 
 def test_a_part_of_the_nearest_keyword_is_a_misspelt_one(cell: Cell) -> None:
-    ran = cell("keywords", "spee")
+    ran = cell("help", "spee")
     assert (ran.status, ran.out) == (1, "")
     assert "did you mean SPEED?" in ran.err
 
 
 def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
-    ran = cell("keywords", "xyzzy frobnicate")
+    ran = cell("help", "xyzzy frobnicate")
     assert ran.status == 1
-    assert "there is no keyword xyzzy frobnicate" in ran.err
+    assert "there is no command, keyword or diagnostic xyzzy frobnicate" in ran.err
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,10 @@
-"""`motionlang keywords`: the vocabulary, and the page of a keyword."""
+"""`motionlang help`: the vocabulary, and the page of a keyword."""
 
 from __future__ import annotations
 
 import json
+import re
+import shlex
 
 import pytest
 
@@ -11,6 +13,7 @@ from motionlang.cli import main
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.views.keywords import listing, page
+from tests.cases import cases
 from tests.cli.programs import Cell
 
 SPEED = Keyword(
@@ -70,60 +73,100 @@ def test_the_list() -> None:
 def test_every_word_has_its_page_and_its_line(cell: Cell) -> None:
     for name in dialects():
         table = dialect(name).table()
-        out = cell("keywords", "--dialect", name).out
+        out = cell("help", "--lang", name).out
         for row in table:
             assert row.name in out
             assert page([row], name).startswith(f"{row.name} · ")
         for row in table.rows[::25]:
-            assert cell("keywords", row.name.lower(), "--dialect", name).out.startswith(f"{row.name} · ")
+            assert cell("help", row.name.lower(), "--lang", name).out.startswith(f"{row.name} · ")
 
 
 def test_json_has_every_field_of_the_table(cell: Cell) -> None:
-    document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--format", "json").out)
+    document = json.loads(cell("help", "SV", "--lang", "mccl", "--format", "json").out)
     (row,) = document["keywords"]
     assert (row["dialect"], row["name"], row["unit"], row["simulated"]) == ("mccl", "SV", "uu/s", True)
     assert row["strength"] in STRENGTHS
 
 
-def test_a_word_that_no_language_has(cell: Cell) -> None:
-    ran = cell("keywords", "SPEEED")
-    assert (ran.status, ran.out) == (1, "")
-    assert ran.err == "error[unknown-word]: there is no keyword SPEEED\n  hint: did you mean SPEED?\n"
-
-
 def test_a_group_can_be_named(cell: Cell) -> None:
-    ran = cell("keywords", "homing", "--dialect", "mint")
+    ran = cell("help", "homing", "--lang", "mint")
     assert ran.out.startswith("Mint · ")
     assert "\nhoming\n" in ran.out
     assert "HOMETYPE" in ran.out
     assert "\n  SPEED " not in ran.out
-    groups = {
-        row["group"] for row in json.loads(cell("keywords", "Homing", "--format", "json").out)["keywords"]
-    }
+    groups = {row["group"] for row in json.loads(cell("help", "Homing", "--format", "json").out)["keywords"]}
     assert groups == {"homing"}
-    assert "did you mean homing?" in cell("keywords", "homming").err
+    assert "did you mean homing?" in cell("help", "homming").err
 
 
 def test_nothing_is_cut_away_from_a_terminal(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     longest = max(
-        (row["help"] for row in json.loads(cell("keywords", "--format", "json").out)["keywords"]), key=len
+        (row["help"] for row in json.loads(cell("help", "--format", "json").out)["keywords"]), key=len
     )
     assert len(longest) > 160
-    assert longest in cell("keywords").out
+    assert longest in cell("help", "keywords").out
     monkeypatch.setenv("COLUMNS", "80")
-    assert longest not in cell("keywords").out
+    assert longest not in cell("help", "keywords").out
 
 
-def test_help_is_a_command_too(cell: Cell) -> None:
+def test_a_command_has_its_own_page(cell: Cell) -> None:
     assert cell("help").out == cell("--help").out
     assert cell("help", "check").out == cell("check", "--help").out
-    assert cell("help", "chekc").err == cell("chekc").err
+    assert (
+        cell("help", "pvt", "plot").out == cell("help", "pvt plot").out == cell("pvt", "plot", "--help").out
+    )
+    ran = cell("help", "chekc")
+    assert (ran.status, "did you mean check?" in ran.err) == (1, True)
+
+
+@cases(
+    "words, first, note",
+    [
+        (["run"], "usage: motionlang run", "run is a keyword of Mint, too: motionlang help run --lang mint"),
+        (["RUN"], "Run · Mint", None),
+        (["run", "--lang", "mint"], "Run · Mint", None),
+        (["servo"], "usage: motionlang servo", "a group of keywords, too: motionlang help servo --lang mint"),
+        (
+            ["mcapi"],
+            "usage: motionlang mcapi",
+            'the code of a diagnostic, too: motionlang help "error[mcapi]"',
+        ),
+        (["error[mcapi]"], "mcapi\n", None),
+        (["Limit"], "LIMIT · Mint", 'the code of a diagnostic, too: motionlang help "error[limit]"'),
+        (
+            ["axis"],
+            "axis\n\n  There is no such axis",
+            "a group of keywords, too: motionlang help axis --lang mint",
+        ),
+        (["SPEED"], "SPEED · Mint", None),
+    ],
+)
+def test_what_else_a_word_means_is_named(words: list[str], first: str, note: str | None, cell: Cell) -> None:
+    shown = cell("help", *words).out
+    assert shown.startswith(first)
+    assert shown.count("note: ") == (note is not None)
+    assert note is None or shown.endswith(f"{note}\n")
+    for command in re.findall(r"motionlang help (.*)", shown) if note else ():
+        assert not cell("help", *shlex.split(command)).out.startswith(first)
+
+
+@cases("word, near", [("chekc", "check"), ("never-startd", "never-started"), ("SPEEED", "SPEED")])
+def test_the_nearest_of_all_names_is_meant(word: str, near: str, cell: Cell) -> None:
+    ran = cell("help", word)
+    assert (ran.status, ran.out) == (1, "")
+    assert ran.err == (
+        f"error[unknown-word]: there is no command, keyword or diagnostic {word}\n  hint: did you mean {near}?\n"
+    )
+
+
+def test_a_language_has_keywords_only(cell: Cell) -> None:
+    assert "there is no keyword chekc\n" in cell("help", "chekc", "--lang", "mint").err
 
 
 def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    assert main(["keywords", "HOMESPEED"]) == 0
+    assert main(["help", "HOMESPEED"]) == 0
     text = capsys.readouterr().out
     assert "its meaning is unconfirmed, too" in text
     begin = text.index("  mint.homespeed-scale\n")
@@ -142,24 +185,24 @@ def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
 def test_what_is_settled_in_motion_or_by_a_long_program_names_its_command(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    assert main(["keywords", "STOPMODE"]) == 0
+    assert main(["help", "STOPMODE"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert (
         "motionlang probe mint.stopmode --motion DISTANCE 1 0 DECEL, 1 ERRORDECEL, 2 at once (chosen here)"
         in text
     )
-    assert main(["keywords", "TIMEREVENT"]) == 0
+    assert main(["help", "TIMEREVENT"]) == 0
     assert "write a test program with motionlang probe mint.timerevent\n" in capsys.readouterr().out
 
 
 def test_what_no_program_settles_names_its_alternatives(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["keywords", "CONTOURMODE"]) == 0
+    assert main(["help", "CONTOURMODE"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert "or: it is an error, and the axes stop at ERRORDECEL" in text
 
 
 def test_the_document_of_a_word_has_its_open_questions(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["keywords", "HOMESPEED", "--format", "json"]) == 0
+    assert main(["help", "HOMESPEED", "--format", "json"]) == 0
     (row,) = json.loads(capsys.readouterr().out)["keywords"]
     found = {each["name"]: each for each in row["assumptions"]}
     assert found["mint.homespeed-default"]["alternatives"] == ["any other number"]

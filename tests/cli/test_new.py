@@ -1,4 +1,4 @@
-"""A user's first commands: `motionlang` alone, and `motionlang new`."""
+"""A user's first commands: `motionlang` alone, and `motionlang init --new`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_an_empty_folder_gets_the_first_steps(
     monkeypatch.chdir(empty)
     ran = cell()
     assert (ran.status, ran.out) == (2, "")
-    assert "  motionlang new feed      write a small program with its machine file\n" in ran.err
+    assert "  motionlang init --new feed  write a small program with its machine file\n" in ran.err
 
 
 def test_a_folder_with_programs_gets_their_names(
@@ -45,7 +45,7 @@ def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> No
 
     Button after 0.5 s, 200 mm at 250 mm/s and 1250 mm/s² in 1 s, gripper 0.1 s, 1 s back.
     """
-    made = cell("new", name)
+    made = cell("init", "--new", name)
     assert made.status == 0
     assert made.out.startswith(f"{file}, feed.machine.toml: written\n  motionlang run {file}\n")
     checked = cell("check", file, "--strict")
@@ -59,7 +59,7 @@ def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> No
 @pytest.mark.parametrize("present", ["feed.mnt", "feed.machine.toml"])
 def test_a_file_that_exists_stays(cell: Cell, present: str) -> None:
     cell.write(present, "mine")
-    ran = cell("new", "feed")
+    ran = cell("init", "--new", "feed")
     assert ran.status == 1
     assert f"{present} exists" in ran.err
     assert (cell.folder / present).read_text() == "mine"
@@ -67,23 +67,65 @@ def test_a_file_that_exists_stays(cell: Cell, present: str) -> None:
 
 
 def test_another_suffix_is_refused(cell: Cell) -> None:
-    ran = cell("new", "feed.txt")
+    ran = cell("init", "--new", "feed.txt")
     assert ran.status == 2
     assert ".mnt" in ran.err
 
 
 def test_a_folder_that_does_not_exist_is_an_error(cell: Cell) -> None:
-    ran = cell("new", "no/feed")
+    ran = cell("init", "--new", "no/feed")
     assert ran.status == 1
     assert ran.err.startswith("error[file]: ")
 
 
 @pytest.mark.parametrize("name", ["", "folder/", ".mnt"])
 def test_a_program_needs_a_name(name: str, cell: Cell) -> None:
-    ran = cell("new", name)
+    ran = cell("init", "--new", name)
     assert ran.status == 2
-    assert "NAME needs a name, such as feed" in ran.err
+    assert "FILE needs a name, such as feed" in ran.err
 
 
 def test_the_commands_quote_a_name_with_blanks(cell: Cell) -> None:
-    assert '  motionlang plot "bag feed.mnt" "bag feed.html"\n' in cell("new", "bag feed").out
+    assert '  motionlang plot "bag feed.mnt" "bag feed.html"\n' in cell("init", "--new", "bag feed").out
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("feed --until 5", "--new runs nothing: it takes neither --until nor --format"),
+        ("feed -q", "--new runs nothing: it takes neither --until nor --format"),
+        ("feed.mnt --lang mccl", "feed.mnt is Mint by its extension"),
+    ],
+)
+def test_options_of_the_run_are_refused(given: str, message: str, cell: Cell) -> None:
+    ran = cell("init", "--new", *given.split())
+    assert (ran.status, message in ran.err) == (2, True)
+    assert not list(cell.folder.glob("feed*"))
+
+
+def test_the_language_may_be_named_instead_of_an_extension(cell: Cell) -> None:
+    assert cell("init", "--new", "feed", "--lang", "mccl").out.startswith(
+        "feed.mcl, feed.machine.toml: written"
+    )
+
+
+@pytest.mark.parametrize(
+    ("file", "hint"),
+    [
+        ("pikc.mnt", "did you mean pick.mnt? motionlang init --new pikc.mnt writes a small program"),
+        ("zzzzz", "motionlang init --new zzzzz writes a small program"),
+        (
+            "old/pikc.mnt",
+            "did you mean old/pick.mnt? motionlang init --new old/pikc.mnt writes a small program",
+        ),
+        ("pick.mmt", "did you mean pick.mnt?"),
+    ],
+)
+def test_a_missing_program_gets_the_nearest_name(file: str, hint: str, cell: Cell) -> None:
+    (cell.folder / "old").mkdir()
+    for folder in ("", "old/"):
+        cell.write(f"{folder}pick.mnt", "")
+        cell.write(f"{folder}pikc.toml", "")
+    ran = cell("init", file)
+    assert (ran.status, ran.out) == (1, "")
+    assert ran.err == f"error[file]: {file} cannot be read: no such file or directory\n  hint: {hint}\n"

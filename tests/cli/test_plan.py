@@ -100,8 +100,8 @@ def test_what_was_assumed_is_stated(cell: Cell) -> None:
             "no number is large enough for the speed",
         ),
         (("--distance", "1", "--slew-time", "-1"), "slew time must be zero or more"),
-        (("--distance", "1", "--axis", "0", "--dialect", "mccl"), "no such axis"),
-        (("--distance", "far"), "argument --distance: invalid float value: 'far'"),
+        (("--distance", "1", "--axis", "0", "--lang", "mccl"), "no such axis"),
+        (("--distance", "far"), "argument --distance: 'far' is not a number"),
     ],
 )
 def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: str) -> None:
@@ -141,7 +141,9 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
 
 
 def test_ramp_times_of_a_move_too_short_are_those_to_the_commanded_speed(cell: Cell) -> None:
-    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --format json"
+    line = (
+        "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --lang mint --format json"
+    )
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
     ran = run(Source("plan.mnt", document["programs"]["mint"]))
@@ -200,7 +202,10 @@ def test_an_impossible_demand_says_which_value_to_change(cell: Cell, line: str, 
         ("--scale 3 --resolution 1", "--scale and --resolution both set the scale"),
         ("--resolution 0", "resolution must be greater than zero"),
         ("--encoder-lines 1000 --pitch nan", "per turn must be greater than zero"),
-        ("--encoder-lines 1000 --pitch 1 --gear 3:0", "argument --gear: invalid"),
+        (
+            "--encoder-lines 1000 --pitch 1 --gear 3:0",
+            "argument --gear: '3:0' is not a ratio such as 3 or 7:2",
+        ),
         ("--encoder-lines 1000 --pitch 1 --quadrature 3", "a line gives 1, 2 or 4 counts, not 3"),
     ],
 )

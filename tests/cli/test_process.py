@@ -19,7 +19,9 @@ COMMAND = [sys.executable, "-m", "motionlang"]
 def test_a_reader_that_goes_away_is_no_error(tmp_path: Path) -> None:
     read, write = os.pipe()
     os.close(read)
-    ran = subprocess.run([*COMMAND, "keywords"], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    ran = subprocess.run(
+        [*COMMAND, "help", "keywords"], stdout=write, stderr=subprocess.PIPE, text=True, check=False
+    )
     os.close(write)
     assert (ran.returncode, ran.stderr) == (141, "")
 
@@ -33,19 +35,19 @@ WRITERS = """\
 run --help
 run loud.mnt
 run loud.mnt --format none
-run loud.mnt --format none --prove
+prove loud.mnt --format none
 run loud.mnt --format none --realtime 1000
 run loud.mnt --format json
 run moves.mnt
-run moves.mnt --profile --all
-run moves.mnt --paths
-run moves.mnt --prove
-run moves.mnt --certify
+profile moves.mnt --all
+profile moves.mnt --paths
+prove moves.mnt
+certify moves.mnt
 run wrong.mnt --format json
 repl loud.mnt
 check moves.mnt
 check moves.mnt --format json
-keywords SPEED
+help SPEED
 plan --distance 10 --time 1 --rule third
 diff moves.mnt loud.mnt
 diff moves.mnt moves.mnt
@@ -82,7 +84,7 @@ def test_every_command_ends_quietly_where_its_reader_goes_away(
 def test_a_full_disk_under_standard_output_is_reported_once() -> None:
     with open("/dev/full", "w") as full:
         ran = subprocess.run(
-            [*COMMAND, "keywords"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+            [*COMMAND, "help", "keywords"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
         )
     message = "motionlang: cannot write the output: no space left on device\n"
     assert (ran.returncode, ran.stderr) == (1, message)
@@ -177,6 +179,6 @@ def test_standard_output_may_be_closed(tmp_path: Path) -> None:
 
 
 def test_standard_input_may_be_closed() -> None:
-    line = f"{' '.join(COMMAND)} run - --dialect mint --format none <&-"
+    line = f"{' '.join(COMMAND)} run - --lang mint --format none <&-"
     ran = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
     assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")

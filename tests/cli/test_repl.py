@@ -14,7 +14,7 @@ TYPED = {
     ("repl",): ("PRINT 7\n", "7"),
     ("repl", "mint"): ("PRINT 7\n", "7"),
     ("repl", "mccl"): ("1TP\n", "01 0"),
-    ("repl", "--dialect", "mccl"): ("1TP\n", "01 0"),
+    ("repl", "--lang", "mccl"): ("1TP\n", "01 0"),
 }
 
 

@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.cli import signals
+from motionlang.cli import shared, signals
 from motionlang.errors import Terminated
 from motionlang.lang.dialect import dialect
 from motionlang.lang.scheduler import Scheduler
@@ -60,7 +60,7 @@ def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
 STAGES = {
     "compiling": (type(dialect("mint")), "compile", "interrupted"),
     "running": (Scheduler, "run", "interrupted"),
-    "reporting": ("motionlang.report", "pieces", "ended"),
+    "reporting": ("motionlang.cli.simulated", "pieces", "ended"),
 }
 
 
@@ -85,28 +85,23 @@ def test_a_signal_at_any_stage(
 def test_an_ended_run_is_proved_where_that_takes_no_time(
     most: int, cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from motionlang.cli import run
+    whole = Scheduler.run
 
-    def pacer(factor: float) -> Callable[[float], None]:
-        def pace(now: float) -> None:
-            if now > 0.5:
-                raise KeyboardInterrupt
+    def interrupted(scheduler: Scheduler, *given: Any) -> Any:
+        whole(scheduler, 0.5)
+        raise KeyboardInterrupt
 
-        return pace
-
-    monkeypatch.setattr(run, "pacer", pacer)
-    monkeypatch.setattr(run, "PROVED_IN_TIME", most)
+    monkeypatch.setattr(Scheduler, "run", interrupted)
+    monkeypatch.setattr("motionlang.cli.prove.PROVED_IN_TIME", most)
     cell.write("a.mnt", "SPEED(0) = 5\n" + MOVE)
-    ran = cell("run", "a.mnt", "--format", "json", "--prove", "--realtime")
+    ran = cell("prove", "a.mnt", "--format", "json")
     codes = [each["code"] for each in json.loads(ran.out)["diagnostics"]]
     assert (ran.status, codes) == (130, ["interrupted"] if most else ["interrupted", "proof"])
 
 
 def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    from motionlang.cli import input_files, run
-
     cell.write("a.mnt", MOVE)
-    monkeypatch.setattr(run, "read_source", sending(signal.SIGTERM, input_files.read_source))
+    monkeypatch.setattr(shared, "read", sending(signal.SIGTERM, shared.read))
     ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
 
@@ -148,7 +143,7 @@ def test_a_signal_during_a_trace_leaves_the_report_and_no_half_of_a_file(
     cell.write("a.mnt", MOVE)
     before = cell.write("a.csv", "old")
     monkeypatch.setitem(export._WRITERS, ".csv", sending(signal.SIGTERM, export._write_csv))
-    ran = cell("run", "a.mnt", "--format", "json", "--trace", "a.csv")
+    ran = cell("trace", "a.mnt", "a.csv", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"], before.read_text()) == (143, "ended", "old")
     assert "a.csv was not written: the command was ended by SIGTERM" in ran.err
     assert not [each for each in os.listdir() if each.startswith(".a.csv")]
@@ -164,7 +159,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
         return "never"
 
     cell.write("a.mnt", MOVE)
-    monkeypatch.setattr("motionlang.report.pieces", write)
+    monkeypatch.setattr("motionlang.cli.simulated.pieces", write)
     ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, "never" in ran.out) == (130, False)
 
@@ -180,7 +175,7 @@ def test_what_is_switched_off_stays_off(cell: Cell, monkeypatch: pytest.MonkeyPa
 def test_handlers_are_put_back(cell: Cell) -> None:
     before = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]
     hook = sys.unraisablehook
-    cell("keywords", "SPEED")
+    cell("help", "SPEED")
     assert [signal.getsignal(n) for n in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)] == before
     assert sys.unraisablehook is hook
 
@@ -259,7 +254,7 @@ def test_a_signal_while_the_command_line_is_read(cell: Cell, monkeypatch: pytest
 
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(commands, "build_parser", sending(signal.SIGTERM, commands.build_parser))
-    ran = cell("run", "a.mnt", "--format", "json", "--trace", "a.csv")
+    ran = cell("trace", "a.mnt", "a.csv", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
     assert not (cell.folder / "a.csv").exists()
 
@@ -305,11 +300,11 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
 @pytest.mark.parametrize(
     ("target", "arguments"),
     [
-        ("motionlang.cli.run.read_source", ("run", "a.mnt", "--format", "json")),
-        ("motionlang.report.pieces", ("run", "a.mnt", "--format", "json")),
-        ("motionlang.views.table.render", ("run", "a.mnt")),
-        ("motionlang.cli.check.check_command", ("check", "a.mnt")),
-        ("motionlang.views.export.write_trace", ("run", "a.mnt", "--trace", "a.csv")),
+        ("motionlang.cli.shared.read", ("run", "a.mnt", "--format", "json")),
+        ("motionlang.cli.simulated.pieces", ("run", "a.mnt", "--format", "json")),
+        ("motionlang.cli.simulated.render", ("run", "a.mnt")),
+        ("motionlang.cli.check.in_parallel", ("check", "a.mnt")),
+        ("motionlang.views.export.write_trace", ("trace", "a.mnt", "a.csv", "--format", "text")),
     ],
 )
 def test_a_crash_anywhere_is_reported_and_stored(
@@ -327,7 +322,7 @@ def test_a_crash_anywhere_is_reported_and_stored(
 
 def test_a_crash_that_cannot_be_stored_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(cell.folder / "none"))
-    monkeypatch.setattr("motionlang.cli.check.check_command", broken)
+    monkeypatch.setattr("motionlang.cli.check.in_parallel", broken)
     ran = cell("check", "a.mnt")
     assert (ran.status, "the crash report could not be written" in ran.err) == (70, True)
 

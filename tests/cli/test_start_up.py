@@ -12,7 +12,7 @@ import pytest
 UNUSED = ("motionlang.mint.keywords.camboxes",)
 
 
-@pytest.mark.parametrize("arguments", [["check"], ["keywords", "HOMESPEED"]])
+@pytest.mark.parametrize("arguments", [["check"], ["help", "HOMESPEED"]])
 def test_a_short_command_imports_no_more_than_it_needs(arguments: list[str], tmp_path: Path) -> None:
     program = tmp_path / "move.mnt"
     program.write_text("MOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n", encoding="utf-8")

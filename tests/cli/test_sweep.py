@@ -12,7 +12,9 @@ from typing import Any
 import pytest
 
 from motionlang.analysis.sweeps import Sweep
-from motionlang.cli.sweep_report import Report
+from motionlang.analysis.sweeps.expression import Expression
+from motionlang.cli.sweep_report import SweepReport
+from motionlang.cli.variants import Variants
 from tests.cli.programs import STROKE, Cell
 
 VARY = ("sweep", "stroke.mnt", "--vary", "rate=500:2000:4", "--vary", "length=20,100")
@@ -145,7 +147,7 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
     for message in (
         "there is no key kep",
         "did you mean keep?",
-        "latin is the size of a Latin hypercube sample",
+        "latin: '0' is not a whole number above 0",
     ):
         assert message in ran.err
 
@@ -166,7 +168,7 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
         ),
         (("--vary", "rate=1", "--pareto", "time"), "a Pareto front needs two"),
         (("--vary", "rate=1", "--random", "4", "--latin", "4"), "not both"),
-        (("--vary", "rate=1", "--rows-to", "rows.xls"), "--rows-to writes .csv and .parquet files, not .xls"),
+        (("--vary", "rate=1", "--rows-to", "rows.xls"), "--rows-to writes .csv and .parquet, not .xls files"),
         (("--vary", "rate=1", "--rows-to", "no/rows.csv"), "there is no folder no"),
         (("--vary", "rate=1", "--resume"), "--resume needs --rows-to"),
     ],
@@ -191,13 +193,10 @@ def test_what_cannot_be_read_is_reported(stroke: Cell) -> None:
     assert json.dumps(sorted(each.name for each in Path(stroke.folder).glob("*.part"))) == "[]"
 
 
-def made_report(where: str | None = None, **expressions: Any) -> Any:
-    """Return the report of a sweep over `x`; its expressions are only texts."""
-    named = {name: SimpleNamespace(text=text, names=()) for name, text in expressions.items()}
-    if where is not None:
-        named["where"] = SimpleNamespace(text=where, names=())
-    description: Any = SimpleNamespace(expressions=lambda: named, costs=list)
-    return Report(description, ["x"], ["time"])
+def made_report(where: str | None = None) -> SweepReport:
+    """Return the report of a sweep over `x`."""
+    variants = Variants(where=None if where is None else Expression(where))
+    return SweepReport(variants, ["x"])
 
 
 @pytest.mark.parametrize(
@@ -229,6 +228,6 @@ def test_errors_that_differ_in_figures_are_one(capsys: pytest.CaptureFixture[str
 
 
 def test_without_a_best_variant_the_condition_is_named() -> None:
-    wanted: Any = SimpleNamespace(text="time")
-    assert made_report("peak < 5")._best_line({}, None, wanted) == "no variant has peak < 5"
+    wanted = Expression("time")
+    assert made_report("time < 5")._best_line({}, None, wanted) == "no variant has time < 5"
     assert made_report()._best_line({}, None, wanted) == "no variant has a time"

@@ -14,16 +14,6 @@ def test_a_line_of_options_alone_names_no_command(capsys: pytest.CaptureFixture[
     assert "the following arguments are required: COMMAND" in capsys.readouterr().err
 
 
-def test_the_help_of_an_option_wraps_at_words(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A name with a hyphen, such as dcx-pci300, is one word."""
-    monkeypatch.setenv("COLUMNS", "80")
-    with pytest.raises(SystemExit):
-        main(["check", "--help"])
-    assert "one of multiflex,\n                        dcx-pci300," in capsys.readouterr().out
-
-
 def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as end:
         main(["servo", "nonsense"])

@@ -13,7 +13,7 @@ import pytest
 from tests.built import ROOT
 
 # Those that no run needs. Lark parses.
-LIBRARIES = ("numpy", "prompt_toolkit", "rich")
+LIBRARIES = ("can", "canopen", "numpy", "prompt_toolkit", "rich")
 MINT, MCCL = "scripts/mint/pick-and-place.mnt", "scripts/mccl/back-and-forth.mcl"
 # Runs the commands of standard input, and prints status and output of each.
 COMMANDS = """
@@ -43,21 +43,22 @@ sys.meta_path.insert(0, Absent())
 """
 SAME = (
     f"run {MINT}",
-    f"run {MCCL} --report json",
-    f"run {MINT} --profile",
+    f"run {MCCL} --format json",
+    f"profile {MINT}",
     f"check {MINT}",
-    "keywords SPEED",
+    "help SPEED",
     "plan --distance 20 --time 0.6 --rule third",
+    "serve",
 )
 # Commands that need numpy, and what the message calls the user of it.
 NEEDING = (
-    (f"run {MINT} --plot x.png", "--plot"),
-    (f"run {MINT} --trace x.csv", "--trace"),
-    (f"run {MINT} --certify", "--certify"),
-    (f"run {MINT} --prove", "--prove"),
+    (f"plot {MINT} x.png", "motionlang plot"),
+    (f"trace {MINT} x.csv", "motionlang trace"),
+    (f"certify {MINT}", "motionlang certify"),
+    (f"prove {MINT}", "motionlang prove"),
     (f"diff {MINT} {MINT}", "motionlang diff"),
     ("run scripts/mint/motor-tuned.mnt", "this run"),
-    ("run scripts/mint/motor-tuned.mnt --plot x.html", "this run"),
+    ("plot scripts/mint/motor-tuned.mnt x.html", "this run"),
 )
 
 
@@ -105,10 +106,7 @@ def test_a_command_that_needs_numpy_says_so(
 
 def test_the_scope_page_is_the_same_without_libraries(tmp_path: Path) -> None:
     for name, libraries in (("with", True), ("without", False)):
-        lines = [
-            f"run {program} --format none --plot {tmp_path / name}-{k}.html"
-            for k, program in enumerate((MINT, MCCL))
-        ]
+        lines = [f"plot {program} {tmp_path / name}-{k}.html" for k, program in enumerate((MINT, MCCL))]
         assert [status for status, _ in answers(lines, libraries)] == [0, 0]
     for k in range(2):
         pages = [tmp_path / f"{name}-{k}.html" for name in ("with", "without")]

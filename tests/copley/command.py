@@ -6,8 +6,7 @@ import contextlib
 import io
 from dataclasses import dataclass
 
-from motionlang.cli.parser import Parser
-from motionlang.cli.pvt import add_parser
+from motionlang.cli import main
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,13 +20,10 @@ class Answer:
 
 def pvt(*words: str) -> Answer:
     """Run `motionlang pvt` with these arguments."""
-    parser = Parser(prog="motionlang")
-    add_parser(parser.add_subparsers(), "moves for drives")
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:
-            args = parser.parse_args(["pvt", *words])
-            status = int(args.command(args))
+            status = main(["pvt", *words])
         except SystemExit as leaving:
             status = int(leaving.code or 0)
     return Answer(status, out.getvalue(), err.getvalue())

@@ -24,10 +24,15 @@ nan,0,10
 """
 
 
-def test_bad_points_are_named_with_what_the_drive_would_do(tmp_path: Path) -> None:
-    file = tmp_path / "bad.csv"
-    file.write_text(BAD)
-    answer = pvt("export", str(file))
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_bad_points_are_named_with_what_the_drive_would_do(folder: Path) -> None:
+    (folder / "bad.csv").write_text(BAD)
+    answer = pvt("export", "bad.csv")
     assert (answer.status, answer.out) == (1, "")
     assert (
         answer.err
@@ -37,16 +42,19 @@ error[range]: point 1: the time is 0 in mid-move
   |
 3 | 100,500,0
   hint: the drive would end the move at this point and keep the 4 points after it for the next start
+
 error[range]: point 2: the time 256 ms is longer than 255 ms
  --> bad.csv:4
   |
 4 | 200,500,256
   hint: the field holds eight bits: the drive would end the move at this point
+
 error[range]: point 3: the position 3000000000 counts does not fit 32 bits
  --> bad.csv:5
   |
 5 | 3e9,0,10
   hint: the drive would read -1294967296 counts
+
 error[range]: point 4: the position is not a number
  --> bad.csv:6
   |
@@ -65,12 +73,11 @@ def test_where_nothing_is_sent_they_are_warnings(tmp_path: Path) -> None:
     assert "1 segment, 10 ms" in answer.out
 
 
-def test_many_bad_points_are_counted(tmp_path: Path) -> None:
-    file = tmp_path / "bad.csv"
-    file.write_text("position,velocity,time\n" + "0,0,300\n" * 50 + "0,0,0\n")
-    answer = pvt("export", str(file))
+def test_many_bad_points_are_counted(folder: Path) -> None:
+    (folder / "bad.csv").write_text("position,velocity,time\n" + "0,0,300\n" * 50 + "0,0,0\n")
+    answer = pvt("export", "bad.csv")
     assert answer.err.count("error[range]") == 21
-    assert answer.err.endswith("error[range]: 30 more points like these\n")
+    assert answer.err.endswith("error[range]: 30 more points like these\n --> bad.csv\n")
 
 
 @pytest.mark.parametrize(
@@ -89,7 +96,10 @@ def test_many_bad_points_are_counted(tmp_path: Path) -> None:
         (["plot", "--positions", "0,1", "--time", "5", "--jerk", "1"], "--jerk has no effect here"),
         (["plot", "--scurve", "5", "--time", "1", "--axis", "1"], "--axis has no effect here"),
         (["plot", "--positions", "0,1", "--time", "5", "--sweeps", "2"], "--sweeps has no effect here"),
-        (["plot", "--scurve", "5", "--time", "1", "--plot", "x.gif"], "a .png or an .svg file"),
+        (
+            ["plot", "--scurve", "5", "--time", "1", "--plot", "x.gif"],
+            "--plot writes .png and .svg, not .gif files",
+        ),
         (["plot", "--positions", "0,x", "--time", "1"], "not numbers with commas between them"),
         (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not a number"),
         (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not a node from 1 to 127"),
@@ -111,7 +121,7 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["plot", "nowhere.csv"], "error[file]: nowhere.csv: no such file or directory\n"),
+        (["plot", "nowhere.csv"], "error[file]: nowhere.csv cannot be read: no such file or directory\n"),
         (
             ["plot", "--positions", "0,nan,2", "--time", "5"],
             "error[range]: position is not a number\n",
@@ -156,7 +166,7 @@ def test_a_start_elsewhere_is_a_warning() -> None:
 def test_refined_points_are_written_and_read(tmp_path: Path) -> None:
     out = tmp_path / "refined.csv"
     words = ["--positions", "0,5000,15000,20000", "--time", "10", "--velocities", "average"]
-    assert pvt("refine", *words, "-o", str(out)).status == 0
+    assert pvt("refine", *words, "--to", str(out)).status == 0
     points = read_points(Source.read(out)).points
     assert [p.velocity for p in points] == [0, 750_000, 750_000, 0]
     assert pvt("plot", str(out), "--format", "none").out == ""
@@ -234,10 +244,10 @@ def test_other_commands_draw(command: str, tmp_path: Path) -> None:
     assert (tmp_path / "move.png").exists()
 
 
-def test_a_picture_that_cannot_be_written_is_a_diagnostic(tmp_path: Path) -> None:
+def test_a_picture_that_cannot_be_written_is_refused_before(tmp_path: Path) -> None:
     answer = pvt("plot", "--scurve", "10", "--time", "5", "--plot", str(tmp_path / "no" / "where.png"))
-    assert answer.status == 1
-    assert answer.err.startswith("error[file]: ")
+    assert answer.status == 2
+    assert answer.err.startswith("motionlang pvt plot: error: there is no folder ")
 
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
@@ -335,16 +345,14 @@ def test_a_bus_that_is_not_there(words: list[str], message: str, monkeypatch: py
     assert answer.err.startswith(message)
 
 
-def test_a_file_that_is_no_text_is_named(tmp_path: Path) -> None:
-    file = tmp_path / "points.csv"
-    file.write_bytes(b"0,0,10\0\1\2\n")
-    answer = pvt("plot", str(file))
-    assert (answer.status, answer.err) == (1, "error[file]: points.csv: not a text file\n")
+def test_a_file_that_is_no_text_is_named(folder: Path) -> None:
+    (folder / "points.csv").write_bytes(b"0,0,10\0\1\2\n")
+    answer = pvt("plot", "points.csv")
+    assert (answer.status, answer.err) == (1, "error[file]: points.csv cannot be read: not a text file\n")
 
 
-def test_a_time_that_prevents_velocities_is_named_with_its_line(tmp_path: Path) -> None:
-    file = tmp_path / "points.csv"
-    file.write_text("position,time\n0,10\n100,-5\n200,0\n")
-    answer = pvt("refine", str(file))
+def test_a_time_that_prevents_velocities_is_named_with_its_line(folder: Path) -> None:
+    (folder / "points.csv").write_text("position,time\n0,10\n100,-5\n200,0\n")
+    answer = pvt("refine", "points.csv")
     assert (answer.status, answer.out) == (1, "")
     assert answer.err.startswith("error[range]: point 1: the time is negative\n --> points.csv:3\n")

@@ -100,14 +100,14 @@ def test_a_description_as_a_hint(description: str, hint: str) -> None:
 
 def test_a_missing_library_is_named_with_its_extra() -> None:
     several = MissingExtra("--can", ["can", "canopen"])
-    assert (several.message, several.hint, several.is_option, several.is_required) == (
-        "--can needs python-can and canopen", 'python -m pip install "motionlang[can]"', True, False,
+    assert (several.message, several.hint, several.is_required) == (
+        "--can needs python-can and canopen", 'python -m pip install "motionlang[can]"', False,
     )  # fmt: skip
     assert str(several) == f"{several.message}: {several.hint}"
     required = missing(ImportError("no numpy", name="numpy"), "motionlang servo")
     assert required is not None
-    assert (required.message, required.hint, required.is_option, required.is_required) == (
-        "motionlang servo needs numpy", "python -m pip install numpy", False, True,
+    assert (required.message, required.hint, required.is_required) == (
+        "motionlang servo needs numpy", "python -m pip install numpy", True,
     )  # fmt: skip
     assert missing(several, "motionlang run") is several
     assert missing(ImportError("no polars", name="polars"), "motionlang run") is None

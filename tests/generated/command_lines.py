@@ -68,7 +68,7 @@ def _plan(draw: Draw) -> list[str]:
     rule = (
         ["--rule", draw.choice(("third", "quarter", "equal"))] if recipe == ("--distance", "--time") else []
     )
-    language = ["--dialect", draw.choice(("mint", "mccl"))] if draw.chance(0.7) else []
+    language = ["--lang", draw.choice(("mint", "mccl"))] if draw.chance(0.7) else []
     times = ["--use-times"] if draw.chance(0.3) else []
     axis = ["--axis", str(draw.randrange(1, 4))] if draw.chance(0.3) else []
     return ["plan", *given, *rule, *_scale(draw), *language, *times, *axis, *_json(draw)]
@@ -162,11 +162,11 @@ def _tune(draw: Draw) -> list[str]:
 def _keyword(draw: Draw) -> list[str]:
     language = draw.choice(("mint", "mccl"))
     names = sorted(table(language))
-    return ["keywords", draw.choice(names), draw.choice(names), *_json(draw)]
+    return ["help", draw.choice(names), draw.choice(names), *_json(draw)]
 
 
 def _explain(draw: Draw) -> list[str]:
-    return ["explain", draw.choice(sorted(CODES))]
+    return ["help", f"error[{draw.choice(sorted(CODES))}]"]
 
 
 def _probe(draw: Draw) -> list[str]:

@@ -189,8 +189,11 @@ def _pictures(seed: int) -> dict[str, str]:
                 "-q",
             ],
         )[seed // 2 % 4]
-        verb = ["sweep"] if "--vary" in options else ["run", "-q"]
-        line = [*verb, made.name, "--until", UNTIL, "--plot", "a.svg", *options]
+        line = (
+            ["sweep", made.name, "--until", UNTIL, "--plot", "a.svg", *options]
+            if "--vary" in options
+            else ["plot", made.name, "a.svg", "--until", UNTIL, *options]
+        )
     return {"program": program, **_drawn(line)}
 
 
@@ -260,20 +263,19 @@ def said(*arguments: str) -> str:
     return f"{out.getvalue()}{errors.getvalue()}exit status {status}\n".replace(__version__, "VERSION")
 
 
-def _run(program: Generated, *options: str) -> str:
-    return said("run", program.name, "--until", UNTIL, *options)
+def _said(verb: str, program: Generated, *options: str) -> str:
+    return said(verb, program.name, *options, "--until", UNTIL)
 
 
-def _written(program: Generated, path: str, *options: str) -> str:
-    """Return the output of a run and the file that the run writes."""
-    printed = _run(program, "-q", *options)
+def _written(printed: str, path: str) -> str:
+    """Return what a command printed, and the file that it wrote."""
     written = Path(path)
     return printed + (written.read_text(encoding="utf-8") if written.exists() else "no file\n")
 
 
 def _changes(program: Generated) -> str:
     """Return the output of a run and what a wave viewer shows of its value change dump."""
-    printed = _run(program, "-q", "--trace", "a.vcd")
+    printed = _said("trace", program, "a.vcd")
     if not Path("a.vcd").exists():
         return printed + "no file\n"
     variables, end = read(Path("a.vcd"))
@@ -283,6 +285,13 @@ def _changes(program: Generated) -> str:
         for time, value in zip(times, values, strict=True)
     ]
     return printed + "".join(lines) + f"end {end}\n"
+
+
+def _traced(program: Generated) -> str:
+    """Prove the motion of a program, and sample it."""
+    proved = _said("prove", program, "-q")
+    _said("trace", program, "a.csv", "--rate", "25")
+    return _written(proved, "a.csv")
 
 
 # Options of `check`.
@@ -349,7 +358,7 @@ def _diff(program: Generated) -> str:
 def _compare(program: Generated) -> str:
     """Compare the program with a recording of a variant."""
     name = _variant(program)
-    traced = said("run", name, "-q", "--until", UNTIL, "--trace", "r.csv", "--rate", "200")
+    traced = said("trace", name, "r.csv", "--until", UNTIL, "--rate", "200")
     form = ("--format", "json") if program.seed % 3 == 0 else ()
     return traced + said("compare", program.name, "r.csv", "--until", UNTIL, *form)
 
@@ -365,6 +374,12 @@ def _golden(program: Generated) -> str:
     return written + said("verify", "-j", "1", *form, name)
 
 
+def _tree(program: Generated) -> str:
+    """Return the syntax tree, which is below the findings."""
+    shown = said("check", program.name, "--tree")
+    return shown[shown.find("Module\n") :]
+
+
 def _init(program: Generated) -> str:
     """Guess a machine for the program."""
     name = f"first{Path(program.name).suffix}"
@@ -378,7 +393,7 @@ def _init(program: Generated) -> str:
 def _profile(program: Generated) -> str:
     """Return the time profile of a run."""
     form = (".json", ".speedscope.json", ".speedscope.json")[program.seed // 4 % 3]
-    return _written(program, f"a{form}", "--profile-to", f"a{form}")
+    return _written(_said("profile", program, "-q", "--to", f"a{form}"), f"a{form}")
 
 
 def _notebook(program: Generated) -> str:
@@ -391,7 +406,7 @@ def _motor(program: Generated) -> str:
     name = f"motor{Path(program.name).suffix}"
     friction = (0.0, 0.01)[program.seed % 2]
     _write(name, program, machine=f"{LIMITS}\n[axis.1.plant]\n{MOTOR}coulomb = {friction}\n")
-    return said("run", name, "--until", "1", "--format", ("table", "json")[program.seed // 2 % 2])
+    return said("run", name, "--until", "1", "--format", ("text", "json")[program.seed // 2 % 2])
 
 
 def _sweep(program: Generated) -> str:
@@ -444,29 +459,21 @@ def _fields(value: object) -> object:
 
 _KINDS: dict[str, Callable[[Generated], str]] = {
     "damaged": _damaged,
-    "table": lambda program: _run(
-        program, "--paths", "--profile", *(["--all"] if program.seed // 4 % 2 else [])
+    "table": lambda program: _said(
+        "profile", program, "--paths", *(["--all"] if program.seed // 4 % 2 else [])
     ),
     "editor": _editor,
-    "trace": lambda program: _written(program, "a.csv", "--trace", "a.csv", "--rate", "25", "--prove"),
+    "trace": _traced,
     "fault": _fault,
-    "certify": lambda program: _run(program, "--certify"),
+    "certify": lambda program: _said("certify", program),
     "points": lambda program: _written(
-        program,
-        "p.csv",
-        "--trace",
-        "p.csv",
-        "--trajectory-points",
-        "--rate",
-        "50",
-        "--trajectory-rate",
-        "200",
+        _said("trace", program, "p.csv", "--points", "200", "--rate", "50"), "p.csv"
     ),
     "diff": _diff,
-    "picture": lambda program: _written(program, "a.html", "--plot", "a.html"),
+    "picture": lambda program: _written(_said("plot", program, "a.html"), "a.html"),
     "profile": _profile,
     "changes": _changes,
-    "tree": lambda program: said("run", program.name, "--show-tree"),
+    "tree": _tree,
     "sweep": _sweep,
     "compare": _compare,
     "golden": _golden,

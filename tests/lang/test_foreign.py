@@ -55,8 +55,8 @@ def test_text_of_no_language_is_reported_unchanged() -> None:
 @cases(
     ("name", "text", "hint"),
     [
-        ("a.mnt", "1MN,1SV1000\n1MR1000,1WS\n1TP\n", "add --dialect mccl"),
-        ("a.mcl", "' a comment\nSPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", "add --dialect mint"),
+        ("a.mnt", "1MN,1SV1000\n1MR1000,1WS\n1TP\n", "add --lang mccl"),
+        ("a.mcl", "' a comment\nSPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", "add --lang mint"),
     ],
 )
 def test_run_reports_the_language_and_runs_nothing(name: str, text: str, hint: str) -> None:

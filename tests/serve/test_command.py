@@ -86,7 +86,7 @@ def test_a_file_of_no_language_is_refused(
 ) -> None:
     (tmp_path / name).write_text("1MN\n", encoding="utf-8")
     assert main(["serve", str(tmp_path / name), "--tcp", "0"]) == 2
-    assert "add --dialect mint or --dialect mccl" in capsys.readouterr().err
+    assert "add --lang mint or --lang mccl" in capsys.readouterr().err
 
 
 def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:

@@ -146,7 +146,7 @@ def test_output_of_a_program_that_no_host_reads_holds_up_no_one(tmp_path: Path) 
 
 
 def test_a_controller_without_a_program(capsys: pytest.CaptureFixture[str]) -> None:
-    command = [sys.executable, "-m", "motionlang", "serve", "--dialect", "mint", "--tcp", "0"]
+    command = [sys.executable, "-m", "motionlang", "serve", "--lang", "mint", "--tcp", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process, host(process) as wire:
         wire.until(b"P>")
         wire.send(b"RUN\r")

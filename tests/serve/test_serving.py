@@ -41,7 +41,7 @@ COMMANDS = (
      f"{MINT}, in real time; Ctrl-C ends it\n{LISTENING}{MODBUS}{REMARK}{BOTH}", ""),
     ("mapped.mnt --tcp 0 --modbus 0", 0,
      f"{MINT}, in real time; Ctrl-C ends it\n{LISTENING}{MODBUS}{BOTH}", ""),
-    ("--dialect mint --tcp 0 --modbus 0", 0,
+    ("--lang mint --tcp 0 --modbus 0", 0,
      f"{MINT}, in real time; Ctrl-C ends it\n{LISTENING}{MODBUS}{BOTH}", ""),
     ("plain.mnt --tcp 0.0.0.0:0 --modbus 0.0.0.0:0 --clock lockstep", 0,
      f"{MINT}, in lock step; Ctrl-C ends it\n{LISTENING}{MODBUS}{REMARK}{BOTH}".replace("127.0.0.1", "0.0.0.0")
@@ -102,17 +102,17 @@ WRONG = (
     ("--tcp 0 --eds x.eds", "--drives and --eds need --can INTERFACE:CHANNEL"),
     ("--tcp 0 --unit 1", "--unit needs --modbus HOST:PORT"),
     ("plain.mnt --mcapi 0", "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"),
-    ("--dialect mint --mcapi 0",
+    ("--lang mint --mcapi 0",
      "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"),
     ("plain.mnt --modbus 0 --log", "--echo and --log need --tcp or --pty"),
     ("plain.mnt --modbus 0 --echo", "--echo and --log need --tcp or --pty"),
     ("--modbus 0", "--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT"),
-    ("--modbus 0 --dialect mint", "--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT"),
+    ("--modbus 0 --lang mint", "--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT"),
     ("--modbus 0 --tcp 0", "--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT"),
     ("macros.mcl --modbus 0",
-     "--modbus serves a Mint program; for a file with another extension add --dialect mint"),
-    ("plain.mnt --dialect mccl --modbus 0",
-     "--modbus serves a Mint program; for a file with another extension add --dialect mint"),
+     "--modbus serves a Mint program; for a file with another extension add --lang mint"),
+    ("plain.mnt --lang mccl --modbus 0",
+     "--modbus serves a Mint program; for a file with another extension add --lang mint"),
     *((f"--can virtual:x {more}",
        "--can serves drives, which run no program: leave out FILE, --tcp, --pty, --mcapi and --modbus")
       for more in ("plain.mnt", "--tcp 0", "--pty", "--mcapi 0", "--modbus 0")),
@@ -141,7 +141,7 @@ BOUNDS = ("--unit 1", "--unit 247", "--max-hosts 1", "--max-hosts 1000", "--fact
 
 @cases(
     "line, message",
-    (*WRONG, *((f"--mcapi 0 --dialect mint {each} --drives 1", WRONG[3][1]) for each in BOUNDS)),
+    (*WRONG, *((f"--mcapi 0 --lang mint {each} --drives 1", WRONG[3][1]) for each in BOUNDS)),
 )
 def test_a_wrong_command_line(
     line: str, message: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

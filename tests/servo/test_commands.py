@@ -73,7 +73,7 @@ def test_a_program_that_ran_through_the_servo_is_drawn(
 ) -> None:
     """The picture is that of a run, which `tests/views/test_plot.py` renders with a servo."""
     file = tmp_path / "move.svg"
-    assert run_command(capsys, "run", str(program), "--format", "none", "--plot", str(file)) == (0, "", "")
+    assert run_command(capsys, "run", str(program), "-q", "--plot", str(file)) == (0, "", "")
     assert file.exists()
 
 
@@ -105,7 +105,7 @@ def test_every_picture_is_drawn(
         (("compare", "--distance", "0"), 2, "argument --distance: '0' is not a number greater than zero"),
         (("compare", "--speed", "nan"), 2, "'nan' is not a number greater than zero"),
         (("compare", "--ramp", "0.7"), 2, "ramp must be"),
-        (("step", "--plot", "x.gif"), 2, "--plot writes .png and .svg files, not x.gif"),
+        (("step", "--plot", "x.gif"), 2, "--plot writes .png and .svg, not .gif files"),
         (("step", "--plant", "inertia"), 2, "'inertia' is not NAME=VALUE"),
         (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "give gains of either Mint or MCCL, not both"),
         (("step", "--loop", "proportional=nan"), 2, "proportional must be a finite number"),
@@ -129,16 +129,18 @@ def test_refusals(
     assert "Traceback" not in err
 
 
-def test_a_machine_file_that_is_not_toml(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_machine_file_with_a_mistake(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "m.toml"
-    path.write_text("[axis.0.plant\n")
-    found, _, err = run_command(capsys, "step", "--machine", str(path))
-    assert found == 2
-    assert "m.toml" in err
-    path.write_text("axis = 3\n")
-    assert run_command(capsys, "step", "--machine", str(path))[0] == 0
-    path.write_text("[axis.0]\nplant = 3\n")
-    assert "axis.0.plant must be a table" in run_command(capsys, "step", "--machine", str(path))[2]
+    for text, message in (
+        ("[axis.0.plant\n", "error[machine-file]: "),
+        ("axis = 3\n", "m.toml:1"),
+        ("[axis.0]\nplant = 3\n", "m.toml:2"),
+        ("[axis.0.plant]\ninerta = 1e-5\n", "did you mean inertia?"),
+    ):
+        path.write_text(text)
+        found, out, err = run_command(capsys, "step", "--machine", str(path))
+        assert (found, out) == (1, "")
+        assert message in err
 
 
 def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -146,4 +148,10 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
     path.write_text("MOVER(0) =\n")
     found, out, err = run_command(capsys, "run", str(path))
     assert (found, out) == (1, "")
-    assert "does not run" in err
+    assert err.startswith("error[syntax]: expected a value before the end of the line\n --> ")
+
+
+def test_a_program_takes_settings(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("run", str(program), "--set", "axis.0.plant.resistance=2", "--format", "json")
+    status, out, _ = run_command(capsys, *words)
+    assert (status, json.loads(out)["plants"]) == (0, {})

@@ -45,7 +45,7 @@ def site_path(path: str) -> str | None:
 
 
 def rewritten(text: str, page: str, run: Callable[[str, str], str]) -> str:
-    """Return the text of a page, such as "docs/cli.md", for the site.
+    """Return the text of a page, such as "docs/commands/README.md", for the site.
 
     `run` returns the playground fragment of a block by its kind and text, or "".
     """

@@ -27,16 +27,20 @@ def never(kind: str, text: str) -> str:
 @cases(
     ("page", "text", "shown"),
     [
-        ("README.md", "[cli](docs/cli.md#run)", "[cli](cli.md#run)"),
+        ("README.md", "[cli](docs/commands/run.md)", "[cli](commands/run.md)"),
         ("README.md", "![a](docs/images/scope.png)", "![a](images/scope.png)"),
         ("README.md", "[all](docs/keywords)", "[all](keywords/mint.md)"),
         ("README.md", "[try](playground/README.md)", '<a href="playground/index.html?docs">try</a>'),
         ("docs/README.md", "[c](../CONTRIBUTING.md)", "[c](CONTRIBUTING.md)"),
-        ("docs/contributing/architecture.md", "[cli](../cli.md)", "[cli](../cli.md)"),
+        ("docs/contributing/architecture.md", "[cli](../commands/README.md)", "[cli](../commands/README.md)"),
         ("docs/old-machine.md", "[old](../examples/old)", "old"),
         ("CONTRIBUTING.md", "[a](docs/contributing/decisions.md)", "[a](contributing/decisions.md)"),
         ("README.md", "[there](https://example.org/a)", "[there](https://example.org/a)"),
-        ("README.md", "```text\n[a](docs/cli.md)\n```", "```text\n[a](docs/cli.md)\n```"),
+        (
+            "README.md",
+            "```text\n[a](docs/commands/README.md)\n```",
+            "```text\n[a](docs/commands/README.md)\n```",
+        ),
     ],
 )
 def test_links_lead_to_where_a_page_is_on_the_site(page: str, text: str, shown: str) -> None:

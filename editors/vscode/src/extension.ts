@@ -19,10 +19,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     context.subscriptions.push(vscode.commands.registerCommand(name, action));
   };
   on("motionlang.run", (uri) => inTerminal(uri, (file) => ["run", file]));
-  on("motionlang.profile", (uri) => inTerminal(uri, (file) => ["run", file, "--profile"]));
+  on("motionlang.profile", (uri) => inTerminal(uri, (file) => ["profile", file]));
   const page = new ScopePage(
     () => storage(context, "scope.html"),
-    (program, file, words) => inTerminal(program, (path) => ["run", path, "--plot", file.fsPath, "--quiet", ...words], false),
+    (program, file, words) => inTerminal(program, (path) => ["plot", path, file.fsPath, ...words], false),
   );
   on("motionlang.scope", async (uri) => {
     const file = fileOf(uri);

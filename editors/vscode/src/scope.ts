@@ -2,11 +2,11 @@
 
 import * as vscode from "vscode";
 
-/** Writes the page of a program into a file; the words are further arguments of `motionlang run`. */
+/** Writes the page of a program into a file; the words are further arguments of `motionlang plot`. */
 export type Draw = (program: vscode.Uri, page: vscode.Uri, words: string[]) => Promise<unknown>;
 
 /** The arguments of a launch that `motionlang run` has too. */
-const OPTIONS = ["machine", "dialect", "until", "input", "analog", "answer", "keys"];
+const OPTIONS = ["machine", "lang", "until", "input", "analog", "answer", "keys"];
 
 export class ScopePage implements vscode.DebugAdapterTrackerFactory {
   private panel: vscode.WebviewPanel | undefined;

@@ -35,5 +35,7 @@ def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic
                 "budget",
                 f"{what} took {taken:.6g} s, {taken - allowed:.6g} s over the budget of {allowed:.10g} s",
                 line,
-                hint=f"line {line} took {seconds:.6g} s of it; --profile shows all lines" if line else "",
+                hint=f"line {line} took {seconds:.6g} s of it; motionlang profile shows all lines"
+                if line
+                else "",
             )

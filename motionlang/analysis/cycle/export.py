@@ -14,7 +14,7 @@ from motionlang.files import replacing
 
 Row = dict[str, Any]
 
-# The suffixes of `--profile-to`, the longest first.
+# The suffixes of a profile's file, the longest first.
 FORMATS = (".speedscope.json", ".json")
 
 

@@ -58,7 +58,7 @@ KEYS = """
 # Keys that the operator presses.
 """
 LIMITS = """\
-# Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
+# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
 """
 UNKNOWN = """
 # Digital inputs whose channels are only known while the program runs.

@@ -78,7 +78,7 @@ def prove(
     """
     proof = Proof()
     if expected_motion.is_full:
-        message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of --prove"
+        message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of a proof"
         proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
         return proof
     run = Run(controller.axes, controller.moves, expected_motion, until)

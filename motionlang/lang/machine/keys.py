@@ -16,6 +16,7 @@ KEYS: dict[str, tuple[str, str]] = {
         "time",
         "The time limit of the run, in seconds of machine time; the scenario ends there too.",
     ),
+    "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
     "budget.time": ("positive", "The longest duration of the run allowed, in seconds; more is an error."),
     "budget.motion": ("positive", "The most motion on the critical path of the run, in seconds."),
     "budget.dwell": ("positive", "The most time in dwells such as WAIT on that path, in seconds."),
@@ -52,7 +53,7 @@ KEYS: dict[str, tuple[str, str]] = {
     ),
     "axis.N.limits.position": (
         "pair",
-        "The positions allowed, in user units; `run --certify` shows how far the axis went.",
+        "The positions allowed, in user units; `motionlang certify` shows how far the axis went.",
     ),
     "axis.N.limits.speed": ("positive", "The greatest speed allowed, in user units per second."),
     "axis.N.limits.acceleration": (

@@ -60,7 +60,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     rows = [each for each in table() if can_be_supplied(each)]
     if row is None or row.name.upper() != word.upper():
         near = nearest(word, [each.name for each in rows]) if row is None else row.name
-        hint = f"did you mean {near}?" if near else "motionlang keywords lists the keywords of Mint"
+        hint = f"did you mean {near}?" if near else "motionlang help keywords lists the keywords of Mint"
         return f"there is no readable keyword {word}", hint
     if row not in rows:
         return f"the machine file cannot set {row.name}", _why_not(row)

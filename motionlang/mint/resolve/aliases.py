@@ -36,5 +36,5 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     if isinstance(value, str) and table().get(value) is not None:
         return None
     near = nearest(str(value), table().names())
-    hint = f"did you mean {near}?" if near else "motionlang keywords lists the keywords of Mint"
+    hint = f"did you mean {near}?" if near else "motionlang help keywords lists the keywords of Mint"
     return f"{key} must be a keyword of Mint, not {shown(value)}", hint

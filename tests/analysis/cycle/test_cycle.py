@@ -241,11 +241,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", "cycle.mnt", "--profile", "--profile-to", "x.speedscope.json"]) == 0
+    assert main(["profile", "cycle.mnt", "--to", "x.speedscope.json"]) == 0
     assert "time profile of 3.0" in capsys.readouterr().out
     assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
-    assert main(["run", "cycle.mnt", "--format", "json", "--profile-to", "x.json"]) == 0
-    assert json.loads(capsys.readouterr().out)["status"] == "ended"
+    assert main(["profile", "cycle.mnt", "--format", "json", "--to", "x.json"]) == 0
+    assert json.loads(capsys.readouterr().out)["schema"] == "motionlang.cycle/2"
     assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/2"
 
 

@@ -91,7 +91,7 @@ def _sampled(profile: Row, frames: int) -> Iterator[str]:
 def document(request: pytest.FixtureRequest, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Row:
     path = tmp_path / "x.speedscope.json"
     program = ROOT / "scripts" / getattr(request, "param", PROGRAMS[0])
-    main(["run", str(program), "--format", "none", "--profile-to", str(path)])
+    main(["profile", str(program), "--format", "none", "--to", str(path)])
     capsys.readouterr()
     found: Row = json.loads(path.read_text(encoding="utf-8"))
     return found

@@ -137,7 +137,7 @@ def test_at_the_prompt_they_end_the_line() -> None:
         (
             'EFFORTS = "a"',
             "there is no readable keyword EFFORTS",
-            "motionlang keywords lists the keywords of Mint",
+            "motionlang help keywords lists the keywords of Mint",
         ),
         ("PRODUCTSERIALNUMBER = 3", "PRODUCTSERIALNUMBER is a text, not 3", MEANINGLESS),
         ('HALL = { "0, 1" = 2 }', "HALL has 1 in its brackets, not 2", "it stands for axis"),

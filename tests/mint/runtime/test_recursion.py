@@ -162,9 +162,9 @@ def test_command_line_reports_the_same(tmp_path: Path) -> None:
     path = tmp_path / "down.mnt"
     text = ENDLESS.format("Down()") + RECURSIONS["a sub"][1]
     path.write_text(text + HANDLER, encoding="utf-8")
-    for more in ([], ["--trace", str(tmp_path / "t.csv")], ["--profile"]):
+    for verb, more in (("run", []), ("trace", [str(tmp_path / "t.csv")]), ("profile", [])):
         done = run_process(
-            [sys.executable, "-m", "motionlang", "run", str(path), *more],
+            [sys.executable, "-m", "motionlang", verb, str(path), *more],
             capture_output=True,
             text=True,
             check=False,

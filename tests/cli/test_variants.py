@@ -1,4 +1,4 @@
-"""Numbers in the description of a sweep: the number of samples, and their seed."""
+"""The file next to a program with the options of its sweep: each key is read as the option is."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.analysis.sweeps.description import Description, read_description
 from motionlang.analysis.sweeps.space import Dimension, Drawn, Grid
+from motionlang.cli.variants import Variants
 from motionlang.errors import ProgramError
 
 
@@ -25,10 +25,10 @@ def test_at_least_one_variant_is_drawn_and_any_whole_number_is_a_seed(
     file.write_text(line + "\n", encoding="utf-8")
     if taken:
         key, _, value = line.partition(" = ")
-        assert getattr(read_description(str(file)), key) == int(value)
+        assert getattr(Variants.of_file(str(file)), key) == int(value)
     else:
         with pytest.raises(ProgramError):
-            read_description(str(file))
+            Variants.of_file(str(file))
 
 
 @pytest.mark.parametrize(
@@ -36,28 +36,28 @@ def test_at_least_one_variant_is_drawn_and_any_whole_number_is_a_seed(
     [
         ("until = 0", "until", 0.0),
         ("until = 2.5", "until", 2.5),
-        ("until = -1", None, "until is "),
-        ("until = true", None, "until is "),
-        ("until = 1e300", None, "until is "),
-        ('until = "1"', None, "until is "),
+        ("until = -1", None, "until: '-1' is not a time in seconds"),
+        ("until = true", None, "until: 'true' is not a time"),
+        ("until = 1e999", None, "until: 'inf' is not a time"),
+        ('until = "1"', "until", 1.0),
         ("prove = true", "prove", True),
-        ("prove = 1", None, "prove is "),
-        ('keep = ["time"]', "keep", ["time"]),
-        ('keep = "time"', None, "keep is "),
-        ("keep = [1]", None, "keep is "),
-        ("vary = 1", None, "vary is "),
-        ("[vary]\nn = []", None, "n is varied over a list or a range"),
-        ("untill = 1", None, "there is no key untill"),
+        ("prove = 1", None, "prove: true or false, not 1"),
+        ('keep = ["time", "peak.0"]', "keep", ("time", "peak.0")),
+        ('keep = "time"', "keep", ("time",)),
+        ("keep = [1]", None, "keep: "),
+        ("vary = 1", None, "vary: '1' is not NAME="),
+        ("[vary]\nn = []", None, "vary: 'n=' is not NAME="),
+        ("untill = 1", None, "there is no key untill; did you mean until?"),
     ],
 )
 def test_a_key_of_a_description(line: str, name: str | None, value: object, tmp_path: Path) -> None:
     file = tmp_path / "a.sweep.toml"
     file.write_text(f"\n{line}\n", encoding="utf-8")
     if name is not None:
-        assert getattr(read_description(str(file)), name) == value
+        assert getattr(Variants.of_file(str(file)), name) == value
     else:
         with pytest.raises(ProgramError) as caught:
-            read_description(str(file))
+            Variants.of_file(str(file))
         (found,) = caught.value.diagnostics
         assert found.message.startswith(str(value))
         assert (found.line, found.column) == (2, 1)
@@ -67,19 +67,18 @@ def test_varied_names_may_be_tables(tmp_path: Path) -> None:
     """A text in a list is read as on the command line; a single number is one value."""
     file = tmp_path / "a.sweep.toml"
     file.write_text('[vary]\nSPEED = "1:3:3"\naxis.0.gain = [1, "2"]\nn = 7\nb = true\n', encoding="utf-8")
-    found = [
-        (each.name, [each[k] for k in range(len(each))]) for each in read_description(str(file)).dimensions
-    ]
+    found = [(each.name, [each[k] for k in range(len(each))]) for each in Variants.of_file(str(file)).vary]
     assert found == [("SPEED", [1, 2, 3]), ("axis.0.gain", [1, 2]), ("n", [7]), ("b", [True])]
 
 
 def test_folders_are_next_to_the_description_and_a_condition_is_none(tmp_path: Path) -> None:
     file = tmp_path / "a.sweep.toml"
     file.write_text('machines = "m"\nscenarios = "s"\nwhere = "time < 5"\n', encoding="utf-8")
-    found = read_description(str(file))
+    found = Variants.of_file(str(file))
     assert found.machines == str(tmp_path / "m")
     assert found.scenarios == str(tmp_path / "s")
-    assert found.where == "time < 5"
+    assert found.where is not None
+    assert found.where.text == "time < 5"
 
 
 ONE, TWO = Dimension("n", [1, 2, 3]), Dimension("m", [4.0, 5.0])
@@ -95,20 +94,28 @@ ONE, TWO = Dimension("n", [1, 2, 3]), Dimension("m", [4.0, 5.0])
     ],
 )
 def test_the_variants_of_a_description(given: dict[str, int], kind: type, count: int) -> None:
-    description = Description()
-    description.dimensions = [ONE, TWO]
+    variants = Variants()
+    variants.vary = [ONE, TWO]
     for name, value in given.items():
-        setattr(description, name, value)
-    found = description.space({})
+        setattr(variants, name, value)
+    found = variants.space({})
     assert (type(found), len(found)) == (kind, count)
-    assert len(description.space({"machine": {"a": {}, "b": {}}})) == (2 * count if kind is Grid else count)
+    assert len(variants.space({"machine": {"a": {}, "b": {}}})) == (2 * count if kind is Grid else count)
 
 
 def test_a_description_needs_something_to_vary_and_one_kind_of_sample() -> None:
-    description = Description()
+    variants = Variants()
     with pytest.raises(ValueError, match="nothing to vary: give --vary NAME=FIRST:LAST:COUNT"):
-        description.space({})
-    assert len(description.space({"scenario": {"a": {}, "b": {}, "c": {}}})) == 3
-    description.dimensions, description.random, description.latin = [ONE], 3, 3
+        variants.space({})
+    assert len(variants.space({"scenario": {"a": {}, "b": {}, "c": {}}})) == 3
+    variants.vary, variants.random, variants.latin = [ONE], 3, 3
     with pytest.raises(ValueError, match="use either a random or a Latin hypercube sample, not both"):
-        description.space({})
+        variants.space({})
+
+
+def test_an_option_of_the_command_line_replaces_what_the_file_says_about_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "a.sweep.toml"
+    file.write_text('keep = "peak.0"\nlatin = 5\nminimise = "time"\n[vary]\nn = [1, 2]\n', encoding="utf-8")
+    given = Variants(vary=[TWO], random=4)
+    given.read_file(str(file))
+    assert (given.vary, given.random, given.latin, given.keep) == ([TWO], 4, None, ("peak.0",))

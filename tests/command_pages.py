@@ -1,8 +1,8 @@
-"""Writer of the option tables in docs/cli.md: `python -m tests.cli_page`.
+"""Writer of the tables of options in docs/commands: `python -m tests.command_pages`.
 
-The tables come from the parsers. The page has hand-written text around sections that begin with `<!--
-options: COMMAND -->`, `<!-- commands -->` or `<!-- old options -->` and end with `<!-- end -->`. Only these
-sections are generated.
+The tables come from the classes of the commands, through their parsers. A page has hand-written text around sections
+that begin with `<!-- options: COMMAND -->` or, in its README, `<!-- commands -->`, and end with `<!-- end -->`. Only
+these sections are generated.
 """
 
 from __future__ import annotations
@@ -12,32 +12,10 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from motionlang.cli.commands import COMMANDS, build_parser
+from motionlang.cli.commands import GROUPS, build_parser
 
-PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
+FOLDER = Path(__file__).parents[1] / "docs" / "commands"
 _SECTION = re.compile(r"(<!-- (commands|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
-# Commands with a page of their own.
-PAGES = {
-    "init": "old-machine.md",
-    "profile": "cycle.md",
-    "prove": "proof.md",
-    "certify": "certificate.md",
-    "check": "lint.md",
-    "repl": "repl.md",
-    "keywords": "keywords",
-    "pvt": "copley.md",
-    "servo": "servo.md",
-    "diff": "diff.md",
-    "sweep": "sweep.md",
-    "compare": "compare.md",
-    "probe": "probe.md",
-    "serve": "serve.md",
-    "mcapi": "mcapi.md",
-    "lsp": "editor.md",
-}
-
-# Commands that are `run` with one of its options; their options are those of `run`.
-OF_RUN = tuple(name for name, (module, _) in COMMANDS.items() if module.startswith("run_verbs:"))
 
 
 def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
@@ -54,15 +32,18 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
     """Return every parser that has options, by its command, such as "pvt plot"."""
     found: dict[str, argparse.ArgumentParser] = {}
     for name, parser in subparsers(build_parser("*")).items():
-        if name in OF_RUN:
-            continue
         below = subparsers(parser)
         found |= {f"{name} {each}": other for each, other in below.items()} if below else {name: parser}
     return found
 
 
+def pages() -> list[Path]:
+    """Return the pages, in order."""
+    return sorted(FOLDER.glob("*.md"))
+
+
 def written(text: str) -> str:
-    """Return the page `text` with its generated sections updated."""
+    """Return the text of a page with its generated sections updated."""
     known = parsers()
 
     def section(found: re.Match[str]) -> str:
@@ -73,11 +54,10 @@ def written(text: str) -> str:
 
 
 def _commands() -> Iterator[str]:
-    yield "\n| command | what it does | page |\n|---|---|---|\n"
-    for name, (_, summary) in COMMANDS.items():
-        page = f"[{PAGES[name]}]({PAGES[name]})" if name in PAGES else "here"
-        section = "verbs-for-one-question" if name in OF_RUN else name
-        yield f"| [`{name}`](#{section}) | {_cell(summary)} | {page} |\n"
+    for title, rows in GROUPS.items():
+        yield f"\n| {title} | |\n|---|---|\n"
+        for name, (_, summary) in rows.items():
+            yield f"| [`{name}`]({name}.md) | {_cell(summary)} |\n"
     yield "\n"
 
 
@@ -113,4 +93,5 @@ def _cell(text: str) -> str:
 
 
 if __name__ == "__main__":
-    PAGE.write_text(written(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
+    for page in pages():
+        page.write_text(written(page.read_text(encoding="utf-8")), encoding="utf-8")

@@ -1,24 +1,16 @@
-"""`motionlang new NAME`: a small commented program with its machine file."""
+"""`motionlang init --new FILE`: a small commented program with its machine file."""
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 
-from motionlang.cli.complaints import complain, unwritten
-from motionlang.cli.parser import Commands, Parser, add_command
+from motionlang.cli.command import Refused, WrongOption
+from motionlang.cli.complaints import unwritten
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.files import create
 
-EPILOG = """\
-A file that exists is never overwritten.
-
-examples:
-  motionlang new feed          write feed.mnt and feed.machine.toml
-  motionlang new feed.mcl      the same in MCCL
-"""
 MINT = """\
 ' Axis 0 feeds a part by 200 mm and returns; output 1 opens a gripper in between.
 SCALE(0) = 1000                         ' counts per mm: from here on lengths are mm
@@ -61,39 +53,31 @@ at = 0.5
 TEXTS = {"mint": (MINT, 0), "mccl": (MCCL, 1)}
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang new` and its argument."""
-    parser = add_command(commands, "new", summary, new_command, EPILOG)
-    parser.add_argument("name", metavar="NAME", help="the program to write; without a suffix it is Mint")
-
-
-def new_command(arguments: argparse.Namespace) -> int:
-    """Write both files and print the next steps; 1 if one exists or cannot be written."""
-    name = arguments.name if os.path.splitext(arguments.name)[1] else f"{arguments.name}.mnt"
+def write(file: str, lang: str | None) -> None:
+    """Write both files and print the next steps; Refused if one exists or cannot be written."""
+    if os.path.basename(file)[:1] in ("", "."):
+        raise WrongOption("FILE needs a name, such as feed")
+    name = file if os.path.splitext(file)[1] else file + (".mcl" if lang == "mccl" else ".mnt")
     language = dialect_of(name)
-    parser: Parser = arguments.parser
-    if os.path.basename(arguments.name)[:1] in ("", "."):
-        parser.error("NAME needs a name, such as feed")
     if language is None:
-        parser.error(f"{name} is neither Mint (.mnt) nor MCCL (.mcl) by its extension")
+        raise WrongOption(f"{name} is neither Mint (.mnt) nor MCCL (.mcl) by its extension")
+    if lang not in (None, language.name):
+        raise WrongOption(f"{name} is {language.title} by its extension")
     text, axis = TEXTS[language.name]
     machine = os.path.splitext(name)[0] + MACHINE_SUFFIX
     for path in (name, machine):
         if os.path.lexists(path):
             hint = f"motionlang run {path} runs it" if path == name else "take another name"
-            complain([Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)], None, path)
-            return 1
+            raise Refused([Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)])
     files = {name: text, machine: MACHINE.format(program=os.path.basename(name), axis=axis)}
     for path, content in files.items():
         try:
             create(path, content.encode())
         except OSError as error:
-            complain([unwritten(path, error)], None, path)
-            return 1
+            raise Refused([unwritten(path, error)]) from None
     sys.stdout.write(f"{name}, {machine}: written\n")
     program, picture = (
         f'"{each}"' if " " in each else each for each in (name, f"{os.path.splitext(name)[0]}.html")
     )
     for verb in (f"run {program}", f"check {program}", f"plot {program} {picture}"):
         sys.stdout.write(f"  motionlang {verb}\n")
-    return 0

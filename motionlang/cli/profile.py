@@ -1,0 +1,68 @@
+"""`motionlang profile`: where the time of a run goes."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.analysis.cycle.export import json_pieces, write_profile
+from motionlang.analysis.cycle.profile import TimeProfile
+from motionlang.cli.command import flag, option
+from motionlang.cli.drawn import refuse_input
+from motionlang.cli.output_files import written
+from motionlang.cli.simulated import Simulated
+from motionlang.errors import need
+from motionlang.result import Run as Result
+from motionlang.views.cycle import render_profile
+from motionlang.views.paths import render_paths
+
+PROFILES = (".json", ".speedscope.json")
+
+
+@dataclass
+class Profile(Simulated):
+    """Show where the time of a run goes, by line, sub and cause."""
+
+    title: ClassVar[str] = "profile"
+    epilog: ClassVar[str] = """\
+examples:
+  motionlang profile pick.mnt
+  motionlang profile pick.mnt --all --to pick.speedscope.json
+"""
+    all: bool = flag("list every move, phase and line in the tables")
+    paths: bool = flag(
+        "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
+    )
+    to: str | None = option(
+        "FILE", "also write the profile into a file, which speedscope and Perfetto open", suffixes=PROFILES
+    )
+
+    @property
+    def lists_all(self) -> bool:
+        return self.all
+
+    def prepare(self) -> None:
+        if self.paths:
+            need("motionlang profile --paths", "numpy")
+        if self.to is not None:
+            refuse_input(self, self.to)
+
+    def document(self, result: Result) -> None:
+        sys.stdout.writelines(json_pieces(TimeProfile(result).report()))
+
+    def more(self, result: Result, *, width: int, colour: bool) -> str:
+        shown = ""
+        if self.paths:
+            from motionlang.log.paths import paths
+
+            shown = "\n" + render_paths(paths(result.trace), width=width, colour=colour, everything=self.all)
+        made = TimeProfile(result)
+        return shown + "\n" + render_profile(made, width=width, colour=colour, everything=self.all)
+
+    def after(self, result: Result) -> int:
+        to = self.to
+        if to is None:
+            return 0
+        sys.stdout.flush()
+        return written(to, lambda: write_profile(TimeProfile(result), to))

@@ -1,0 +1,277 @@
+"""The groups of options that commands share: program and machine, world, report, processes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from io import TextIOWrapper
+from typing import Any, BinaryIO, ClassVar, cast
+
+from motionlang.cli.command import Command, Refused, WrongOption, flag, option
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.output_files import written
+from motionlang.cli.parser import either
+from motionlang.cli.readers import whole
+from motionlang.errors import Diagnostic, ProgramError, clipped, shown
+from motionlang.execution import Checked, language_of, machine_of
+from motionlang.files import replacing
+from motionlang.lang.dialect import Dialect, dialects
+from motionlang.lang.literals import canonical
+from motionlang.lang.machine.entries import WrongEntry, with_entries
+from motionlang.lang.machine.file import check_setting, read_machine, read_value
+from motionlang.source import STDIN, STDIN_NAME, Source
+
+# What each form of output is, for help.
+FORMS = {
+    "text": "text",
+    "json": "one JSON document",
+    "csv": "CSV",
+    "none": "none",
+    "sarif": "SARIF",
+    "junit": "JUnit XML",
+    "github": "GitHub workflow commands, which annotate the lines",
+}
+
+
+def forms(*names: str, what: str = "the form") -> Any:
+    """Return the field of the form of `what`; the first name is the default."""
+    listed = [FORMS[name] for name in names]
+    listed[0] += " (the default)"
+    help = f"{what}: {either(listed)}"
+    return option("", help, choices=names, default=names[0])
+
+
+@dataclass
+class Language(Command):
+    """The language of a program."""
+
+    title: ClassVar[str] = "program"
+    # The program; commands have it as an argument.
+    file: str = field(default="", init=False)
+    lang: str | None = option("", "the language; default: by file extension", choices=dialects())
+
+    @property
+    def language(self) -> Dialect | None:
+        """The language of the program, if it is known."""
+        return language_of(self.lang, self.file)
+
+    def known_language(self) -> Dialect:
+        """Return the language of the program; Refused if nothing names it."""
+        if self.language is None:
+            raise Refused([no_dialect(self.file)], file=self.file, status=2)
+        return self.language
+
+    def source(self) -> Source:
+        """Return the program, read from its file or standard input; Refused if it cannot be read."""
+        return read(self.file)
+
+
+@dataclass
+class OnMachine(Language):
+    """The language of a program, and the machine file."""
+
+    title: ClassVar[str] = "program"
+    machine: str | None = option(
+        "M.toml", "the machine file (pick.machine.toml next to pick.mnt, if it exists)"
+    )
+
+
+@dataclass
+class Program(OnMachine):
+    """A program and its machine."""
+
+    title: ClassVar[str] = "program"
+    set: list[str] = option(
+        "NAME=VALUE",
+        "set a name of the program, or a key such as controller.axes; may be repeated",
+        many=True,
+    )
+
+    def machine_path(self) -> str | None:
+        """Return the path of the machine file: the given one, or that next to the program; None without one."""
+        return machine_of(self.file or None, self.machine)
+
+    def settings(self) -> Checked:
+        """Return the settings of the machine file and of `--set`, which come first; Refused for a wrong file."""
+        settings, path = Checked(given_settings(self.set, self.language)), self.machine_path()
+        if path is not None:
+            for key, value in settings_of(path, self.language).items():
+                settings.setdefault(key, value)
+        return settings
+
+    def overrides(self) -> dict[str, float | str]:
+        """Return the values that `--set` gives to names and literals of the program."""
+        return given_overrides(self.set)
+
+    def check(self) -> None:
+        super().check()
+        given_settings(self.set, self.language)
+
+
+@dataclass
+class World(Command):
+    """What the program receives from outside: inputs, answers, keys."""
+
+    title: ClassVar[str] = "world"
+    input: list[str] = option(
+        "CHANNEL=VALUE@S",
+        "a digital input: 2=1@0.5 is on from 0.5 s, 2=out4+0.3 follows output 4; docs/commands/run.md has all forms",
+        many=True,
+    )
+    analog: list[str] = option("CHANNEL=PERCENT@S", "an analogue input: 0=25@1 is 25 %% from 1 s", many=True)
+    answer: list[str] = option(
+        "TEXT",
+        "the answer to the next INPUT, or, as PROMPT=TEXT, to one that asks PROMPT",
+        many=True,
+    )
+    keys_: list[str] = option("TEXT@S", "keys that the operator presses, such as R@0.5", many=True)
+
+    def entries(self) -> dict[str, list[str]]:
+        """Return what is given, by the parameters of `with_entries`."""
+        given = {"inputs": self.input, "analog": self.analog, "answers": self.answer, "keys": self.keys_}
+        return {name: texts for name, texts in given.items() if texts}
+
+
+@dataclass
+class Output(Command):
+    """What a command prints, and where."""
+
+    title: ClassVar[str] = "report"
+    format: str = forms("text", "json")
+    output: str | None = option("FILE", "write to FILE instead of standard output", short="o")
+
+    def start(self) -> int:
+        if self.output is None:
+            return super().start()
+        return into(self.output, super().start)
+
+
+@dataclass
+class Report(Output):
+    """A report that may be left out."""
+
+    format: str = forms("text", "json", "none")
+    quiet: bool = flag("same as --format none", short="q")
+
+    def check(self) -> None:
+        super().check()
+        if self.quiet:
+            self.format = "none"
+
+
+@dataclass
+class Findings(Output):
+    """Findings about programs, also in forms for other tools."""
+
+    format: str = forms("text", "json", "sarif", "junit", "github")
+    quiet: bool = flag("print the findings only", short="q")
+
+
+@dataclass
+class Picture(Command):
+    """A picture of the result."""
+
+    title: ClassVar[str] = "picture"
+    plot: str | None = option("FILE", "draw the result into a file", suffixes=(".png", ".svg"))
+
+    def drawn(self, draw: Callable[[str], None]) -> int:
+        """Draw into the file, if wished; return the exit status."""
+        path = self.plot
+        return 0 if path is None else written(path, lambda: draw(path))
+
+
+@dataclass
+class Jobs(Command):
+    """Work on several processes."""
+
+    title: ClassVar[str] = "processes"
+    jobs: int = option(
+        "N", "worker processes; default: one per core", short="j", default=0,
+        read=whole("a number of processes from 1 to 1024", 1, 1024),
+    )  # fmt: skip
+
+
+def read(file: str) -> Source:
+    """Return the text of a file, or of standard input for `-`; Refused if it cannot be read."""
+    try:
+        return Source.from_file(STDIN_NAME, sys.stdin.buffer) if file == STDIN else Source.read(file)
+    except OSError as error:
+        raise Refused([unreadable(file, error)], file=file) from None
+
+
+def settings_of(path: str, language: Dialect | None = None) -> dict[str, object]:
+    """Return the settings of a machine file; Refused for a wrong file."""
+    machine = read(path)
+    try:
+        return read_machine(machine, language=language)
+    except ProgramError as error:
+        raise Refused(error.diagnostics, source=machine, file=path) from None
+
+
+def given_settings(pairs: Sequence[str], language: Dialect | None) -> dict[str, object]:
+    """Return the keys of the machine file among NAME=VALUE pairs; WrongOption for an invalid pair."""
+    found: dict[str, object] = {}
+    for pair in pairs:
+        name, equals, text = _split(pair)
+        if not equals or not name:
+            raise WrongOption(f"--set needs NAME=VALUE, not {shown(pair)}")
+        if "." in name:
+            found[name] = _setting(text)
+            problem = check_setting(name, found[name], language)
+            if problem is not None:
+                raise WrongOption(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")
+    return found
+
+
+def given_overrides(pairs: Sequence[str]) -> dict[str, float | str]:
+    """Return the names and literals of the program among NAME=VALUE pairs, which are valid."""
+    return {name: _number_or_text(text) for name, _, text in map(_split, pairs) if "." not in name}
+
+
+def _split(pair: str) -> tuple[str, str, str]:
+    name, equals, text = pair.partition("=")
+    return canonical(name) or name.strip(), equals, text
+
+
+def _setting(text: str) -> object:
+    """Parse the value of a machine key as in the machine file; a bare word is a text."""
+    try:
+        return read_value(text)
+    except ProgramError:  # no TOML, more digits than Python reads, or nested too deeply
+        return text
+
+
+def _number_or_text(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def with_world(settings: dict[str, object], entries: dict[str, list[str]]) -> dict[str, object]:
+    """Return the settings, overridden by the entries of a world; Refused if one is wrong."""
+    try:
+        return with_entries(settings, **entries)
+    except WrongEntry as error:
+        raise Refused([Diagnostic("option", error.message, hint=error.hint)], status=2) from None
+
+
+def into(path: str, command: Callable[[], int]) -> int:
+    """Run a command with standard output redirected to a file, replaced at the end.
+
+    Returns the exit status of the command, or 1 if the file cannot be written.
+    """
+    before = sys.stdout
+    try:
+        with replacing(path) as out:
+            sys.stdout = TextIOWrapper(cast("BinaryIO", out), "utf-8", write_through=True)
+            try:
+                return command()
+            finally:
+                sys.stdout.flush()
+                sys.stdout.detach()
+                sys.stdout = before
+    except OSError as error:
+        complain([unwritten(path, error)], None, path)
+        return 1

@@ -1,0 +1,283 @@
+"""The base of the commands that run one program and report on the run."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from time import monotonic, sleep
+from typing import ClassVar
+
+from motionlang.cli.command import Refused, WrongOption, argument, option
+from motionlang.cli.complaints import complain
+from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
+from motionlang.cli.event_status import complaints
+from motionlang.cli.readers import allowed, machine_time, real
+from motionlang.cli.run_progress import watched
+from motionlang.cli.shared import Program, Report, World, forms
+from motionlang.cli.signals import SIGNALS, status_of
+from motionlang.errors import Diagnostic, MissingExtra, ProgramError, Terminated
+from motionlang.execution import ONE_SHIFT, Checked, run
+from motionlang.lang.collector import CollectorOff
+from motionlang.lang.machine.axes import missing_axes
+from motionlang.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
+from motionlang.lang.machine.machine import DEFAULT_AXES, Machine
+from motionlang.lang.scheduler import Outside
+from motionlang.report import assumptions, failure, pieces
+from motionlang.result import Run, who_ended
+from motionlang.source import STDIN, Source, name_of
+from motionlang.views.table import render
+from motionlang.views.terminal import draws, is_terminal, plain, printable, shower, table_width, wants_colour
+
+# Seconds of processor time of a run that no machine time ends.
+CPU = 60.0
+
+
+Pace = Callable[[float], None]
+
+
+@dataclass
+class Simulated(Report, World, Program):
+    """A command that runs one program: it prints the program's output and then its report."""
+
+    title: ClassVar[str] = "run"
+    # True if the run is to be proved.
+    proves: ClassVar[bool] = False
+    file: str = argument("FILE", "the program; - reads standard input")
+    format: str = forms("text", "json", "none", what="the report")
+    until: float | None = option(
+        "S",
+        f"end the run after S seconds of machine time (run.until of the machine file, or {ONE_SHIFT:.0f})",
+        read=machine_time,
+    )
+    cpu: float = option(
+        "S",
+        f"end a run without such an end after S seconds of processor time ({CPU:.10g}; 0: never)",
+        read=real("a number of seconds, 0 or more", 0.0, 1e9),
+        default=CPU,
+    )
+    nv: str | None = option("FILE", "keep nv variables, NVLONG and NVFLOAT in FILE between runs")
+    allow: frozenset[str] = option(
+        "KIND,…",
+        "accept events: limit, soft-limit, following-error, fault or all",
+        read=allowed,
+        default=frozenset(),
+    )
+
+    _is_reported: bool = field(default=False, init=False, repr=False)
+
+    def start(self) -> int:
+        with CollectorOff():  # what is loaded stays; the run itself collects
+            return super().start()
+
+    def perform(self) -> int:
+        """Run the command; there is exactly one complete report, however the run ends."""
+        try:
+            return super().perform()
+        except (KeyboardInterrupt, Terminated) as error:
+            if self._is_reported:
+                raise
+            SIGNALS.defer()
+            ended = Diagnostic("interrupted", f"the run was ended {who_ended(error)}")
+            return self.refuse(Refused([ended], file=self.file, status=status_of(error)), "interrupted")
+        except (OSError, ProgramError, Refused, WrongOption, MissingExtra):
+            raise
+        except Exception as error:
+            if self._is_reported:
+                raise
+            found = crash(error, self.given)
+            status = UNAVAILABLE if found.code == "extra" else CRASHED
+            return self.refuse(Refused([found], file=self.file, status=status))
+
+    def run(self) -> int:
+        self.prepare()
+        result = self._result()
+        with SIGNALS.deferred:  # a signal during the output waits until it is written
+            status = self._report_outcome(result)
+            self._is_reported = True
+        return self.after(result) or status
+
+    def prepare(self) -> None:
+        """Refuse, before the run, what cannot be done after it."""
+
+    def extend(self, result: Run) -> None:
+        """Compute what else the command reports of a run."""
+
+    def document(self, result: Run) -> None:
+        """Print the JSON document of a run."""
+        sys.stdout.writelines(pieces(result))
+
+    def more(self, result: Run, *, width: int, colour: bool) -> str:
+        """Return what the command prints after the table of the run."""
+        return ""
+
+    def conclude(self, result: Run) -> None:
+        """Print what follows the report."""
+
+    def after(self, result: Run) -> int:
+        """Write the files of the command; return the exit status, 0 for success."""
+        return 0
+
+    # -------------------------------------------------------------------------------------------- before the run
+
+    def refuse(self, refused: Refused, outcome: str = "fault") -> int:
+        if self.format == "json":
+            document = failure(name_of(self.file), self.lang or "", refused.diagnostics, outcome)
+            sys.stdout.write(document)
+        return super().refuse(refused)
+
+    def _result(self) -> Run:
+        source, language = self.source(), self.known_language()
+        settings = self.settings()
+        given = self.entries()
+        if given:
+            try:
+                check_inputs_are_read(source, language, settings, entries(settings, **given))
+                settings = Checked(with_entries(settings, **given))
+            except WrongEntry as error:
+                wrong = Diagnostic("option", error.message, hint=error.hint)
+                raise Refused([wrong], file=self.file, status=2) from None
+        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        missing = missing_axes(settings, axes, language.first_axis) if settings else []
+        if missing:
+            machine = self.machine_path()
+            of_file = Source(machine, "") if machine else None
+            raise Refused(missing, file=machine or self.file, source=of_file)
+        return self.simulated(source, settings)
+
+    # ---------------------------------------------------------------------------------------------------- the run
+
+    def simulated(
+        self, source: Source, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+    ) -> Run:
+        """Return the run of a program; its output and the progress are shown meanwhile."""
+
+        def warn(diagnostic: Diagnostic) -> None:
+            complain([diagnostic], source, self.file)
+
+        def begun(machine: Machine) -> None:
+            machine.warn = warn
+
+        def simulate(show: Callable[[str], object], begun: Callable[[Machine], None]) -> Run:
+            return self._unwatched(source, settings, outside, pace, show, begun)
+
+        if sys.stderr.isatty():
+            return watched(simulate, warn)
+        return simulate(shower(sys.stdout), begun)
+
+    def _unwatched(
+        self,
+        source: Source,
+        settings: Checked,
+        outside: Outside | None,
+        pace: Pace | None,
+        show: Callable[[str], object],
+        begun: Callable[[Machine], None],
+    ) -> Run:
+        def prepare(machine: Machine) -> None:
+            begun(machine)
+            if outside is None and self.file != STDIN:
+                machine.ask = lambda: ask(machine)
+
+        is_endless = self.until is None and "run.until" not in settings
+        with SIGNALS.limited(self.cpu if is_endless else 0.0):
+            return run(
+                source,
+                dialect=self.known_language().name,
+                machine=settings,
+                until=self.until,
+                overrides=self.overrides(),
+                show=None if self.format == "json" else show,
+                pace=pace,
+                outside=outside,
+                begun=prepare,
+                nv=self.nv,
+                keep_crash=True,
+                prove=self.proves,
+            )
+
+    # ----------------------------------------------------------------------------------------------- after the run
+
+    def _report_outcome(self, result: Run) -> int:
+        """Print report and complaints, and return the exit status."""
+        if isinstance(result.crash, OSError):  # of the program's output, which `main` handles
+            raise result.crash
+        if result.crash is not None:
+            of_stdin = result.source if self.file == STDIN else None
+            result.diagnostics.append(crash(result.crash, self.given, of_stdin))
+        self.extend(result)
+        if self.format == "json":
+            self.document(result)
+        else:
+            self._table(result)
+            self.conclude(result)
+        if result.diagnostics:
+            warned = result.machine.warned
+            left = [each for each in result.diagnostics if not any(each is other for other in warned)]
+            complain(left, result.source, self.file)
+            if any(each.code == "never" and "the machine file" in each.hint for each in left):
+                self._point_to_init()
+        sys.stdout.flush()
+        if result.crash is not None:
+            return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
+        if result.status == "interrupted":
+            return SIGNALS.status
+        met = self._complain_of_events(result) if result.machine.log.events else False
+        wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
+        return 1 if wrong or met else 0
+
+    def _table(self, result: Run) -> None:
+        began = result.status != "fault" or result.time or result.controller.log.moves
+        if self.format == "none" or not began:
+            return
+        seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
+        width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
+        table = render(result, width=width, colour=colour, charts=seen and drawn, everything=self.lists_all)
+        table += self.more(result, width=width, colour=colour)
+        if self.lists_all:
+            count = len(assumptions(result))
+            note = f"{count} unconfirmed assumptions; motionlang check --evidence {self.file} lists them"
+            table += f"\nnote: depends on {note}\n"
+        if result.machine.log.prints:
+            table = "\n" + table
+        sys.stdout.write(table if drawn else plain(table))
+
+    @property
+    def lists_all(self) -> bool:
+        """True if tables have all their rows."""
+        return False
+
+    def _point_to_init(self) -> None:
+        """Name `init` after a run whose machine nothing describes."""
+        if self.machine_path() is None and not self.set and not self.entries() and self.file != STDIN:
+            sys.stderr.write(f"note: motionlang init {self.file} writes a first machine file\n")
+
+    def _complain_of_events(self, result: Run) -> bool:
+        """Report limits, following errors and faults that make the exit status 1; True if there are any."""
+        found = complaints(result, self.allow)
+        for each in found:
+            sys.stderr.write(f"{printable(each)}\n")
+        return bool(found)
+
+
+def ask(machine: Machine) -> str | None:
+    """Ask the user for the line of an INPUT without an answer; None if there is none."""
+    from motionlang.views.questions import ask
+
+    return ask(machine)
+
+
+def pacer(factor: float) -> Pace:
+    """Return a function that waits until a machine time at `factor` × real time.
+
+    It flushes the output, even if the program is too slow for a wait.
+    """
+    began = monotonic()
+
+    def pace(time: float) -> None:
+        sys.stdout.flush()
+        ahead = time / factor - (monotonic() - began)
+        if ahead > 0.0:
+            sleep(ahead)
+
+    return pace
