@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.triggers.events import HOMING
 from motionlang.result import Run
 
 # The names of `--allow`: the events that are then ignored.
@@ -23,8 +24,6 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
 
     A message names file and line, and each axis that has the event at that time.
     """
-    from motionlang.controller.triggers.events import HOMING
-
     # The last handler that was entered, by None, and where the faults of each axis were last cleared.
     handled: dict[int | None, int] = {}
     # As plain tuples: importing the record type takes as long as starting an empty Python.

@@ -7,18 +7,14 @@ from __future__ import annotations
 
 import signal
 import sys
+from collections.abc import Iterator
 from contextlib import contextmanager
 from time import monotonic
+from types import FrameType, TracebackType
+from typing import Any, Self
 
 from motionlang.errors import OutOfTime, Terminated
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from types import FrameType, TracebackType
-    from typing import Any, Self
-
-    from motionlang.result import Run
+from motionlang.result import Run
 
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 # Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.

@@ -26,6 +26,7 @@ from motionlang.lang.scheduler import Outside
 from motionlang.report import assumptions, failure, pieces
 from motionlang.result import Run, who_ended
 from motionlang.source import STDIN, Source, name_of
+from motionlang.views.questions import ask
 from motionlang.views.table import render
 from motionlang.views.terminal import draws, is_terminal, plain, printable, shower, table_width, wants_colour
 
@@ -258,13 +259,6 @@ class Simulated(Report, World, Program):
         for each in found:
             sys.stderr.write(f"{printable(each)}\n")
         return bool(found)
-
-
-def ask(machine: Machine) -> str | None:
-    """Ask the user for the line of an INPUT without an answer; None if there is none."""
-    from motionlang.views.questions import ask
-
-    return ask(machine)
 
 
 def pacer(factor: float) -> Pace:

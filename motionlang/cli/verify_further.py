@@ -16,6 +16,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.cli.variants import Variants
 from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
+from motionlang.files import replacing
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -129,8 +130,6 @@ def sweep_golden(path: str) -> str:
 
 
 def _write(verdict: Verdict, golden: str, names: list[str], rows: list[list[str]]) -> None:
-    from motionlang.files import replacing
-
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows([names, *rows])
     try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from shlex import quote
 
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.views.terminal import printable
@@ -45,6 +46,4 @@ def _programs() -> list[str]:
 
 
 def _quoted(name: str) -> str:
-    from shlex import quote
-
     return quote(printable(name))
