@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 
 from motionlang.analysis.certificate import certificate, least_margin
 from motionlang.analysis.cycle.periods import FORM, HELP, cycle_of
 from motionlang.errors import nearest
 from motionlang.log.extremes import extremes, motor_peak, peak_speed
-from motionlang.record import record
 from motionlang.result import Run
 
 ResultValue = float | str | bool | None
@@ -22,7 +22,7 @@ Reader = Callable[[Run, int], ResultValue]
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Quantity:
     """One row of the table: `name` is `time`, or `peak.N` with a number."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
 from motionlang.assumptions.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
@@ -10,7 +11,6 @@ from motionlang.assumptions.questions import questions
 from motionlang.errors import Diagnostic, count_of
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
-from motionlang.record import record
 
 NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")
@@ -24,7 +24,7 @@ _FILLED = re.compile(r"\\\{\w+\\\}")
 HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Verdict:
     """The result of an answer for an assumption: `holds`, `other` or `unknown`.
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-
-from motionlang.record import record
+from dataclasses import dataclass
 
 # Printed facts are not open, nor are those shown by running code.
 SETTLED = ("manual", "code")
@@ -52,7 +51,7 @@ class Probe:
         self.error = error or f'"{ERROR}"' * (ERROR in self.answers)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Assumption:
     """A question that the sources leave open, and the chosen answer.
 

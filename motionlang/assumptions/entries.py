@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -16,7 +17,6 @@ from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, row_with_default, with_default
-from motionlang.record import record
 
 # The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (
@@ -46,7 +46,7 @@ A setting of an axis that no program has written yet. Each can be given another 
 `[assumptions]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Section:
     """Assumptions on one subject, with a common text.
 
@@ -58,7 +58,7 @@ class Section:
     assumptions: Sequence[Assumption]
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Chapter:
     """One evidence file."""
 

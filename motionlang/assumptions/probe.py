@@ -11,13 +11,13 @@ import re
 import textwrap
 import tomllib
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
 from zlib import crc32
 
 from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
 from motionlang.assumptions.entries import assumptions
 from motionlang.errors import count_of
 from motionlang.files import package_text
-from motionlang.record import record
 
 # The number that a probe of MCCL prints before an answer, from a register; each name has its own.
 FIRST_MARK = 731_000_000
@@ -46,7 +46,7 @@ PLAIN = (
 STEPS = 4
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Motion:
     """The owner's permission to move an axis by up to `distance` user units."""
 

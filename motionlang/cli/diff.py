@@ -30,7 +30,6 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.cli.variants import Variants
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect_of, run
-from motionlang.record import as_dict
 from motionlang.report import build
 from motionlang.result import Run
 from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines, quantity_lines
@@ -261,11 +260,11 @@ def _data(
     return {
         "schema": SCHEMA,
         "equal": found.same,
-        "literals": [as_dict(each) for each in changed],
+        "literals": [_as_dict(each) for each in changed],
         "time": found.time,
-        "time_by_line": [as_dict(each) for each in charges],
+        "time_by_line": [_as_dict(each) for each in charges],
         "status": found.status,
-        "lines": [as_dict(each) for each in found.lines],
+        "lines": [_as_dict(each) for each in found.lines],
         "removed_moves": found.removed,
         "added_moves": found.new,
         "prints": [
@@ -274,7 +273,7 @@ def _data(
         "events": [dict(zip(("old", "new", "shift"), each, strict=True)) for each in found.events],
         "errors": [{"change": change, "message": message} for change, message in found.errors],
         "other_differences": found.others,
-        "divergence": None if diverged is None else as_dict(diverged),
+        "divergence": None if diverged is None else _as_dict(diverged),
     }
 
 
@@ -292,3 +291,8 @@ def _print(
     ]
     text = "\n".join([*literal_lines(changed, most), *quantity_lines(kept), *lines]) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))
+
+
+def _as_dict(of: Any) -> dict[str, Any]:
+    """Return the fields of a row, in alphabetical order."""
+    return {name: getattr(of, name) for name in sorted(of.__slots__)}

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
 from motionlang.analysis.cores import cores
-from motionlang.analysis.workers import Workers
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -25,6 +24,8 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     if jobs <= 1:
         yield from map(work, items)
         return
+    from motionlang.analysis.workers import Workers
+
     pool = Workers(jobs)
     try:
         yield from pool.map(work, items)

@@ -10,14 +10,14 @@ statements, not real time, so the same commands take the same snapshots.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from motionlang.debug.snapshot import Snapshot
-from motionlang.record import record
 
 FIRST, MAX_CHECKPOINTS = 16, 32
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Checkpoint:
     """The state of a run after statement `number`, at a time, s, and what the debugger has counted by then."""
 

@@ -27,6 +27,7 @@ Invariants.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import nextafter
 from typing import Concatenate, ParamSpec, TypeVar
 
@@ -42,7 +43,6 @@ from motionlang.debug.state import State
 from motionlang.lang.debugging import Variable
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import DEFAULT_AXES
-from motionlang.record import record
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -56,7 +56,7 @@ STRIDE = 4096
 CLOSE = 1e-8
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Stop:
     """A stop before a statement.
 

@@ -7,12 +7,11 @@ ones, because they belong to another continuation of the run.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from math import inf
 
-from motionlang.record import record
 
-
-@record
+@dataclass(eq=False, slots=True)
 class Assigned:
     """A variable that was assigned another value.
 
@@ -24,7 +23,7 @@ class Assigned:
     value: object
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Entered:
     """Inputs and keys as machine-file entries; times are relative to the statement."""
 
@@ -32,7 +31,7 @@ class Entered:
     entries: Mapping[str, object]
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Answered:
     """An answer to INPUT."""
 

@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from motionlang.controller.clock import INFINITY
 from motionlang.debug.expressions import Expression, WrongExpression, parse
 from motionlang.lang.machine.machine import Machine
 from motionlang.log.track import WholeTrack
-from motionlang.record import record
 
 # Yields the moments after one time up to another.
 Search = Callable[[Machine, float, float], Iterable["Moment"]]
@@ -43,7 +43,7 @@ _CHANNEL = re.compile(r"\s*(input|output)\s+(\d+)\s+(rises|falls|changes)\s*", r
 FORMS = "axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a condition such as position(0) > 120"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Moment:
     """An occurrence at a time, s.
 

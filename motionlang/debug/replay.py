@@ -27,6 +27,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 
 from motionlang.controller.clock import INFINITY
@@ -41,7 +42,6 @@ from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.program import Program
 from motionlang.lang.task import Task
-from motionlang.record import record
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -65,7 +65,7 @@ class Cancelled(Exception):
     """The session ended while the run waited for the operator."""
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Point:
     """A statement about to be executed: its number, time (s) and source offset."""
 
@@ -75,7 +75,7 @@ class Point:
     offset: int
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Setup:
     """The data shared by all runs of a session."""
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.controller.axis import Axis
@@ -21,7 +22,6 @@ from motionlang.lang.debugging import Frame, Hook, Variable
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.task import Task
 from motionlang.log.track import WholeTrack
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.debug.replay import Point
@@ -32,7 +32,7 @@ MODULE, LOCAL, MACHINE = "module", "local", "machine"
 _OF_MACHINE = re.compile(r"\s*(axis|(?:analogue )?(?:input|output))\s+(\d{1,4})\s*", re.IGNORECASE)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Waiting:
     """A task or an event handler, and the condition it waits for ("" if it can run)."""
 

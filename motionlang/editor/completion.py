@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from motionlang.editor.page import Page
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.names import Definition, Names
-from motionlang.record import record
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
 # A command of MCCL with the number of its axis, and the parameter that follows it.
@@ -43,7 +43,7 @@ BLOCKS = {
 _STATEMENT = re.compile(r"(?:^|:|\bthen\b|\belse\b)[ \t]*\w*$", re.IGNORECASE)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Item:
     """One proposal: `text` replaces the span from `start` to the cursor.
 

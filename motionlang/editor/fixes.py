@@ -7,18 +7,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from motionlang.editor.page import Page
 from motionlang.errors import Diagnostic
 from motionlang.lang.lint import WARNINGS
 from motionlang.lang.names import Span
-from motionlang.record import record
 
 # A comment that silences warnings, with the codes that it has.
 _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?", re.IGNORECASE)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Edit:
     """A replacement of the text in a span."""
 
@@ -26,7 +26,7 @@ class Edit:
     text: str
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Fix:
     """One change that an editor offers.
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from motionlang.assumptions.keyword_facts import facts
 from motionlang.editor.page import Page
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.names import Definition, Span
-from motionlang.record import record
 
 # The most lines of a comment above a declaration that belong to it.
 _MAX_COMMENT = 20
@@ -16,7 +17,7 @@ _OFTEN = {0: "never used", 1: "used once", 2: "used twice"}
 _SIGNS = str.maketrans({sign: f"\\{sign}" for sign in "\\`*_{}[]<>#|"})
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Hover:
     """A text in Markdown about a span."""
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from motionlang.editor.completion import Item
 from motionlang.editor.hover import Hover
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.file import generic
 from motionlang.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
-from motionlang.record import record
 from motionlang.servo.settings import KEYS as SERVO_KEYS
 from motionlang.source import Source
 
@@ -28,7 +28,7 @@ _KINDS = {
 }  # fmt: skip
 
 
-@record
+@dataclass(eq=False, slots=True)
 class _Row:
     """A key of a section; `choices` are its values if they are limited."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from motionlang.editor.fixes import Edit
 from motionlang.editor.page import Page
 from motionlang.lang.names import Span
-from motionlang.record import record
 
 # The kinds of blocks that are symbols, and those of definitions outside them that are.
 _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startup"))
@@ -18,7 +18,7 @@ class Refused(Exception):
     """A name cannot be changed; the message has the reason."""
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Symbol:
     """An entry of the outline.
 

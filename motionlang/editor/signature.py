@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from motionlang.assumptions.keyword_facts import INDEX, UNITS
 from motionlang.editor.page import Page
-from motionlang.record import record
 
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Signature:
     """The text of a call.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import fsum
 
 from motionlang.analysis.cycle.motions import Motions
@@ -10,7 +11,6 @@ from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.analysis.cycle.tasks import all_waits
 from motionlang.editor.page import Page
 from motionlang.execution import Checked, end_of, run
-from motionlang.record import record
 from motionlang.result import Run
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
@@ -19,7 +19,7 @@ MAX_TIME = 600.0
 _LOG_SIZE = 0.0
 
 
-@record
+@dataclass(eq=False, slots=True)
 class LineTime:
     """The number of moves that a line has started, and their duration, s.
 
@@ -42,7 +42,7 @@ class LineTime:
 _SHORTEST = 0.0005
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Times:
     """The times of a run's lines.
 

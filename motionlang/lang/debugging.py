@@ -10,10 +10,10 @@ has frames with variables.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from motionlang.controller.clock import INFINITY
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.lang.task import Task
@@ -77,7 +77,7 @@ class Hook:
         return self.count >= self.round_at
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Variable:
     """A variable at a stop.
 
@@ -92,7 +92,7 @@ class Variable:
     set: Callable[[object], None] | None = None
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Frame:
     """A call at a stop.
 

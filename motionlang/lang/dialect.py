@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, nearest, shown
-from motionlang.record import record
 from motionlang.source import Source
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str]
     return f"{shown(name)} is not a known controller{f' of {language.title}' if language else ''}", hint
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Target:
     """The controller model that a program is written for, with the reasons; "" if nothing decides it.
 

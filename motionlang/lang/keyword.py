@@ -8,10 +8,9 @@ defines.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from math import inf
 from typing import Any
-
-from motionlang.record import record
 
 # Units of integers. A time in ms may still be written with a fraction.
 WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
@@ -42,7 +41,7 @@ TRAITS = {
 }
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Actions:
     """The functions of a keyword, None if there is none; calls differ by language.
 

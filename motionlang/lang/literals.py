@@ -21,11 +21,11 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import isfinite
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.lang.dialect import Dialect
-from motionlang.record import record
 from motionlang.source import Source
 
 Token = tuple[str, str, int]
@@ -40,7 +40,7 @@ _DOTTED = re.compile(r"(\w+?)((?:\.\d+)+)")
 MAX_NAMED = 4
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Literal:
     """A number in the text: its `address`, its target (`base`), and its position.
 

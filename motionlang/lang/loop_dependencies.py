@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.record import record
+from dataclasses import dataclass
 
 # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
 Read = tuple[str, int | None]
@@ -24,7 +24,7 @@ KINDS = {
 MOVING = "moving"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class LoopDependencies:
     """The readings that decide the duration of a loop or a wait at a source offset.
 
@@ -42,7 +42,7 @@ class LoopDependencies:
     counts: bool = False
 
 
-@record
+@dataclass(eq=False, slots=True)
 class InputRead:
     """A position at which a program depends on the world around it.
 

@@ -10,9 +10,8 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
 from copy import copy
+from dataclasses import dataclass
 from operator import itemgetter
-
-from motionlang.record import record
 
 # The start and end of a piece of text, as character offsets.
 Span = tuple[int, int]
@@ -78,7 +77,7 @@ class Definition:
         return f"Definition({self.name!r}, {self.kind!r})"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Block:
     """A sub, a task, a handler, a loop or a branch.
 
@@ -92,7 +91,7 @@ class Block:
     span: Span
 
 
-@record
+@dataclass(eq=False, slots=True)
 class LineLayout:
     """The indentation of a line.
 

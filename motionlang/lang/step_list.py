@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from itertools import groupby
 
 from motionlang.lang.steps import CALL, COMMAND, NAMES, Step, Steps
-from motionlang.record import record
 from motionlang.source import Source
 
 
-@record
+@dataclass(eq=False, slots=True)
 class ListedStep:
     """A step: its index, the name of its kind, the index of its target, and the statements that it pays.
 
@@ -23,7 +23,7 @@ class ListedStep:
     cost: float
 
 
-@record
+@dataclass(eq=False, slots=True)
 class ListedLine:
     """Consecutive steps of one line of the program, 0 for steps of no line."""
 
@@ -32,7 +32,7 @@ class ListedLine:
     steps: list[ListedStep]
 
 
-@record
+@dataclass(eq=False, slots=True)
 class ListedUnit:
     """The steps of the program itself, of a sub, task or handler, or of a line that is written by itself."""
 

@@ -7,6 +7,7 @@ stationary points.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from math import inf
 
 from motionlang.controller.axis import Axis
@@ -15,10 +16,9 @@ from motionlang.planners import Profile
 from motionlang.planners.curve import State, state_in
 from motionlang.planners.formula import summit
 from motionlang.planners.pieces import crest_points, even_points, still_points
-from motionlang.record import record
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Extreme:
     """A figure in user units and the machine time at which it was reached.
 

@@ -5,13 +5,14 @@ A job and its result are plain data, so a job can go to another process.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from motionlang.editor.diagnostics import decoded, findings, settings_of
 from motionlang.editor.page import Page
 from motionlang.editor.times import Times, times
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
 from motionlang.lang.names import Names
-from motionlang.record import record
 from motionlang.source import Source
 
 CHECK, NAMES, TIMES = "check", "names", "times"
@@ -21,7 +22,7 @@ _known: dict[str, dict[object, object]] = {}
 MAX_TEXTS = 4
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Job:
     """A job of the worker for a text.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.mcapi import table as mc
@@ -10,7 +11,6 @@ from motionlang.mcapi.errors import Refused
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line
 from motionlang.mccl.runtime.task import CommandTask
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.mcapi.call import Call
@@ -28,7 +28,7 @@ PATHS = {
 }
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Block:
     """The commands collected so far.
 

@@ -13,11 +13,11 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
 from motionlang.cache import folder
-from motionlang.record import record
 
 SOURCE = Path(__file__).parent / "library"
 FILES = ("mcapi.c", "mcapi.h", "stubs.h")
@@ -32,7 +32,7 @@ class CannotBuild(Exception):
         super().__init__(message)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Target:
     """A system for which the library is built.
 

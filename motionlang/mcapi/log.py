@@ -14,13 +14,13 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import BinaryIO
 
 from motionlang.mcapi.call import Call
 from motionlang.mcapi.protocol import answer, decode, parse, request
 from motionlang.mcapi.session import BadCall
 from motionlang.mcapi.table import Value
-from motionlang.record import record
 
 HEAD = "mcapi-log 1"
 
@@ -33,7 +33,7 @@ class BadLog(ValueError):
         super().__init__(message)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Entry:
     """A call of a log; `result` is None if it is not known."""
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from math import isclose
 
 from motionlang.errors import count_of
@@ -28,7 +29,6 @@ from motionlang.mcapi.protocol import encode, request
 from motionlang.mcapi.session import BadCall, Session
 from motionlang.mcapi.table import STRUCTURES, Value
 from motionlang.mccl.axis import flags
-from motionlang.record import record
 
 # Quantities that change while an axis moves, by what each is in the track of the axis. The track has no following
 # error: in motion any is accepted, and at rest one within the tolerance.
@@ -69,7 +69,7 @@ ROUNDED = 0.5
 REST = 1e-3
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Difference:
     """A call whose answer differs, in a code, state, setting, position or time."""
 
@@ -78,7 +78,7 @@ class Difference:
     text: str
 
 
-@record
+@dataclass(eq=False, slots=True)
 class _Check:
     """A difference that is reported only if the track up to `due` does not explain it."""
 

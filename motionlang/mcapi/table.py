@@ -17,10 +17,9 @@ for a value whose 0 is no error, and `!` for a value that is an error code.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, ClassVar
-
-from motionlang.record import record
 
 Value = int | float | str
 
@@ -152,7 +151,7 @@ CONSTANTS = {name: value for name, value in globals().items() if isinstance(valu
 STRUCTURES: dict[str, type[Structure]] = {}
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Field:
     """A field of a structure: "i", "s", "d" or "D", and its number of elements."""
 
@@ -325,7 +324,7 @@ class MCSTATUSEX(Structure):
 BITS = {"h": -16, "s": -16, "i": -32, "W": 16, "D": 32, "u": 32, "w": 64}
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Argument:
     """An argument of a function.
 
@@ -342,7 +341,7 @@ class Argument:
     takes_all: bool
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Function:
     """A row of the table.
 

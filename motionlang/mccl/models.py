@@ -7,11 +7,11 @@ like the MultiFlex.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.record import record
 
 # The command families that boards lack, a column of the rows. MCAPI has a flag for each. Which board lacks
 # which is remembered, or inferred from the LM628 chip of the basic modules, which has one profile, one rate
@@ -20,7 +20,7 @@ _CONTOURS, _TASKS, _SCALES, _OUTPUT_CONTROL = "contours", "tasks", "scales", "ou
 _BASIC = ("profiles", "deceleration", "rates", "feed-forward", _OUTPUT_CONTROL)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Model:
     """One board.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from copy import copy
+from dataclasses import dataclass
 from math import copysign, inf, sin
 
 from motionlang.planners import crossing as _crossing
@@ -20,7 +21,6 @@ from motionlang.planners.pieces import (
     velocity_in,
 )
 from motionlang.planners.ramps import Curve, Piece, Recipe, expand, named_ramps
-from motionlang.record import record
 
 _Value = Callable[[Piece, float], float]
 _Extrema = Callable[[Piece, float], tuple[float, ...]]
@@ -30,7 +30,7 @@ _Extrema = Callable[[Piece, float], tuple[float, ...]]
 _AT_REST = (0.0, 0.0)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class State:
     """Position, velocity, acceleration and jerk at one time (length unit, seconds)."""
 
@@ -43,7 +43,7 @@ class State:
         return f"State({self.position!r}, {self.velocity!r}, {self.acceleration!r}, {self.jerk!r})"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Phase:
     """A named section of a profile.
 

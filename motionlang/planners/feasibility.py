@@ -7,6 +7,7 @@ ramp kind), and which peak speed a move has that is too short for its slew speed
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from math import inf, nextafter, sqrt
 
 from motionlang.planners.curve import Profile
@@ -14,7 +15,6 @@ from motionlang.planners.limits import STILL, check_finite, too_large
 from motionlang.planners.ramps import Recipe, ramp_distance
 from motionlang.planners.total import total
 from motionlang.planners.transition import Bounds
-from motionlang.record import record
 
 Ramp = Callable[[float, float], tuple[float, float]]
 
@@ -25,7 +25,7 @@ Peak = Callable[[float, float], float]
 _COARSE = 1e-11
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Ramps:
     """One shape with its limits: `up` and `down` between speeds, and its `peak` speed.
 

@@ -9,6 +9,7 @@ speeds. At a join the acceleration of every shape but the trapezoid is zero.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import chain, pairwise
 from math import inf, sqrt
 
@@ -19,13 +20,12 @@ from motionlang.planners.segment_speed import Ramp, between, entry_speed, exit_s
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.total import total
 from motionlang.planners.transition import Steps, profile_of_steps
-from motionlang.record import record
 
 # How far a course may overshoot its end, as a fraction of its length, before it counts as overshooting.
 _SLACK = 1e-9
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Pace:
     """The limits of a path: `shape`, speed, rates, and the parameters of the S-curves."""
 

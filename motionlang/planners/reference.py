@@ -8,16 +8,16 @@ acceleration peaks where both slopes meet: A' = sqrt(2 dv A / (T_start + T_end))
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import inf, isfinite, sqrt
 
 from motionlang.planners.curve import Profile, far_end, relabelled
 from motionlang.planners.jerk import ease
 from motionlang.planners.limits import STILL, check_finite, check_positive, too_large
 from motionlang.planners.ramps import FALLING, RISING, Recipe, ramp_distance
-from motionlang.record import record
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Slope:
     """A rate, and the times, s, in which the acceleration builds up and decays."""
 

@@ -7,11 +7,11 @@ applies, and a ramp from zero acceleration follows. Own arithmetic. Velocities a
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import sqrt
 
 from motionlang.planners.curve import Profile, from_curve
 from motionlang.planners.ramps import Piece
-from motionlang.record import record
 
 # A sequence of sections of constant jerk: the jerk and the time of each.
 Steps = tuple[tuple[float, float], ...]
@@ -22,7 +22,7 @@ Steps = tuple[tuple[float, float], ...]
 NOTHING, HARDLY = 1e-12, 1e-3
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Bounds:
     """Acceleration and jerk limits of a ramp, for speeding up and for slowing down."""
 

@@ -48,9 +48,10 @@ def _fields(value: object) -> tuple[str, ...]:
     """Return the fields of a node, () for anything else."""
     if not type(value).__module__.startswith("motionlang."):
         return ()
-    kind = type(value)
-    names = vars(kind).get("_fields") or vars(kind).get("__slots__", ())  # slots of a class that is no record
-    return tuple(name for name in names if name not in _LATER)
+    own = vars(type(value))  # and not those of its base
+    return tuple(
+        name for name in own.get("__dataclass_fields__", own.get("__slots__", ())) if name not in _LATER
+    )
 
 
 def _has_nodes(value: object) -> bool:

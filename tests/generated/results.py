@@ -454,7 +454,7 @@ def _fields(value: object) -> object:
     if isinstance(value, list):
         return [_fields(each) for each in value]
     slots = getattr(type(value), "__slots__", None)
-    return value if slots is None else tuple(_fields(getattr(value, name)) for name in slots)
+    return value if slots is None else tuple(_fields(getattr(value, name)) for name in sorted(slots))
 
 
 _KINDS: dict[str, Callable[[Generated], str]] = {

@@ -15,7 +15,6 @@ from random import Random
 import pytest
 
 from motionlang.mint.lint import check
-from motionlang.record import as_dict
 from motionlang.source import Source
 from tests.cases import covering, one_in
 
@@ -51,7 +50,10 @@ ADDED = (
 
 
 def found(text: str, known: dict[object, object] | None = None) -> list[dict[str, object]]:
-    return [as_dict(each) for each in check(Source("a.mnt", text), {}, known)]
+    return [
+        {name: getattr(each, name) for name in each.__slots__}
+        for each in check(Source("a.mnt", text), {}, known)
+    ]
 
 
 def codes(text: str, known: dict[object, object]) -> list[tuple[int, str]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from operator import itemgetter, sub
 
@@ -20,7 +21,6 @@ from motionlang.lang.loop_dependencies import MOVING
 from motionlang.planners import Profile
 from motionlang.planners.ramps import Recipe
 from motionlang.planners.total import exact_terms
-from motionlang.record import record
 from motionlang.result import Run
 
 # One of several links that differ only in their times, with their durations: terms of an exact sum.
@@ -62,7 +62,7 @@ UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
 UNMOVED = None, NOWHERE, _NOTHING, _NOTHING
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Link:
     """One link of the path: its `cause` as text, and the axes that move in it.
 

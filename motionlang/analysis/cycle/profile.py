@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from math import fsum
 from operator import attrgetter
@@ -13,7 +14,6 @@ from motionlang.analysis.cycle.slacks import Slack, slacks
 from motionlang.analysis.cycle.tasks import TaskTime, parent_of, reported, task_times
 from motionlang.log.records import Waited
 from motionlang.planners.total import exact_terms
-from motionlang.record import record
 from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/2"
@@ -21,7 +21,7 @@ SCHEMA = "motionlang.cycle/2"
 PROGRAM = "the program"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Share:
     """Seconds of the path due to one line, sub or axis; `total` includes its calls."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import compress
 from math import fsum
 from operator import eq, sub
@@ -11,7 +12,6 @@ from typing import TypeVar
 
 from motionlang.analysis.cycle.motions import Motions
 from motionlang.analysis.cycle.tasks import Wait
-from motionlang.record import record
 
 T = TypeVar("T")
 
@@ -19,7 +19,7 @@ T = TypeVar("T")
 Group = tuple[tuple[int, ...], list[list[float]]]
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Slack:
     """Slack: how much longer `axis` could take without delaying the cycle.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
-from motionlang.record import record
 from motionlang.result import Run
 
 
-@record
+@dataclass(eq=False, slots=True)
 class SourcePosition:
     """A line, its sub ("" if none), and the lines of the calls that led there.
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import groupby
 from math import fsum
 from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import MOVING
 from motionlang.log.log import Log
-from motionlang.record import record
 from motionlang.result import Run
 
 # A `Waited` as written.
@@ -26,7 +26,7 @@ Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
 MAX_REPEATED = 100_000
 
 
-@record
+@dataclass(eq=False, slots=True)
 class TaskTime:
     """The time of one task, in seconds.
 

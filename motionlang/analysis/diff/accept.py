@@ -9,19 +9,19 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Collection, Iterator
+from dataclasses import dataclass
 from math import inf
 from typing import Any
 
 from motionlang.analysis.diff.reports import Difference, LineChange, Move, Pair, Report, end_of
 from motionlang.analysis.diff.timeline import NEAR, Timeline
-from motionlang.record import record
 
 # A begin or end of a move in its run: its time, its shift in the merged run, and whether that has this move.
 Shift = tuple[float, float, bool]
 Shifts = tuple[list[Shift], list[Shift]]
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Change:
     """One change: its `kind`, and its number in `Difference`."""
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.diff.align import aligned
-from motionlang.record import record
 from motionlang.result import Run
 
 _FIGURES = re.compile(r"\d[\d.]*")
@@ -14,7 +14,7 @@ _FIGURES = re.compile(r"\d[\d.]*")
 NOTHING = 1e-9
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Charge:
     """How many `seconds` longer the new run waited for a line.
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from motionlang.lang.literals import literals
-from motionlang.record import record
 from motionlang.result import Run
 
 
-@record
+@dataclass(eq=False, slots=True)
 class ChangedLiteral:
     """A number with a different value; `old_address` is None for the same address."""
 

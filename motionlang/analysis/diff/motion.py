@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,6 @@ from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
 from motionlang.planners.evaluate import piece_values
 from motionlang.planners.sample import PieceTable
-from motionlang.record import record
 from motionlang.result import Run
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ ROUNDING, TABLE = 1e-9, 1e-11
 TOGETHER = 50_000
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Divergence:
     """The machine `time` at which `axis` first differs, and the largest distance, uu.
 

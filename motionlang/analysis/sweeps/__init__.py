@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
+from dataclasses import dataclass
 from typing import Any
 
 from motionlang.analysis.cores import cores
@@ -21,13 +22,12 @@ from motionlang.lang.dialect import Dialect
 from motionlang.lang.literals import edited
 from motionlang.lang.machine.file import check_setting
 from motionlang.library.tables import Table, transposed
-from motionlang.record import record
 from motionlang.source import Source
 
 KEEP = ("time",)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Row:
     """One variant: number, `values`, and results `kept`, by name.
 

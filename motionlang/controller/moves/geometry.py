@@ -6,13 +6,13 @@ They are measured in user units and run in counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
 from typing import TypeVar
 
 from motionlang.planners import Profile
 from motionlang.planners.arc import arc_over, direction, line_over, rotated
 from motionlang.planners.total import total
-from motionlang.record import record
 
 _Value = TypeVar("_Value")
 
@@ -83,7 +83,7 @@ class Line:
         return Segment(length, curves, self.targets, tangent, tangent)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Arc:
     """An arc about `centre` (counts of two axes) by `angle` degrees.
 

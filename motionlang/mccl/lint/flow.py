@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-
-from motionlang.record import record
+from dataclasses import dataclass
 
 _PREFIX = "assumptions.mccl."
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Flow:
     """The settled assumptions on flow.
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.lang.keyword import Keyword
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import Action
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 NONE, NUMBER, REGISTER, TEXT = range(4)
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Command:
     """A command of a line, ready to run.
 

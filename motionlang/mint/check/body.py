@@ -8,20 +8,20 @@ expressions.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.check.values import NOTHING, Value, article
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Function, Type
 from motionlang.mint.syntax import nodes
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.mint.resolve.names import Names
     from motionlang.mint.resolve.problems import Problems
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Program:
     """The data that all functions of a program share.
 

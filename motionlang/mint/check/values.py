@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import inf, isnan
 
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, SEMAPHORE, STRING, TIME, Type
-from motionlang.record import record
 
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 # Up to this, integers and doubles give the same results.
 EXACT = 2**53
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Value:
     """The type of an expression, and its value if that is known before the program runs."""
 

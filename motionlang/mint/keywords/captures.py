@@ -6,6 +6,7 @@ Nothing is sampled during a capture. A point is computed from the exact motion w
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from math import ceil
 
@@ -19,7 +20,6 @@ from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.runtime.binding import Operation, of, of_word
 from motionlang.mint.runtime.environment import Environment
 from motionlang.planners import Profile
-from motionlang.record import record
 
 LAST_CHANNEL, LAST_TRIGGER = 7, 1
 MAX_POINTS, POINTS = 100_000, 1000
@@ -27,7 +27,7 @@ IDLE, WAITING, CAPTURING, DONE = 0, 1, 2, 3
 NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Channel:
     """The quantity that one capture channel records.
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from motionlang.controller.axis import Axis
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
@@ -13,7 +15,6 @@ from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.runtime.binding import axis_of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-from motionlang.record import record
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63
@@ -27,7 +28,7 @@ DEFAULTS = {
 }
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Master:
     """An axis or encoder that axes can follow.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.controller.faults import Rejected
@@ -10,7 +11,6 @@ from motionlang.mint.keywords.homing import Homes
 from motionlang.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.mint.keywords.torque import TorqueReferences
 from motionlang.planners.reference import Slope
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.mint.keywords.presets import Presets
@@ -20,7 +20,7 @@ Start = Callable[["Preset"], None]
 COMMAND = "PRESETMOVE"
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Preset:
     """One preset on one axis, with its values in counts and seconds."""
 

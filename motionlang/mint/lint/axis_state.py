@@ -7,6 +7,7 @@ which they disagree are dropped.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
@@ -14,7 +15,6 @@ from motionlang.mint.resolve.flowgraph import TEST, Step
 from motionlang.mint.resolve.folding import binary
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
-from motionlang.record import record
 
 Report = Callable[[str, Step, Act, Key, "Axis"], None]
 
@@ -93,7 +93,7 @@ ANY = Axis()
 _NEEDED = frozenset(("speed", "accel", "decel"))
 
 
-@record
+@dataclass(eq=False, slots=True)
 class State:
     """The facts about all axes: `axes` by key, and `rest` for all axes not in it."""
 

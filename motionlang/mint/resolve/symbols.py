@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from motionlang.mint.resolve.flowgraph import Graph
 from motionlang.mint.syntax import nodes
-from motionlang.record import record
 
 INTEGER, FLOAT, STRING, TIME = "Integer", "Float", "String", "Time"
 SEMAPHORE, CONTROLLER, RECORD = "Semaphore", "Controller", "record"
@@ -20,7 +20,7 @@ OTHER_TYPES = {
 NUMERIC = frozenset((INTEGER, FLOAT, TIME))
 
 
-@record
+@dataclass(eq=False, slots=True)
 class Type:
     """A type: one of the names above, with its parameters.
 

@@ -5,9 +5,8 @@ This table is for messages. It repeats what the grammar states, and a test keeps
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
-
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.lang.syntax.stack import Cell
@@ -72,7 +71,7 @@ PLAIN = {
 }
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Block:
     """An open block: its kind, its opening token, and True if it is a one-line If."""
 

@@ -2,34 +2,36 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, Self
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Self
 
 from motionlang.lang.keyword import Keyword
-from motionlang.record import record
 
 if TYPE_CHECKING:
     from motionlang.mint.resolve.symbols import Symbol
     from motionlang.mint.syntax.nodes import Expr
 
 
-@record
+def own_fields(node: Node) -> list[str]:
+    """Return the fields of a node's class itself by name: its content, without the position."""
+    return sorted(type(node).__slots__)
+
+
+@dataclass(eq=False, repr=False, slots=True)
 class Node:
     """A node of the syntax tree, from offset `start` to offset `end` of the text."""
-
-    if TYPE_CHECKING:
-        __slots__: ClassVar[tuple[str, ...]]  # the fields of the class itself
 
     start: int
     end: int
 
     def __repr__(self) -> str:
-        fields = ", ".join(repr(getattr(self, name)) for name in self.__slots__)
+        fields = ", ".join(repr(getattr(self, name)) for name in own_fields(self))
         return f"{type(self).__name__}({fields})"
 
     def __eq__(self, other: object) -> bool:
         """Nodes with equal contents are equal; their positions do not count."""
         return type(self) is type(other) and all(
-            getattr(self, name) == getattr(other, name) for name in self.__slots__
+            getattr(self, name) == getattr(other, name) for name in own_fields(self)
         )
 
     __hash__ = None  # type: ignore[assignment]

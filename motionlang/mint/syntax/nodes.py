@@ -9,12 +9,12 @@ The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `As
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.lang.syntax.word import Word
 from motionlang.mint.syntax.node import Expression, Resolved, ResolvedName
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
-from motionlang.record import record
 from motionlang.source import Source
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ NO_WORD = Word("")
 # --------------------------------------------------------------------------------------------- expressions
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Number(Expression):
     """A literal number.
 
@@ -35,14 +35,14 @@ class Number(Expression):
     value: float
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class String(Expression):
     """A literal string, without its quotes."""
 
     value: str
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Name(ResolvedName):
     """A variable, array element, keyword or function, with or without arguments.
 
@@ -55,7 +55,7 @@ class Name(ResolvedName):
     axes: bool = False
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Member(Expression):
     """A member `value.field` of a value of user type.
 
@@ -67,7 +67,7 @@ class Member(Expression):
     args: list[Expr] | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Unary(Expression):
     """A unary operation; `op` is one of `-`, `+`, `Not`, `~`."""
 
@@ -75,7 +75,7 @@ class Unary(Expression):
     operand: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Binary(Expression):
     """A binary operation; `op` is in canonical spelling.
 
@@ -87,12 +87,12 @@ class Binary(Expression):
     right: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Omitted(Expression):
     """An omitted value, as in `SPEED(0, 1) = , 20`: the empty text before a `,`."""
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Link(Expression):
     """An operator of a `Chain` and the operand after it.
 
@@ -103,7 +103,7 @@ class Link(Expression):
     value: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Chain(Expression):
     """A long left-associative run of operations, such as `a + b - c …`.
 
@@ -114,7 +114,7 @@ class Chain(Expression):
     links: list[Link]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Given(Expression):
     """A value that the program receives when it starts.
 
@@ -125,7 +125,7 @@ class Given(Expression):
     is_text: bool
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Cast(Expression):
     """A conversion to another type: a `Const` with a type whose value is a `Given`."""
 
@@ -139,7 +139,7 @@ Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain |
 # ---------------------------------------------------------------------------------------------- statements
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Assign(Node):
     """An assignment `target = value, value …`.
 
@@ -152,7 +152,7 @@ class Assign(Node):
     repeat: bool = False
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Call(Node):
     """A call of a command or a sub: `GO(0)`, `Fill(3)`, `Fill 3, 4`.
 
@@ -162,7 +162,7 @@ class Call(Node):
     target: Name
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class PrintItem(Node):
     """One value of a PRINT with its `USING` formats.
 
@@ -174,7 +174,7 @@ class PrintItem(Node):
     separator: str
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Print(Resolved):
     """A `PRINT [#terminal,] items`; the last separator decides whether the line ends.
 
@@ -188,7 +188,7 @@ class Print(Resolved):
     line: Expr | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Input(Node):
     """`INPUT [#terminal,] ["prompt",] variable [USING …]`."""
 
@@ -198,7 +198,7 @@ class Input(Node):
     terminal: Expr | None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class TypeName(Node):
     """The name of a type, built-in or user-defined; `String` has a `size`."""
 
@@ -206,7 +206,7 @@ class TypeName(Node):
     size: Expr | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Variable(Resolved):
     """One name of a `Dim`: its dimensions (empty for a scalar), type, initial values."""
 
@@ -216,7 +216,7 @@ class Variable(Resolved):
     values: list[Expr]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Dim(Node):
     """`Dim a As Integer, b(3) = 1, 2, 3`; `nv` marks data that survives between runs."""
 
@@ -234,7 +234,7 @@ class Const(Node):
         self.more: list[Const] = []
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Define(Node):
     """`Define name = text`: `name` stands for an expression at each use."""
 
@@ -242,7 +242,7 @@ class Define(Node):
     value: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class If(Node):
     """A block or one-line `If`; an `ElseIf` is an `If` in `orelse`.
 
@@ -254,7 +254,7 @@ class If(Node):
     orelse: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class CaseTest(Node):
     """One entry of a `Case`: a value (`op` "="), a range ("To") or `Is op value`.
 
@@ -266,7 +266,7 @@ class CaseTest(Node):
     high: Expr | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Case(Node):
     """`Case tests`; `Case Else` has no tests."""
 
@@ -274,7 +274,7 @@ class Case(Node):
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Select(Node):
     """`Select Case subject … End Select`."""
 
@@ -282,7 +282,7 @@ class Select(Node):
     cases: list[Case]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class For(Node):
     """`For variable = first To stop Step step … Next`."""
 
@@ -293,7 +293,7 @@ class For(Node):
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class While(Node):
     """`While condition … End While`."""
 
@@ -301,7 +301,7 @@ class While(Node):
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Repeat(Node):
     """`Repeat … Until condition`."""
 
@@ -309,14 +309,14 @@ class Repeat(Node):
     condition: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Loop(Node):
     """`Loop … End Loop`."""
 
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Exit(Node):
     """`Exit [For | While | Repeat | Loop | Select | Sub | Function | Task | Event]`.
 
@@ -326,35 +326,35 @@ class Exit(Node):
     kind: str
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Pause(Node):
     """`Pause condition`: wait until the condition is true."""
 
     condition: Expr
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Run(Resolved):
     """`Run task`."""
 
     name: Word
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class End(Resolved):
     """`End`, which ends the program, or `End task`."""
 
     name: Word | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Label(Node):
     """`#NAME` (v4) or `NAME:` on a line of its own."""
 
     name: Word
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Jump(Node):
     """A jump of `kind` "goto" or "gosub"."""
 
@@ -362,12 +362,12 @@ class Jump(Node):
     name: Word
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Return(Node):
     """`Return` from a `Gosub`, an event or a sub."""
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Auto(Node):
     """`Auto`: start the program at power-up."""
 
@@ -400,7 +400,7 @@ Stmt = (
 # -------------------------------------------------------------------------------------------- declarations
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Parameter(Node):
     """One parameter of a sub or a function."""
 
@@ -410,7 +410,7 @@ class Parameter(Node):
     is_array: bool = False
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Sub(Node):
     """`Sub name(parameters) … End Sub`; a `Function` has a `result` type."""
 
@@ -421,7 +421,7 @@ class Sub(Node):
     result: TypeName | None = None
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Task(Node):
     """`Task name … End Task`, with the subs and functions written inside it."""
 
@@ -430,7 +430,7 @@ class Task(Node):
     subs: list[Sub]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Event(Node):
     """`Event name … End Event`."""
 
@@ -438,14 +438,14 @@ class Event(Node):
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Startup(Node):
     """`Startup … End Startup`."""
 
     body: list[Stmt]
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class UserType(Node):
     """`Type name … End Type`."""
 

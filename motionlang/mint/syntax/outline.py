@@ -7,9 +7,9 @@ them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS
-from motionlang.record import record
 
 OPEN, MIDDLE, CLOSE = "open", "middle", "close"
 # Kinds of token before which a keyword of a block is something else: the end of a block, or a label.
@@ -21,7 +21,7 @@ _WATCHED = frozenset((*OPENERS, *CLOSERS, "END"))
 _STARTS = frozenset(("_NL", "COLON"))
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class BlockToken:
     """A token that opens, continues or closes a block.
 
@@ -34,7 +34,7 @@ class BlockToken:
     count: int = 1
 
 
-@record
+@dataclass(eq=False, repr=False, slots=True)
 class Span:
     """A block from its opening token to the last token of its end.
 
