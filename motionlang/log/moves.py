@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
-from typing import overload
+from collections.abc import Iterator, Mapping
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.move import CONTINUED, Action, Move
 from motionlang.log.profiles import joined, parted
 from motionlang.log.records import MoveRow
-from motionlang.log.stream import CHUNK, Store, Stream
+from motionlang.log.stream import CHUNK, Records, Store, Stream
 from motionlang.planners import Profile
 
 # The number of moves after which the oldest become rows, and how many of the newest do not.
@@ -26,7 +25,7 @@ class _Overlaid(Move):
     overlaid = True
 
 
-class Moves(Sequence[Move]):
+class Moves(Records[Move]):
     """All moves in order of start; an older one is made from its row when it is read.
 
     A row retains everything except the `action`, of which only the existence is stored. A move in progress stays an
@@ -122,26 +121,6 @@ class Moves(Sequence[Move]):
 
     def __len__(self) -> int:
         return self.packed + len(self._tail)
-
-    @overload
-    def __getitem__(self, index: int) -> Move: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> list[Move]: ...
-
-    def __getitem__(self, index: int | slice) -> Move | list[Move]:
-        if isinstance(index, slice):
-            numbers = range(len(self))[index]
-            if numbers.step == 1:
-                return list(self.between(max(numbers.start, self.first), numbers.stop))
-            return [self[number] for number in numbers if number >= self.first]
-        number = index + len(self) if index < 0 else index
-        if not self.first <= number < len(self):
-            raise IndexError(index)
-        return next(self.between(number, number + 1))
-
-    def __iter__(self) -> Iterator[Move]:
-        return self.between(self.first, len(self))
 
     def between(self, first: int, past: int) -> Iterator[Move]:
         """Yield the moves from number `first` to `past` (exclusive)."""

@@ -155,7 +155,40 @@ class Repetition:
         return self.base + count * self.cost
 
 
-class Stream(Sequence[T], Generic[T]):
+class Records(Sequence[T], Generic[T]):
+    """Records that are read like a list, by number from `first`, and made when they are read."""
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest record that is left."""
+        raise NotImplementedError
+
+    def between(self, first: int, past: int) -> Iterator[T]:
+        """Yield the records from `first` to `past` (exclusive)."""
+        raise NotImplementedError
+
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[T]: ...
+
+    def __getitem__(self, index: int | slice) -> T | list[T]:
+        if isinstance(index, slice):
+            numbers = range(len(self))[index]
+            if numbers.step == 1:
+                return list(self.between(max(numbers.start, self.first), numbers.stop))
+            return [self[number] for number in numbers if number >= self.first]
+        number = index + len(self) if index < 0 else index
+        if not self.first <= number < len(self):
+            raise IndexError(index)
+        return next(self.between(number, number + 1))
+
+    def __iter__(self) -> Iterator[T]:
+        return self.between(self.first, len(self))
+
+
+class Stream(Records[T]):
     """Records of one kind, a `NamedTuple`, read as a sequence; a run only calls `add` and `repeat`."""
 
     # The attributes that `cut` restores.
@@ -219,26 +252,6 @@ class Stream(Sequence[T], Generic[T]):
 
     def __bool__(self) -> bool:
         return self.first < len(self)
-
-    @overload
-    def __getitem__(self, index: int) -> T: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> list[T]: ...
-
-    def __getitem__(self, index: int | slice) -> T | list[T]:
-        if isinstance(index, slice):
-            numbers = range(len(self))[index]
-            if numbers.step == 1:
-                return list(self.between(max(numbers.start, self.first), numbers.stop))
-            return [self[number] for number in numbers if number >= self.first]
-        number = index + len(self) if index < 0 else index
-        if not self.first <= number < len(self):
-            raise IndexError(index)
-        return next(self.between(number, number + 1))
-
-    def __iter__(self) -> Iterator[T]:
-        return self.between(self.first, len(self))
 
     def between(self, first: int, past: int) -> Iterator[T]:
         """Yield the records from `first` to `past` (exclusive)."""
