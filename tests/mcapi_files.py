@@ -8,12 +8,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from motionlang.mcapi.calls import readings, settings  # noqa: F401
-from motionlang.mcapi.table import CONSTANTS, FUNCTIONS, STRUCTURES, Argument, Function
+from motionlang.hosts.mcapi.calls import readings, settings  # noqa: F401
+from motionlang.hosts.mcapi.table import CONSTANTS, FUNCTIONS, STRUCTURES, Argument, Function
 from motionlang.mccl.keywords import table
 
 ROOT = Path(__file__).parents[1]
-PACKAGE = ROOT / "motionlang" / "mcapi"
+PACKAGE = ROOT / "motionlang" / "hosts" / "mcapi"
 
 # --------------------------------------------------------------------------------------- the page of functions
 

@@ -28,7 +28,7 @@ ELSEWHERE = {
     "_wheel.py",
     # A log that grows by each call, a compiled library that is moved to its place, and streams of processes.
     "cli/mcapi_run.py",
-    "mcapi/build.py",
+    "hosts/mcapi/build.py",
     "lsp/server.py",
     "lsp/workers.py",
 }

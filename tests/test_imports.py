@@ -38,8 +38,8 @@ LAZY = {
     # Those that need one another.
     "planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
-    "client/client.py": "virtual",
-    "client/mint.py": "virtual",
+    "hosts/client/client.py": "client.virtual",
+    "hosts/client/mint.py": "client.virtual",
     "mint/runtime/task.py": "runtime.errors",
 }
 

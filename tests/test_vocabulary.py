@@ -29,15 +29,15 @@ NAMED = {
     "cli/plan.py": "US",
     # A placeholder of the help.
     "cli/completion.py": "OUT",
-    "client/answer.py": "VE",
-    "client/client.py": "TP TS WS WT",
+    "hosts/client/answer.py": "VE",
+    "hosts/client/client.py": "TP TS WS WT",
     # Texts that only look like keywords: a state, an axis of a chart, an access.
     "controller/triggers/homing.py": "HOME",
     "notes/figures.py": "DAC",
     "assumptions/keyword_facts.py": "RW",
     "lang/machine/nonvolatile.py": "NVLONG",
     # Commands of the editor of a controller's prompt, which are no keywords of a program.
-    "client/mint.py": "CON EDIT NEW PROG",
+    "hosts/client/mint.py": "CON EDIT NEW PROG",
     "mint/hosts/editor.py": "CON EDIT NEW PROG",
     # Commands that the code around them reports to the user, or that open a block.
     "mccl/lint/running.py": "WS",
@@ -57,7 +57,7 @@ def named() -> dict[str, set[str]]:
     for path in PACKAGE.rglob("*.py"):
         relative = path.relative_to(PACKAGE)
         # MCAPI is a translation of calls into commands.
-        if "keywords" in relative.parts or relative.parts[0] == "mcapi":
+        if "keywords" in relative.parts or relative.parts[:2] == ("hosts", "mcapi"):
             continue
         words = {"mint": MINT, "mccl": MCCL}.get(relative.parts[0], MINT | MCCL)
         # Placeholders of options.

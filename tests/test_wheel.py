@@ -123,7 +123,7 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     with install.start(code=opened) as process:
         _, err = process.communicate(timeout=MAX_SECONDS)
     assert err.splitlines()[-1] == (
-        "motionlang.client.errors.ConnectionLost: "
+        "motionlang.hosts.client.errors.ConnectionLost: "
         'a serial line needs pyserial: python -m pip install "motionlang[serial]"'
     )
 
@@ -199,7 +199,7 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
         "copley/node.py",
         # Imported by `motionlang serve --can`, which needs them first, too.
         "copley/eds.py",
-        "copley/served.py",
+        "hosts/can.py",
         # Imported by `motionlang lsp`, which needs pygls first.
         "lsp/features.py",
         "lsp/protocol.py",

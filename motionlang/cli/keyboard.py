@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from typing import TypeVar
 
-from motionlang.serve.outside import PATIENCE, RealTime
+from motionlang.hosts.serve.outside import PATIENCE, RealTime
 from motionlang.views.keys import has_keys, single_keys
 
 Result = TypeVar("Result")

@@ -19,12 +19,12 @@ from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.serve_board import mcapi_hosts, server_of
 from motionlang.cli.serve_hosts import Served, remark, say
 from motionlang.errors import Diagnostic
-from motionlang.mcapi.build import TARGETS, default_path
-from motionlang.mcapi.call import Call
-from motionlang.mcapi.log import Recorder
-from motionlang.serve import Server
-from motionlang.serve.address import LOOPBACK, shown
-from motionlang.serve.spy import Spy
+from motionlang.hosts.mcapi.build import TARGETS, default_path
+from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.log import Recorder
+from motionlang.hosts.serve import Server
+from motionlang.hosts.serve.address import LOOPBACK, shown
+from motionlang.hosts.serve.spy import Spy
 
 # Exit statuses of a shell.
 NOT_EXECUTABLE, NOT_FOUND, KILLED = 126, 127, 128

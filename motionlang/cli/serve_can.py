@@ -56,7 +56,7 @@ class ServedDrives(Served):
         """
         need("motionlang serve --can", "can", "canopen")
         from motionlang.copley.bus import BusError
-        from motionlang.copley.served import DriveServer
+        from motionlang.hosts.can import DriveServer
 
         logging.getLogger("canopen").setLevel(logging.CRITICAL)
         if self.eds is not None:

@@ -13,12 +13,12 @@ from motionlang.cli.complaints import complain
 from motionlang.cli.readers import real, whole
 from motionlang.cli.shared import Program
 from motionlang.errors import Diagnostic
-from motionlang.serve import Server
-from motionlang.serve.address import is_loopback, parse, shown
-from motionlang.serve.server import MakeHost
+from motionlang.hosts.serve import Server
+from motionlang.hosts.serve.address import is_loopback, parse, shown
+from motionlang.hosts.serve.server import MakeHost
 
 if TYPE_CHECKING:  # which needs python-can
-    from motionlang.copley.served import DriveServer
+    from motionlang.hosts.can import DriveServer
 
 Address = tuple[str, int]
 

@@ -11,15 +11,15 @@ from motionlang.cli.serve_hosts import cannot, remark, say, until_signal, warn
 from motionlang.cli.serve_modbus import ServedMemory, remark_on_mapping
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, count_of
+from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
+from motionlang.hosts.serve.address import is_loopback, shown
+from motionlang.hosts.serve.modbus import ModbusServer
+from motionlang.hosts.serve.outside import STEP, InTurn
+from motionlang.hosts.serve.pace import Pace
+from motionlang.hosts.serve.spy import Spy
 from motionlang.mint.hosts.console import MintConsole
 from motionlang.mint.keywords.identity import VIRTUAL
 from motionlang.mint.models import named
-from motionlang.serve import Limits, LockStep, RealTime, Server
-from motionlang.serve.address import is_loopback, shown
-from motionlang.serve.modbus import ModbusServer
-from motionlang.serve.outside import STEP, InTurn
-from motionlang.serve.pace import Pace
-from motionlang.serve.spy import Spy
 from motionlang.source import Source
 
 

@@ -14,8 +14,8 @@ from motionlang.source import Source
 
 def verify_log(path: str) -> Verdict:
     """Replay a log on the machine of the file next to it, or of the log's model."""
-    from motionlang.mcapi.log import BadLog
-    from motionlang.mcapi.replay import call_of, replay_file
+    from motionlang.hosts.mcapi.log import BadLog
+    from motionlang.hosts.mcapi.replay import call_of, replay_file
 
     verdict = Verdict(path, "log")
     try:

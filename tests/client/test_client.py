@@ -12,12 +12,12 @@ from types import SimpleNamespace
 import pytest
 
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
-from motionlang.client.wire import SerialWire
+from motionlang.hosts.client.wire import SerialWire
+from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import table
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.hosts.port import Port
-from motionlang.serve import Limits, LockStep, RealTime, Server
 
 Open = Callable[[], Client]
 TRANSPORTS = ("virtual", "tcp", "device", "socket://")

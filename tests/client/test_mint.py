@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import pytest
 
 from motionlang.client import FrameRejected, LineRejected, MintClient, NoReply
+from motionlang.hosts.serve import LockStep, Server
 from motionlang.mint.hosts.console import MintConsole
-from motionlang.serve import LockStep, Server
 from motionlang.source import Source
 
 # The host writes a distance to COMMS 1; the position is COMMS 2.

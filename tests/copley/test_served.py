@@ -22,8 +22,8 @@ from canopen.objectdictionary import ODVariable
 from motionlang.copley.bus import BusError
 from motionlang.copley.eds import eds
 from motionlang.copley.node import object_dictionary
-from motionlang.copley.served import DriveServer
 from motionlang.copley.switches import Switches
+from motionlang.hosts.can import DriveServer
 from motionlang.planners.curve import hold
 
 PATIENCE = 30.0

@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.hosts.mcapi.build import SOURCE, TARGETS
+from motionlang.hosts.mcapi.host import McapiHost
+from motionlang.hosts.mcapi.session import McapiBoard
+from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
+from motionlang.hosts.serve.pace import Pace
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
-from motionlang.mcapi.build import SOURCE, TARGETS
-from motionlang.mcapi.host import McapiHost
-from motionlang.mcapi.session import McapiBoard
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import Limits, LockStep, RealTime, Server
-from motionlang.serve.pace import Pace
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0

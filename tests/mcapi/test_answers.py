@@ -2,7 +2,7 @@
 
 A call, and its result with the values that it returns.
 
-The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see `motionlang/mcapi/table.py`.
+The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see `motionlang/hosts/mcapi/table.py`.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import pytest
 
 from motionlang import mcapi as mc
 from motionlang.controller.faults import Rejected
+from motionlang.hosts.mcapi.errors import code_of
+from motionlang.hosts.mcapi.protocol import encode, parse
 from motionlang.mcapi import Mcapi
-from motionlang.mcapi.errors import code_of
-from motionlang.mcapi.protocol import encode, parse
 from tests.mcapi.conftest import opened
 
 
@@ -204,7 +204,7 @@ def test_handles() -> None:
 
 def test_a_host_has_a_largest_number_of_handles(monkeypatch: pytest.MonkeyPatch) -> None:
     """The number of a closed handle is used again."""
-    monkeypatch.setattr("motionlang.mcapi.session.MAX_HANDLES", 3)
+    monkeypatch.setattr("motionlang.hosts.mcapi.session.MAX_HANDLES", 3)
     converse(
         Mcapi.virtual(),
         """

@@ -8,8 +8,8 @@ import socket
 import pytest
 
 from motionlang import mcapi as mc
+from motionlang.hosts.serve import Limits
 from motionlang.mcapi import Mcapi, McapiException
-from motionlang.serve import Limits
 from tests.mcapi.conftest import Serve, opened
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build, default_path
+from motionlang.hosts.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build, default_path
 
 
 class Compiler:
@@ -26,7 +26,7 @@ class Compiler:
             shutil, "which", lambda name: None if name.startswith("-") else f"/usr/bin/{name}"
         )
         monkeypatch.setattr(subprocess, "run", self.run)
-        monkeypatch.setattr("motionlang.mcapi.build.sys.platform", "linux")
+        monkeypatch.setattr("motionlang.hosts.mcapi.build.sys.platform", "linux")
 
     def run(self, command: list[str], **options: Any) -> subprocess.CompletedProcess[str]:
         assert (options["capture_output"], options["check"]) == (True, False)
@@ -75,7 +75,7 @@ def test_the_compiler_of_the_environment(
 def test_another_system_builds_the_libraries_of_windows_only(
     compiler: Compiler, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("motionlang.mcapi.build.sys.platform", "darwin")
+    monkeypatch.setattr("motionlang.hosts.mcapi.build.sys.platform", "darwin")
     with pytest.raises(CannotBuild, match="this system is not Linux"):
         build(TARGETS["linux"], tmp_path)
     assert build(TARGETS["win64"], tmp_path).exists()
@@ -93,7 +93,7 @@ def test_the_library_of_another_source_is_not_used(tmp_path: Path, monkeypatch: 
     other.mkdir()
     for name in FILES:
         (other / name).write_bytes((SOURCE / name).read_bytes() + b"\n")
-    monkeypatch.setattr("motionlang.mcapi.build.SOURCE", other)
+    monkeypatch.setattr("motionlang.hosts.mcapi.build.SOURCE", other)
     assert default_path(TARGETS["linux"]) != path
 
 
@@ -106,7 +106,7 @@ def test_a_folder_that_cannot_be_written(compiler: Compiler, tmp_path: Path) -> 
 
 def test_no_home_for_a_cache(compiler: Compiler, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A folder of --out needs no home."""
-    monkeypatch.setattr("motionlang.mcapi.build.folder", lambda: None)
+    monkeypatch.setattr("motionlang.hosts.mcapi.build.folder", lambda: None)
     assert default_path(TARGETS["linux"]) is None
     with pytest.raises(CannotBuild, match="there is no home for a cache"):
         build(TARGETS["linux"])

@@ -10,10 +10,10 @@ import functools
 import pytest
 
 from motionlang import mcapi as mc
+from motionlang.hosts.mcapi.listing import Listing
+from motionlang.hosts.mcapi.log import read_entry
+from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES
 from motionlang.mcapi import Mcapi
-from motionlang.mcapi.listing import Listing
-from motionlang.mcapi.log import read_entry
-from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
 from tests.mcapi.conftest import opened
 
 

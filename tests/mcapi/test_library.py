@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build
-from motionlang.mcapi.table import FUNCTIONS
+from motionlang.hosts.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build
+from motionlang.hosts.mcapi.table import FUNCTIONS
 from tests.mcapi.conftest import COMPILER, Serve, needs_compiler
 
 HERE = Path(__file__).parent
@@ -42,7 +42,7 @@ def test_the_hand_written_part_is_small() -> None:
 
 def test_the_source_is_in_the_wheel() -> None:
     project = (HERE.parents[1] / "pyproject.toml").read_text(encoding="utf-8")
-    assert '"mcapi/library/*"' in project
+    assert '"hosts/mcapi/library/*"' in project
     assert all((SOURCE / name).exists() for name in FILES)
 
 

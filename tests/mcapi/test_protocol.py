@@ -12,12 +12,12 @@ from typing import Any
 import pytest
 
 from motionlang import mcapi as mc
+from motionlang.hosts.mcapi.host import McapiHost, McapiPort
+from motionlang.hosts.mcapi.protocol import MAX_LINE, decode, encode, parse, request
+from motionlang.hosts.mcapi.session import BadCall, wrapped
+from motionlang.hosts.mcapi.table import BITS
+from motionlang.hosts.serve import Limits, LockStep
 from motionlang.mcapi import Mcapi
-from motionlang.mcapi.host import McapiHost, McapiPort
-from motionlang.mcapi.protocol import MAX_LINE, decode, encode, parse, request
-from motionlang.mcapi.session import BadCall, wrapped
-from motionlang.mcapi.table import BITS
-from motionlang.serve import Limits, LockStep
 from tests.mcapi.conftest import opened
 from tests.mcapi.test_answers import ask
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.mcapi.table import FUNCTIONS
+from motionlang.hosts.mcapi.table import FUNCTIONS
 from tests.mcapi.conftest import needs_compiler
 
 HERE = Path(__file__).parent

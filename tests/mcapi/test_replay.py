@@ -11,10 +11,10 @@ import pytest
 
 from motionlang import mcapi as mc
 from motionlang.cli import main
+from motionlang.hosts.mcapi.client import VirtualBoard
+from motionlang.hosts.mcapi.log import BadLog, Recorder, model_of, read
+from motionlang.hosts.mcapi.replay import Replay
 from motionlang.mcapi import Mcapi
-from motionlang.mcapi.client import VirtualBoard
-from motionlang.mcapi.log import BadLog, Recorder, model_of, read
-from motionlang.mcapi.replay import Replay
 
 # The move of 5000 counts at 100 000 counts/s² takes twice the root of s/a.
 SHORT, SHORT_TIME = 5000.0, 2.0 * math.sqrt(5000.0 / 100_000.0)

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-import motionlang.mcapi.calls  # noqa: F401
-from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
-from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
+import motionlang.hosts.mcapi.calls  # noqa: F401
+from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
+from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES
 from tests.mcapi_files import FILES
 
 # The bytes of each structure in C, with four-byte packing, from PMC's header compiled on 64-bit Linux.

@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.mcapi.build import SOURCE, TARGETS, build
-from motionlang.mcapi.table import FUNCTIONS
+from motionlang.hosts.mcapi.build import SOURCE, TARGETS, build
+from motionlang.hosts.mcapi.table import FUNCTIONS
 from tests.mcapi.conftest import Serve
 
 HOST = """

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
+from motionlang.hosts.serve.pace import Pace
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import Limits, LockStep, RealTime, Server
-from motionlang.serve.pace import Pace
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0

@@ -13,10 +13,10 @@ from importlib import import_module
 
 import pytest
 
+from motionlang.hosts.serve import Limits
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.keywords import table
-from motionlang.serve import Limits
 from tests.serve.conftest import Board, Serve
 
 

@@ -10,10 +10,10 @@ from unittest.mock import MagicMock
 
 import pytest
 
-from motionlang.serve import Limits
-from motionlang.serve import channel as channels
-from motionlang.serve.channel import DeviceChannel, Gone, TcpChannel
-from motionlang.serve.host import Host
+from motionlang.hosts.serve import Limits
+from motionlang.hosts.serve import channel as channels
+from motionlang.hosts.serve.channel import DeviceChannel, Gone, TcpChannel
+from motionlang.hosts.serve.host import Host
 
 
 @dataclass

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 import pytest
 
+from motionlang.hosts.serve import LockStep, Server
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import LockStep, Server
 
 pytest.importorskip("pty")
 

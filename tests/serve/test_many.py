@@ -7,9 +7,9 @@ import socket
 
 import pytest
 
+from motionlang.hosts.serve import Limits, Server
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import Limits, Server
 from tests.serve.conftest import Serve, Wire
 
 

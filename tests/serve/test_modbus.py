@@ -23,7 +23,7 @@ from motionlang import Run
 from motionlang.cli import main
 from motionlang.cli.output_queue import CAPACITY
 from motionlang.execution import run
-from motionlang.serve.outside import LockStep, Outside, RealTime
+from motionlang.hosts.serve.outside import LockStep, Outside, RealTime
 from motionlang.source import Source
 from tests.cli.programs import MAX_SECONDS
 
@@ -31,7 +31,7 @@ pytest.importorskip("pymodbus")
 from pymodbus.client import ModbusTcpClient
 from pyModbusTCP.client import ModbusClient
 
-from motionlang.serve.modbus import ModbusServer
+from motionlang.hosts.serve.modbus import ModbusServer
 
 PACKER = """\
 NETFLOAT(2) = 1.5

@@ -20,11 +20,11 @@ from unittest.mock import MagicMock
 import pytest
 
 from motionlang.execution import run
-from motionlang.serve import Limits, modbus
-from motionlang.serve.modbus import ModbusServer
-from motionlang.serve.modbus_requests import Identity
-from motionlang.serve.outside import LockStep
-from motionlang.serve.refusals import Refusals
+from motionlang.hosts.serve import Limits, modbus
+from motionlang.hosts.serve.modbus import ModbusServer
+from motionlang.hosts.serve.modbus_requests import Identity
+from motionlang.hosts.serve.outside import LockStep
+from motionlang.hosts.serve.refusals import Refusals
 from motionlang.source import Source
 
 PATIENCE = 60.0

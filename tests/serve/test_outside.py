@@ -8,8 +8,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.clock import INFINITY
+from motionlang.hosts.serve.outside import Closed, InTurn, LockStep, Outside, RealTime
 from motionlang.lang.machine.machine import Machine
-from motionlang.serve.outside import Closed, InTurn, LockStep, Outside, RealTime
 from tests.serve.test_time import Wall
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.serve.refusals import Refusals
+from motionlang.hosts.serve.refusals import Refusals
 
 
 def test_at_most_one_line_a_second() -> None:

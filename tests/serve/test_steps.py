@@ -12,16 +12,16 @@ from typing import Any
 import pytest
 
 from motionlang.controller.clock import INFINITY
+from motionlang.hosts.serve import Limits, LockStep, RealTime
+from motionlang.hosts.serve import pace as pace_module
+from motionlang.hosts.serve.address import BadAddress, is_loopback, listen, parse, shown
+from motionlang.hosts.serve.host import Host
+from motionlang.hosts.serve.modbus_requests import Identity, Rejected, Request
+from motionlang.hosts.serve.modbus_requests import parse as parse_request
+from motionlang.hosts.serve.pace import BUDGET, TICK
+from motionlang.hosts.serve.spy import Spy
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import Limits, LockStep, RealTime
-from motionlang.serve import pace as pace_module
-from motionlang.serve.address import BadAddress, is_loopback, listen, parse, shown
-from motionlang.serve.host import Host
-from motionlang.serve.modbus_requests import Identity, Rejected, Request
-from motionlang.serve.modbus_requests import parse as parse_request
-from motionlang.serve.pace import BUDGET, TICK
-from motionlang.serve.spy import Spy
 from tests.serve.test_time import Wall
 
 # ------------------------------------------------------------------------------------------------- the log

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.hosts.serve import LockStep, RealTime
+from motionlang.hosts.serve.pace import BUDGET, LATEST, LEAD, SLICE
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import LockStep, RealTime
-from motionlang.serve.pace import BUDGET, LATEST, LEAD, SLICE
 from tests.serve.conftest import Serve
 
 

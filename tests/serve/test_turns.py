@@ -11,12 +11,12 @@ from unittest.mock import MagicMock
 import pytest
 
 from motionlang.controller.clock import INFINITY
+from motionlang.hosts.serve import Limits, LockStep, Server
+from motionlang.hosts.serve import server as serving
+from motionlang.hosts.serve.host import Host
+from motionlang.hosts.serve.server import MAX_KNOWN, READ, WRITE
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
-from motionlang.serve import Limits, LockStep, Server
-from motionlang.serve import server as serving
-from motionlang.serve.host import Host
-from motionlang.serve.server import MAX_KNOWN, READ, WRITE
 
 
 @pytest.fixture
@@ -159,7 +159,7 @@ def test_a_host_that_is_silent_for_a_minute_makes_room(
 def test_the_address_of_a_server_is_host_and_port(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     """An address of IPv6 has two numbers more."""
     listener = MagicMock(getsockname=lambda: ("::1", 4000, 0, 0))
-    monkeypatch.setattr("motionlang.serve.address.listen", lambda host, port: listener)
+    monkeypatch.setattr("motionlang.hosts.serve.address.listen", lambda host, port: listener)
     monkeypatch.setattr(server, "_selector", MagicMock())
     assert server.listen("::1", 0) == ("::1", 4000)
 
