@@ -13,9 +13,9 @@ import pytest
 
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
 from motionlang.hosts.client.wire import SerialWire
+from motionlang.hosts.mcapi import table
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.lang.machine.machine import Machine
-from motionlang.mcapi import table
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.hosts.port import Port
 
