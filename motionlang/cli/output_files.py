@@ -2,20 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 
-from motionlang.cli.command import WRITERS
 from motionlang.cli.complaints import complain, unwritten
-from motionlang.errors import Diagnostic, Terminated, need
+from motionlang.errors import Diagnostic, Terminated
 from motionlang.result import who_ended
-
-
-def need_writer(option: str, path: str) -> None:
-    """Raise MissingExtra if the library that writes the format of `path` is missing."""
-    suffix = os.path.splitext(path)[1].lower()
-    if suffix in WRITERS:
-        need(f"{option} {suffix}", WRITERS[suffix])
 
 
 def written(path: str, write: Callable[[], None]) -> int:
