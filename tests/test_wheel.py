@@ -123,7 +123,7 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     with install.start(code=opened) as process:
         _, err = process.communicate(timeout=MAX_SECONDS)
     assert err.splitlines()[-1] == (
-        "motionlang.hosts.client.errors.ConnectionLost: "
+        "motionlang.hosts.errors.ConnectionLost: "
         'a serial line needs pyserial: python -m pip install "motionlang[serial]"'
     )
 

@@ -9,7 +9,7 @@ from typing import ClassVar
 from motionlang.cli.command import Command, Refused, option
 from motionlang.dap.server import serve_connection, serve_stdio
 from motionlang.errors import Diagnostic
-from motionlang.hosts.serve.address import listen, parse, shown
+from motionlang.hosts.address import listen, parse, shown
 
 
 @dataclass

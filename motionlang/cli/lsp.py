@@ -9,7 +9,7 @@ from typing import ClassVar
 from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.errors import Diagnostic, need
 from motionlang.files import reason
-from motionlang.hosts.serve.address import listen, parse, shown
+from motionlang.hosts.address import listen, parse, shown
 
 
 @dataclass

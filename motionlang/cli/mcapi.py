@@ -17,11 +17,11 @@ from motionlang.cli.readers import real
 from motionlang.cli.serve_hosts import Address
 from motionlang.cli.shared import Program
 from motionlang.controller.faults import Rejected
+from motionlang.hosts.address import parse, shown
 from motionlang.hosts.mcapi.build import TARGETS, CannotBuild, build
 from motionlang.hosts.mcapi.listing import Listing
 from motionlang.hosts.mcapi.log import BadLog, model_of, read
 from motionlang.hosts.mcapi.replay import call_of, replay_file
-from motionlang.hosts.serve.address import parse, shown
 
 _NOT_NEGATIVE = real("a number, 0 or more", 0.0, 1e6)
 

@@ -19,11 +19,11 @@ from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.serve_board import mcapi_hosts, server_of
 from motionlang.cli.serve_hosts import Served, remark, say
 from motionlang.errors import Diagnostic
+from motionlang.hosts.address import LOOPBACK, shown
 from motionlang.hosts.mcapi.build import TARGETS, default_path
 from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.log import Recorder
 from motionlang.hosts.serve import Server
-from motionlang.hosts.serve.address import LOOPBACK, shown
 from motionlang.hosts.serve.spy import Spy
 
 # Exit statuses of a shell.

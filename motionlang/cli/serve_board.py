@@ -12,11 +12,11 @@ from motionlang.cli.output_queue import OutputQueue, dropped
 from motionlang.cli.serve_hosts import Address, Addresses, Served, listen, remark, say, until_signal, warn
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
+from motionlang.hosts.address import parse
 from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.host import McapiHost
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.hosts.serve.address import parse
 from motionlang.hosts.serve.pace import STEP, Pace
 from motionlang.hosts.serve.server import MakeHost
 from motionlang.hosts.serve.spy import Spy

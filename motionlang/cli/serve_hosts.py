@@ -13,8 +13,8 @@ from motionlang.cli.complaints import complain
 from motionlang.cli.readers import real, whole
 from motionlang.cli.shared import Program
 from motionlang.errors import Diagnostic
+from motionlang.hosts.address import is_loopback, parse, shown
 from motionlang.hosts.serve import Server
-from motionlang.hosts.serve.address import is_loopback, parse, shown
 from motionlang.hosts.serve.server import MakeHost
 
 if TYPE_CHECKING:  # which needs python-can

@@ -11,8 +11,8 @@ from motionlang.cli.serve_hosts import cannot, remark, say, until_signal, warn
 from motionlang.cli.serve_modbus import ServedMemory, remark_on_mapping
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, count_of
+from motionlang.hosts.address import is_loopback, shown
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.hosts.serve.address import is_loopback, shown
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.outside import STEP, InTurn
 from motionlang.hosts.serve.pace import Pace

@@ -17,8 +17,8 @@ from motionlang.cli.readers import whole
 from motionlang.cli.serve_hosts import Address, Served, cannot, remark, warn
 from motionlang.controller.io.host_memory import PRODUCTS, product
 from motionlang.execution import end_of, run
+from motionlang.hosts.address import is_loopback, parse, shown
 from motionlang.hosts.serve import Limits
-from motionlang.hosts.serve.address import is_loopback, parse, shown
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import STEP, LockStep, Outside, RealTime

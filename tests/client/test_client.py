@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
-from motionlang.hosts.client.wire import SerialWire
+from motionlang.hosts.channel import SerialWire
 from motionlang.hosts.mcapi import table
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.lang.machine.machine import Machine

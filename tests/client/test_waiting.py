@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang.client import Client, ConnectionLost, MintClient, NoReply
+from motionlang.hosts.channel import Wire
 from motionlang.hosts.client.virtual import MintWire, VirtualWire
-from motionlang.hosts.client.wire import Wire
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.mint.hosts.console import MintConsole

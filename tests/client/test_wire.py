@@ -9,7 +9,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang.client import Client, ConnectionLost
-from motionlang.hosts.client.wire import SerialWire, TcpWire, Wire
+from motionlang.hosts.channel import SerialWire, TcpWire, Wire
 
 serial = pytest.importorskip("serial")
 

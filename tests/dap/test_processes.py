@@ -12,7 +12,7 @@ from typing import IO, Any
 import pytest
 
 from motionlang.dap.framing import read, written
-from motionlang.hosts.serve.address import listen, shown
+from motionlang.hosts.address import listen, shown
 from tests.debug.test_debugger import CALLS
 
 ENDLESS = "Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n"

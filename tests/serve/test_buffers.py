@@ -10,9 +10,10 @@ from unittest.mock import MagicMock
 
 import pytest
 
+from motionlang.hosts import channel as channels
+from motionlang.hosts.channel import DeviceChannel, TcpChannel
+from motionlang.hosts.errors import ConnectionLost
 from motionlang.hosts.serve import Limits
-from motionlang.hosts.serve import channel as channels
-from motionlang.hosts.serve.channel import DeviceChannel, Gone, TcpChannel
 from motionlang.hosts.serve.host import Host
 
 
@@ -60,9 +61,9 @@ def test_a_connection_that_is_not_ready_transfers_nothing_and_does_not_wait() ->
         connection.setblocking.assert_called_once_with(False)
         assert (channel.receive(10), channel.send(b"abc")) == (b"", 0)
     connection.recv.side_effect = connection.send.side_effect = ConnectionResetError()
-    with pytest.raises(Gone):
+    with pytest.raises(ConnectionLost):
         channel.receive(10)
-    with pytest.raises(Gone):
+    with pytest.raises(ConnectionLost):
         channel.send(b"abc")
     connection.recv = MagicMock(return_value=b"")
     assert channel.receive(10) is None

@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from motionlang.controller.clock import INFINITY
+from motionlang.hosts.address import BadAddress, is_loopback, listen, parse, shown
 from motionlang.hosts.serve import Limits, LockStep, RealTime
 from motionlang.hosts.serve import pace as pace_module
-from motionlang.hosts.serve.address import BadAddress, is_loopback, listen, parse, shown
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.modbus_requests import Identity, Rejected, Request
 from motionlang.hosts.serve.modbus_requests import parse as parse_request

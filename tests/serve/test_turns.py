@@ -159,7 +159,7 @@ def test_a_host_that_is_silent_for_a_minute_makes_room(
 def test_the_address_of_a_server_is_host_and_port(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     """An address of IPv6 has two numbers more."""
     listener = MagicMock(getsockname=lambda: ("::1", 4000, 0, 0))
-    monkeypatch.setattr("motionlang.hosts.serve.address.listen", lambda host, port: listener)
+    monkeypatch.setattr("motionlang.hosts.address.listen", lambda host, port: listener)
     monkeypatch.setattr(server, "_selector", MagicMock())
     assert server.listen("::1", 0) == ("::1", 4000)
 

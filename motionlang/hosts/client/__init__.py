@@ -13,7 +13,9 @@ The controller is real, served, or virtual in this process.
 from __future__ import annotations
 
 from motionlang.hosts.client.client import Client
-from motionlang.hosts.client.errors import (
+from motionlang.hosts.client.mint import MintClient
+from motionlang.hosts.client.status import Status
+from motionlang.hosts.errors import (
     AxisFault,
     ClientError,
     CommandError,
@@ -22,8 +24,6 @@ from motionlang.hosts.client.errors import (
     LineRejected,
     NoReply,
 )
-from motionlang.hosts.client.mint import MintClient
-from motionlang.hosts.client.status import Status
 
 __all__ = [
     "AxisFault",

@@ -20,15 +20,15 @@ from motionlang.hosts.client.answer import (
     version_in,
 )
 from motionlang.hosts.client.connection import TIMEOUT, Connection
-from motionlang.hosts.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.hosts.client.status import Status
+from motionlang.hosts.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.lang.machine.file import first_mistake
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.syntax.comments import without_comment
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.hosts.client.wire import Wire
+    from motionlang.hosts.channel import Wire
     from motionlang.mccl.hosts.console import Console
 
 # Seconds of silence after which the answer of a board without a prompt is complete, and a line has been

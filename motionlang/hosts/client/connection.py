@@ -6,7 +6,7 @@ import os
 from types import TracebackType
 from typing import Self
 
-from motionlang.hosts.client.wire import SerialWire, TcpWire, Wire
+from motionlang.hosts.channel import SerialWire, TcpWire, Wire
 
 # Seconds that a client waits for an answer.
 TIMEOUT = 5.0

@@ -21,12 +21,12 @@ from typing import TYPE_CHECKING, Self
 
 from motionlang.execution import checked_settings
 from motionlang.hosts.client.connection import TIMEOUT, Connection
-from motionlang.hosts.client.errors import FrameRejected, LineRejected, NoReply
+from motionlang.hosts.errors import FrameRejected, LineRejected, NoReply
 from motionlang.mint.hosts import hcp
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.hosts.client.wire import Wire
+    from motionlang.hosts.channel import Wire
     from motionlang.mint.hosts.console import MintConsole
 
 # Characters of output that are stored.

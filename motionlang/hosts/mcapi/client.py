@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
-import socket
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
 from motionlang.execution import checked_settings
+from motionlang.hosts.address import BadAddress, parse
+from motionlang.hosts.channel import TcpWire
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.protocol import VERSION, decode, encode, request
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
-from motionlang.hosts.serve.address import BadAddress, parse
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
@@ -25,7 +25,7 @@ Answer = tuple[int, tuple[Value | None, ...]]
 # Where a board is if MCAPI_HOST does not say it.
 DEFAULT_ADDRESS = "127.0.0.1:4410"
 ADDRESS_VARIABLE = "MCAPI_HOST"
-# Seconds to connect.
+# Seconds to connect, and between two looks for an answer.
 PATIENCE = 5.0
 # Least machine seconds of a call in virtual time, and the most, after which it times out.
 STEP, MAX_CALL = 1e-3, 86_400.0
@@ -47,15 +47,15 @@ class PortCalls:
 
     def __init__(self, address: str | None = None) -> None:
         self._address = address or os.environ.get(ADDRESS_VARIABLE, DEFAULT_ADDRESS)
-        self._socket: socket.socket | None = None
+        self._wire: TcpWire | None = None
         self._rest = b""
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer:
         """Carry out a call over the connection; only MCOpen opens a connection."""
-        if self._socket is None and name != "MCOpen":
+        if self._wire is None and name != "MCOpen":
             return self._lost(name)
         try:
-            if self._socket is None:
+            if self._wire is None:
                 self._connect()
             answer = self._exchange(request(name, handle, arguments))
         except (OSError, ValueError):
@@ -66,30 +66,25 @@ class PortCalls:
         return result, tuple(outputs)
 
     def close(self) -> None:
-        if self._socket is not None:
-            self._socket.close()
-            self._socket = None
+        if self._wire is not None:
+            self._wire.close()
+            self._wire = None
 
     def _connect(self) -> None:
         try:
             host, port = parse(self._address)
         except BadAddress as problem:
             raise OSError(str(problem)) from None
-        self._socket = socket.create_connection((host, port), PATIENCE)
-        self._socket.settimeout(None)
-        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._wire = TcpWire(host, port, PATIENCE)
         self._rest = b""
         self._exchange(f"Session {VERSION} {encode([f'{os.getpid()}-{id(self)}'])}")
 
     def _exchange(self, line: str) -> list[Value | None]:
-        assert self._socket is not None
-        self._socket.sendall(line.encode("latin-1", "replace") + b"\n")
+        assert self._wire is not None
+        self._wire.send(line.encode("latin-1", "replace") + b"\n")
         found = self._rest
         while b"\n" not in found:
-            more = self._socket.recv(65536)
-            if not more:
-                raise ConnectionError("the board has closed the connection")
-            found += more
+            found += self._wire.receive(PATIENCE)  # a call may take any time
         text, _, self._rest = found.partition(b"\n")
         return decode(text.decode("latin-1"))
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
+from motionlang.hosts.channel import Channel
 from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.protocol import MAX_LINE, VERSION, answer, decode, parse
 from motionlang.hosts.mcapi.session import BadCall, McapiBoard, Session
-from motionlang.hosts.serve.channel import Channel
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.pace import Pace

@@ -9,7 +9,7 @@ from motionlang.controller.clock import INFINITY
 from motionlang.lang.waits import Wait
 
 if TYPE_CHECKING:
-    from motionlang.hosts.serve.channel import Channel
+    from motionlang.hosts.channel import Channel
     from motionlang.hosts.serve.console import Port
     from motionlang.hosts.serve.limits import Limits
     from motionlang.hosts.serve.pace import Pace

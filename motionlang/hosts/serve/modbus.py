@@ -25,7 +25,7 @@ from time import monotonic
 
 from motionlang import __version__
 from motionlang.controller.io.host_memory import HostMemory
-from motionlang.hosts.serve import address
+from motionlang.hosts import address
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.modbus_requests import (
     DEVICE_FAILURE,

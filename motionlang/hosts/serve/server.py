@@ -19,8 +19,9 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from motionlang.controller.clock import INFINITY
-from motionlang.hosts.serve import address
-from motionlang.hosts.serve.channel import Channel, DeviceChannel, Gone, TcpChannel
+from motionlang.hosts import address
+from motionlang.hosts.channel import Channel, DeviceChannel, TcpChannel
+from motionlang.hosts.errors import ConnectionLost
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.pace import RealTime
@@ -267,7 +268,7 @@ class Server:
         if host.listens:
             try:
                 host.receive(time.monotonic())
-            except Gone:
+            except ConnectionLost:
                 self._leave(host, "broke off")
 
     def _feed(self, host: Host) -> None:
@@ -281,7 +282,7 @@ class Server:
         """Send the board's output to a host, and set the events to wait for."""
         try:
             host.flush()
-        except Gone:
+        except ConnectionLost:
             self._leave(host, "broke off")
             return
         if host.done or (host.ended is not None and time.monotonic() >= host.ended + self.limits.linger):
@@ -307,7 +308,7 @@ class Server:
             while host.unsent and (left := end - time.monotonic()) > 0:
                 select.select([], [host.channel], [], left)
                 host.flush()
-        except (Gone, OSError, ValueError):
+        except (OSError, ValueError):
             pass
 
     def _report_waits(self) -> None:

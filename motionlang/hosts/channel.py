@@ -1,7 +1,8 @@
-"""Connections to a board: TCP and serial lines.
+"""Connections that carry characters: a TCP connection, a pseudo-terminal, a serial line.
 
-A serial line may be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`,
-such as a wrapper of pyserial's `Serial`, can be passed to `Client`.
+A server reads and writes its `Channel`s without waiting. A client has a `Wire`, whose calls wait. A serial line may be
+the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`, such as a wrapper of pyserial's
+`Serial`, can be passed to `Client`.
 """
 
 from __future__ import annotations
@@ -12,9 +13,112 @@ import time
 from typing import Protocol
 
 from motionlang.errors import MissingExtra, need
-from motionlang.hosts.client.errors import ConnectionLost
+from motionlang.hosts.errors import ConnectionLost
 
-MAX_UNREAD = 65536
+# How much is read at once.
+UNREAD = 65536
+
+
+class Channel(Protocol):
+    """Both directions of a host's connection; no call waits.
+
+    `receive` and `send` return b"" and 0 if nothing can be transferred now. `receive` returns None after the end of
+    the data.
+    """
+
+    name: str
+
+    def fileno(self) -> int: ...
+    def receive(self, most: int) -> bytes | None: ...
+    def send(self, data: bytes) -> int: ...
+    def close(self) -> None: ...
+
+
+class TcpChannel:
+    """A host at the other end of a TCP connection."""
+
+    def __init__(self, connection: socket.socket, name: str) -> None:
+        self.name = name
+        self._socket = connection
+        connection.setblocking(False)
+        # Send an answer at once, and eventually detect a host whose machine has died.
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+
+    def fileno(self) -> int:
+        return self._socket.fileno()
+
+    def receive(self, most: int) -> bytes | None:
+        """Return the received data, b"" if there is none, None if the host has closed.
+
+        Raises ConnectionLost on an error.
+        """
+        try:
+            return self._socket.recv(most) or None
+        except (BlockingIOError, InterruptedError):
+            return b""
+        except OSError as error:
+            raise ConnectionLost from error
+
+    def send(self, data: bytes) -> int:
+        """Send as much as possible now; return the number of bytes.
+
+        Raises ConnectionLost on an error.
+        """
+        try:
+            return self._socket.send(data)
+        except (BlockingIOError, InterruptedError):
+            return 0
+        except OSError as error:
+            raise ConnectionLost from error
+
+    def close(self) -> None:
+        """Close the connection cleanly.
+
+        Characters left unread would reset the connection and lose the last data sent.
+        """
+        try:
+            self._socket.shutdown(socket.SHUT_WR)
+            self._socket.recv(UNREAD)
+        except OSError:
+            pass
+        self._socket.close()
+
+
+class DeviceChannel:
+    """The board's end of a pseudo-terminal; hosts open the other end as a serial port.
+
+    The server keeps the other end open, too, so the connection never ends, just like a serial line. The board does not
+    notice when one program closes the device and another opens it.
+    """
+
+    def __init__(self) -> None:
+        import pty
+        import tty
+
+        self._board, self._cable = pty.openpty()
+        tty.setraw(self._cable)
+        os.set_blocking(self._board, False)
+        self.name = os.ttyname(self._cable)
+
+    def fileno(self) -> int:
+        return self._board
+
+    def receive(self, most: int) -> bytes | None:
+        try:
+            return os.read(self._board, most)
+        except OSError:
+            return b""
+
+    def send(self, data: bytes) -> int:
+        try:
+            return os.write(self._board, data)
+        except OSError:
+            return 0
+
+    def close(self) -> None:
+        os.close(self._board)
+        os.close(self._cable)
 
 
 class Wire(Protocol):
@@ -61,7 +165,7 @@ class TcpWire:
         """
         try:
             self._socket.settimeout(max(timeout, 0.0))
-            data = self._socket.recv(MAX_UNREAD)
+            data = self._socket.recv(UNREAD)
         except (TimeoutError, BlockingIOError):
             return b""
         except OSError as error:
@@ -119,7 +223,7 @@ class SerialWire:
         try:
             self._line.timeout = max(timeout, 0.0)
             first: bytes = self._line.read(1)
-            return first + self._line.read(min(self._line.in_waiting, MAX_UNREAD)) if first else b""
+            return first + self._line.read(min(self._line.in_waiting, UNREAD)) if first else b""
         except (self._lost, OSError) as error:
             raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 
