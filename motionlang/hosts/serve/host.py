@@ -10,10 +10,10 @@ from motionlang.lang.waits import Wait
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Channel
-    from motionlang.hosts.serve.console import Port
     from motionlang.hosts.serve.limits import Limits
     from motionlang.hosts.serve.pace import Pace
     from motionlang.hosts.serve.spy import Spy
+    from motionlang.lang.console import HostPort
 
 
 class Host:
@@ -23,7 +23,9 @@ class Host:
     accepts. A host that does not read delays only its own line.
     """
 
-    def __init__(self, number: int, channel: Channel, port: Port, limits: Limits, spy: Spy | None) -> None:
+    def __init__(
+        self, number: int, channel: Channel, port: HostPort, limits: Limits, spy: Spy | None
+    ) -> None:
         self.number, self.channel, self.port = number, channel, port
         self._limits, self._spy = limits, spy
         self._inbox = bytearray()

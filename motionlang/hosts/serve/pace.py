@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from motionlang.controller.clock import INFINITY
 
 if TYPE_CHECKING:
-    from motionlang.hosts.serve.console import Console
+    from motionlang.lang.console import HostConsole
 
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
 SLICE, MIN_SLICE = 2e-3, 2e-5
@@ -56,7 +56,7 @@ class RealTime:
     by_line = False
 
     def __init__(
-        self, console: Console[Any], factor: float = 1.0, wall: Callable[[], float] = time.monotonic
+        self, console: HostConsole[Any], factor: float = 1.0, wall: Callable[[], float] = time.monotonic
     ) -> None:
         self.late = 0.0
         self._console, self._factor, self._wall = console, factor, wall
@@ -121,7 +121,7 @@ class LockStep:
 
     by_line = True
 
-    def __init__(self, console: Console[Any], step: float = STEP, at_once: bool = False) -> None:
+    def __init__(self, console: HostConsole[Any], step: float = STEP, at_once: bool = False) -> None:
         self._console, self._step, self._at_once = console, step, at_once
         self._busy_until = 0.0
         self._stuck = False

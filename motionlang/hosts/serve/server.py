@@ -28,9 +28,9 @@ from motionlang.hosts.serve.pace import RealTime
 from motionlang.hosts.serve.refusals import Refusals
 
 if TYPE_CHECKING:
-    from motionlang.hosts.serve.console import Console
     from motionlang.hosts.serve.pace import Pace
     from motionlang.hosts.serve.spy import Spy
+    from motionlang.lang.console import HostConsole
 
 # Makes a host of its number and its channel.
 MakeHost: TypeAlias = Callable[[int, Channel], Host]
@@ -51,7 +51,7 @@ class Server:
 
     def __init__(
         self,
-        console: Console[Any],
+        console: HostConsole[Any],
         pace: Pace | None = None,
         *,
         limits: Limits | None = None,

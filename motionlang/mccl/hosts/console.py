@@ -16,24 +16,20 @@ from traceback import walk_tb
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.lang.console import HostConsole
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.hosts.download import Complain, Download, Write
-from motionlang.mccl.hosts.port import HostPort, HostWait, Port
+from motionlang.mccl.hosts.port import BoardPort, HostWait, Port
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
 
-# The number of moves, profiles and changes that a served board stores, because it may run for days.
-MEMORY = 1000
-# History is trimmed once in this many requests, because the search costs as much as a request.
-SELDOM = 50
 
-
-class Console:
+class Console(HostConsole[BoardPort]):
     """One board for any number of hosts.
 
     `run(until)` lets machine time pass to `until`, whatever the hosts do, for a server in real time.
@@ -46,18 +42,10 @@ class Console:
     no_room = b"?3\n"
 
     def __init__(self, machine: Machine) -> None:
-        self.machine = machine
-        self.board = Board(machine)
-        self.ports: list[HostPort] = []
-        self._downloads: list[Download] = []
-        self._passes = 0
         self._gate = _Gate()
-        self._scheduler = machine.scheduler = Scheduler(machine.controller, self._gate)
-
-    @property
-    def now(self) -> float:
-        """Machine time, seconds."""
-        return self.machine.controller.clock.now
+        super().__init__(machine, Scheduler(machine.controller, self._gate), self._gate)
+        self.board = Board(machine)
+        self._downloads: list[Download] = []
 
     @property
     def working(self) -> bool:
@@ -79,11 +67,11 @@ class Console:
         self._scheduler.start(port.task)
         return port
 
-    def join(self, port: HostPort) -> None:
+    def join(self, port: BoardPort) -> None:
         """Add a port whose host speaks a language other than MCCL."""
         self.ports.append(port)
 
-    def close(self, port: HostPort) -> None:
+    def close(self, port: BoardPort) -> None:
         """Close the port of a host that has disconnected.
 
         An unfinished line is abandoned; motion and background tasks continue.
@@ -149,25 +137,6 @@ class Console:
                 return False
             except Rejected:
                 self.board.last_error = codes.PARAMETER
-
-    def next_time(self) -> float:
-        """Return when something will next happen without input; 0 means immediately.
-
-        A server need not poll the board before that.
-        """
-        time = self.machine.controller.clock.next_time()
-        for task in self._scheduler.tasks:
-            if task is not self._gate:
-                if task.wait is None or task.wait.ready():
-                    return 0.0
-                time = min(time, task.wait.due())
-        return time
-
-    def _forget(self) -> None:
-        """Discard unused history now and then, because a served board may run for days."""
-        self._passes += 1
-        if self._passes % SELDOM == 0:
-            self.machine.controller.forget_history(MEMORY)
 
 
 class _Gate(Task):

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from motionlang.controller.clock import INFINITY
+from motionlang.lang.console import HostPort
 from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
 from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
@@ -22,18 +23,14 @@ from motionlang.mccl.runtime.writer import LineSteps
 from motionlang.mccl.syntax.parser import MAX_LINE
 
 
-class HostPort(Protocol):
-    """The interface of a port to a server, whatever the language of its host."""
+class BoardPort(HostPort, Protocol):
+    """A port of a board, whatever the language of its host.
+
+    `working` is True while a line is executed that does not need the host.
+    """
 
     @property
-    def busy(self) -> bool: ...
-    @property
     def working(self) -> bool: ...
-    @property
-    def waiting(self) -> Wait | None: ...
-    def feed(self, data: bytes) -> int: ...
-    def take(self) -> bytes: ...
-    def close(self) -> None: ...
 
 
 CTRL_B, XON, XOFF, ESC = 2, 17, 19, 27

@@ -22,6 +22,7 @@ from collections.abc import Callable, Mapping
 
 from motionlang.controller.clock import INFINITY
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.console import HostConsole
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import StackSpace
 from motionlang.lang.run_errors import explain
@@ -37,14 +38,10 @@ from motionlang.mint.runtime.errors import NUMBERS
 from motionlang.mint.runtime.printing import shows_float
 from motionlang.source import Source
 
-# The number of moves, profiles and changes that a served controller stores, because it may run for days.
-MEMORY = 1000
-# History is trimmed once in this many requests.
-SELDOM = 50
 INTERNAL = "internal error, see the output of the server"
 
 
-class MintConsole:
+class MintConsole(HostConsole[MintPort]):
     """One controller for any number of hosts.
 
     `complain(diagnostics, source)` is called with the errors of its programs, for the person who runs the server.
@@ -61,17 +58,14 @@ class MintConsole:
         *,
         complain: Callable[[list[Diagnostic], Source], None] = lambda diagnostics, source: None,
     ) -> None:
-        self.machine = Machine(settings, show=self._show, overrides=overrides)
-        self.machine.terminal.repeats = True
+        machine = Machine(settings, show=self._show, overrides=overrides)
+        machine.terminal.repeats = True
+        self._idle = _Idle()
+        super().__init__(machine, Scheduler(machine, self._idle, outside=_Hosts(machine)), self._idle)
         self.texts = Texts()
-        self.ports: list[MintPort] = []
         self.elements = Elements(lambda: self.machine.host, shows_float(self.machine))
         self._complain = complain
         self._interactive = MintInteractive(self.machine)
-        self._idle = _Idle()
-        self._scheduler = self.machine.scheduler = Scheduler(
-            self.machine, self._idle, outside=_Hosts(self.machine)
-        )
         # The host whose line is carried out, the text that runs, and those that RUN starts after it.
         self._by: MintPort | None = None
         self._source: Source | None = None
@@ -83,14 +77,8 @@ class MintConsole:
         self._early = ""
         # The answer to INPUT that the host has already seen as it typed.
         self._typed: str | None = None
-        self._passes = 0
 
     # ---------------------------------------------------------------------------------------------- its state
-
-    @property
-    def now(self) -> float:
-        """The machine time in seconds."""
-        return self.machine.clock.now
 
     @property
     def is_busy(self) -> bool:
@@ -175,16 +163,6 @@ class MintConsole:
             self._pass(limit, settle=True)
             self._forget()
         return not self.working
-
-    def next_time(self) -> float:
-        """Return the time of the next thing to happen without input; 0 means at once."""
-        time = self.machine.clock.next_time()
-        for task in (*self._scheduler.tasks, *self._scheduler.interrupts):
-            if task is not self._idle:
-                if task.wait is None or task.wait.ready():
-                    return 0.0
-                time = min(time, task.wait.due())
-        return time
 
     def drop_broken(self, error: Exception) -> None:
         """End the program or line after an internal error; the controller continues."""
@@ -400,18 +378,18 @@ class MintConsole:
         """End an unfinished line of output."""
         self.machine.terminal.close()
 
-    def _forget(self) -> None:
-        """Trim unused history at intervals, because a served controller may run for days."""
-        self._passes += 1
-        if self._passes % SELDOM == 0:
+    def _forget(self) -> bool:
+        """Trim the output, too, and report what the machine remarks."""
+        trimmed = super()._forget()
+        if trimmed:
             machine = self.machine
-            machine.controller.forget_history(MEMORY)
             machine.terminal.forget()
             for terminal in machine.terminals.values():
                 terminal.forget()
             found, machine.diagnostics = machine.diagnostics, []
             if found and self._source is not None:
                 self._complain(found, self._source)
+        return trimmed
 
 
 class _Idle(Task):
