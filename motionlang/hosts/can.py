@@ -22,6 +22,7 @@ from motionlang.copley.bus import BusError, open_bus
 from motionlang.copley.drive import Drive
 from motionlang.copley.node import DriveNode
 from motionlang.copley.switches import Switches
+from motionlang.hosts.serve.wall import WallClock
 
 # Seconds of real time between two updates of a drive, and between two checks of an idle one for the end of the server.
 CYCLE, PATIENCE = 0.001, 0.1
@@ -56,7 +57,7 @@ class DriveServer:
         self._bus.set_filters(FROM_MASTERS)
         self.network = canopen.Network(self._bus)
         self.frames = 0
-        self._factor, self._wall, self._complain = factor, wall, complain
+        self._complain = complain
         self._known: set[str] = set()
         self._over = False
         # When the drives were last updated, and true if a frame has come since.
@@ -69,7 +70,7 @@ class DriveServer:
             node.objects.complain = partial(self._report_drive, number)
             self.network.add_node(node)
             self.nodes.append(node)
-        self._began = wall()
+        self._clock = WallClock(wall, factor)
         for node in self.nodes:
             self._guard(node.boot)
 
@@ -82,7 +83,7 @@ class DriveServer:
     @property
     def now(self) -> float:
         """The current machine time, seconds: `factor` × the real time since the start."""
-        return (self._wall() - self._began) * self._factor
+        return self._clock.due
 
     def run(self) -> None:
         """Serve until `stop`."""
@@ -100,7 +101,7 @@ class DriveServer:
         except (can.CanError, OSError) as problem:
             self._report(f"the CAN bus: {problem}")
             return
-        wall = self._wall()
+        wall = self._clock.wall()
         if message is None or wall >= self._updated + CYCLE:
             self._updated, self._news = wall, False
         now = round(self.now * 1e6)
@@ -122,7 +123,7 @@ class DriveServer:
     def _timeout(self) -> float:
         if self._news or any(node.objects.is_moving for node in self.nodes):
             return CYCLE
-        left = (min(node.next_time() for node in self.nodes) - self.now) / self._factor
+        left = self._clock.left(min(node.next_time() for node in self.nodes))
         return max(0.0, min(left, PATIENCE))
 
     def _guard(self, work: Callable[[], None]) -> None:

@@ -295,7 +295,7 @@ def test_a_board_may_be_late_by_a_quarter_of_a_second(behind: float, late: float
     pace = RealTime(console, wall=wall)
     wall.time += behind
     begin, slow = wall.time, iter([0.0, 0.0, 0.0, 2.0 * BUDGET])
-    pace._wall = lambda: begin + next(slow, 2.0 * BUDGET)
+    pace._clock.wall = lambda: begin + next(slow, 2.0 * BUDGET)
     pace.before()
     assert pace.late == pytest.approx(late, abs=0.02)
     assert console.now == pytest.approx(0.002, abs=1e-4)
@@ -314,7 +314,7 @@ def test_slices_grow_again_on_a_computer_that_has_time() -> None:
     ran, real = [], wall
     for seconds in (0.0, 2.0 * BUDGET, 0.0, 0.0, 0.0, 0.5 * BUDGET, 0.0):
         times = iter([wall.time, wall.time, wall.time + seconds])
-        pace._wall = lambda times=times: next(times, real.time)  # type: ignore[misc]
+        pace._clock.wall = lambda times=times: next(times, real.time)  # type: ignore[misc]
         began = console.now
         pace.work()
         ran.append(round((console.now - began) * 1e3, 2))
@@ -426,7 +426,7 @@ def test_a_board_catches_up_for_five_milliseconds(
 
     board.run = slow
     pace = RealTime(board, wall=wall)
-    pace._began = -behind * 1e-3
+    pace._clock.began = -behind * 1e-3
     pace.before()
     assert board.runs == pytest.approx([each * 1e-3 for each in runs])
 

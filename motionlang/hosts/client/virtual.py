@@ -5,30 +5,33 @@ Machine time passes while a client waits for an answer.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 from motionlang.hosts.serve.pace import LockStep
-
-if TYPE_CHECKING:
-    from motionlang.mccl.hosts.console import Console
-    from motionlang.mint.hosts.console import MintConsole
+from motionlang.lang.console import HostConsole
 
 # Machine seconds between two checks for output of a program.
 SLICE = 1e-3
 
 
-class VirtualWire:
-    """A port of `console`, with time-outs in machine seconds.
-
-    A line takes `step` seconds, or as long as it waits.
-    """
+class _ConsoleWire:
+    """A port of `console`, with time-outs in machine seconds and `step` seconds for what is sent."""
 
     fresh = True
 
-    def __init__(self, console: Console, step: float) -> None:
-        self.console = console
-        self._port = console.open(echo=False)
+    def __init__(self, console: HostConsole[Any], step: float) -> None:
+        self.console, self._port = console, console.open(echo=False)
         self._pace = LockStep(console, step)
+
+    def now(self) -> float:
+        return self.console.now
+
+    def close(self) -> None:
+        self.console.close(self._port)
+
+
+class VirtualWire(_ConsoleWire):
+    """A port of a board; a line takes `step` seconds, or as long as it waits."""
 
     def send(self, data: bytes) -> None:
         if not self._port.busy:
@@ -49,47 +52,27 @@ class VirtualWire:
             self.console.run(end)
         return self._port.take()
 
-    def now(self) -> float:
-        return self.console.now
 
-    def close(self) -> None:
-        self.console.close(self._port)
+class MintWire(_ConsoleWire):
+    """A line of a Mint controller; each `send` takes `step` seconds, and a typed line as long as it waits."""
 
-
-class MintWire:
-    """A line of a Mint `console`, with time-outs in machine seconds.
-
-    Each `send` takes `step` seconds. A typed line takes as long as it waits.
-    """
-
-    fresh = True
-
-    def __init__(self, console: MintConsole, step: float) -> None:
-        self.console, self._step = console, step
-        self._port = console.open(echo=False)
-        self._busy_until = console.now + step
+    def __init__(self, console: HostConsole[Any], step: float) -> None:
+        super().__init__(console, step)
+        self._pace.entered()
 
     def send(self, data: bytes) -> None:
         """Send characters, after the time that the previous ones take."""
-        if self._busy_until > self.console.now:
-            self.console.run(self._busy_until)
+        self._pace.entered()
         self._port.feed(data)
-        self._busy_until = self.console.now + self._step
 
     def receive(self, timeout: float) -> bytes:
         """Return the output within `timeout` machine seconds, or b""."""
         received = self._port.take()
-        console, end = self.console, self.console.now + max(timeout, 0.0)
-        if not received and timeout > 0.0 and console.settle(end) and console.now < self._busy_until:
-            console.run(min(self._busy_until, end))
+        console, end, busy_until = self.console, self.console.now + max(timeout, 0.0), self._pace.busy_until
+        if not received and timeout > 0.0 and console.settle(end) and console.now < busy_until:
+            console.run(min(busy_until, end))
         received = received or self._port.take()
         while not received and console.now < end:
             console.run(min(end, max(console.next_time(), console.now) + SLICE))
             received = self._port.take()
         return received
-
-    def now(self) -> float:
-        return self.console.now
-
-    def close(self) -> None:
-        self.console.close(self._port)

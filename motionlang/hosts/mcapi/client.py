@@ -15,6 +15,7 @@ from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.protocol import VERSION, decode, encode, request
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
+from motionlang.hosts.serve.pace import LockStep
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
@@ -109,7 +110,7 @@ class VirtualBoard:
         self.desk = McapiBoard(self.console, complain, record)
         self.step = step
         self._session = self.desk.session()
-        self._busy_until = 0.0
+        self._pace = LockStep(self.console, step)
 
     @property
     def now(self) -> float:
@@ -118,14 +119,12 @@ class VirtualBoard:
 
     def advance(self, seconds: float) -> None:
         """Let machine time pass while the host does something else."""
-        self.console.run(max(self._busy_until, self.now) + seconds)
+        self.console.run(max(self._pace.busy_until, self.now) + seconds)
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer:
         """Carry out a call, and advance machine time by its duration."""
         console = self.console
-        if self._busy_until > console.now:
-            console.run(self._busy_until)
-        self._busy_until = console.now + self.step
+        self._pace.entered()
         call = self._session.call(name, handle, arguments)
         if not call.done and not console.run_until(lambda: call.done, console.now + MAX_CALL):
             # Nothing else ends it, or not in a day.

@@ -13,6 +13,7 @@ from threading import Condition
 from time import monotonic
 
 from motionlang.controller.clock import INFINITY, Clock
+from motionlang.hosts.serve.wall import WallClock
 from motionlang.lang.machine.machine import Machine
 
 # Default machine seconds that lock step advances for each request.
@@ -123,14 +124,14 @@ class RealTime(Outside):
     def __init__(self, factor: float = 1.0, wall: Callable[[], float] = monotonic) -> None:
         super().__init__()
         self._factor, self._wall = factor, wall
-        self._began: float | None = None
+        self._real: WallClock | None = None
 
     def advance(self, time: float) -> None:
         """Advance in real time and answer questions meanwhile; an answer ends the call."""
-        if self._began is None:
-            self._began = self._wall() - self.clock.now / self._factor
+        if self._real is None:
+            self._real = WallClock(self._wall, self._factor, self.clock.now)
         while True:
-            due_time = (self._wall() - self._began) * self._factor
+            due_time = self._real.due
             if due_time >= time:
                 self.clock.advance(time)
                 self._answer_all()
@@ -139,7 +140,7 @@ class RealTime(Outside):
                 self.clock.advance(due_time)
             if self._answer_all():
                 return
-            self._sleep((time - due_time) / self._factor)
+            self._sleep(self._real.left(time))
 
     def _answer_all(self) -> bool:
         any_came = False

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.controller.clock import INFINITY
+from motionlang.hosts.serve.wall import WallClock
 
 if TYPE_CHECKING:
     from motionlang.lang.console import HostConsole
@@ -59,21 +60,21 @@ class RealTime:
         self, console: HostConsole[Any], factor: float = 1.0, wall: Callable[[], float] = time.monotonic
     ) -> None:
         self.late = 0.0
-        self._console, self._factor, self._wall = console, factor, wall
+        self._console = console
         self._slice = SLICE
-        self._began = wall() - console.now / factor
+        self._clock = WallClock(wall, factor, console.now)
 
     @property
     def due(self) -> float:
         """The machine time that corresponds to the current real time."""
-        return (self._wall() - self._began) * self._factor
+        return self._clock.due
 
     def before(self) -> None:
         """Let the board catch up with real time."""
-        console, enough, until = self._console, self._wall() + BUDGET, self.due
+        console, enough, until = self._console, self._clock.wall() + BUDGET, self.due
         while console.now < until:
             self._bounded(console.run, until)
-            if self._wall() >= enough:
+            if self._clock.wall() >= enough:
                 self._fall_behind()
                 return
 
@@ -82,7 +83,7 @@ class RealTime:
 
     def work(self) -> None:
         """Answer commands that end less than `LEAD` after the machine time due."""
-        self._bounded(self._console.settle, self.due + LEAD * self._factor)
+        self._bounded(self._console.settle, self.due + LEAD * self._clock.factor)
 
     def timeout(self) -> float | None:
         """Return the real time until the next event, s; None if there is none."""
@@ -91,30 +92,30 @@ class RealTime:
             return None
         if next_time == 0.0:
             return TICK
-        return max(0.0, next_time / self._factor + self._began - self._wall())
+        return max(0.0, self._clock.left(next_time))
 
     def _bounded(self, go: Callable[[float], object], until: float) -> None:
         """Run one slice of machine time, which is shorter while tasks are busy."""
-        console, began = self._console, self._wall()
+        console, began = self._console, self._clock.wall()
         go(min(until, max(console.next_time(), console.now) + self._slice))
-        took = self._wall() - began
+        took = self._clock.wall() - began
         if took > BUDGET:
             self._slice = max(MIN_SLICE, 0.25 * self._slice)
         elif took < 0.25 * BUDGET:
             self._slice = min(SLICE, 2.0 * self._slice)
 
     def _fall_behind(self) -> None:
-        lag = (self.due - self._console.now) / self._factor
+        lag = -self._clock.left(self._console.now)
         if lag > LATEST:
-            self._began += lag
+            self._clock.began += lag
             self.late += lag
 
 
 class LockStep:
     """Time passes only while a host waits for an answer.
 
-    A line takes `step` seconds, or as long as it waits. The same lines in the same order get the same
-    answers, regardless of the speed of this computer and of the time between the lines. With `at_once` the time
+    A line takes `step` seconds, until `busy_until`, or as long as it waits. The same lines in the same order get the
+    same answers, regardless of the speed of this computer and of the time between the lines. With `at_once` the time
     passes before the answer is sent, so that a program running in the meantime can react; without it, before the
     next line.
     """
@@ -123,7 +124,7 @@ class LockStep:
 
     def __init__(self, console: HostConsole[Any], step: float = STEP, at_once: bool = False) -> None:
         self._console, self._step, self._at_once = console, step, at_once
-        self._busy_until = 0.0
+        self.busy_until = 0.0
         self._stuck = False
 
     def before(self) -> None:
@@ -132,11 +133,11 @@ class LockStep:
     def entered(self) -> None:
         """End the time of the previous line before a new line is processed."""
         if self._at_once:
-            self._busy_until = max(self._busy_until, self._console.now) + self._step
+            self.busy_until = max(self.busy_until, self._console.now) + self._step
             return
-        if self._busy_until > self._console.now:
-            self._console.run(self._busy_until)
-        self._busy_until = self._console.now + self._step
+        if self.busy_until > self._console.now:
+            self._console.run(self.busy_until)
+        self.busy_until = self._console.now + self._step
 
     def work(self) -> None:
         """Let time pass while a host waits."""
@@ -146,8 +147,8 @@ class LockStep:
             now = console.now
             limit = max(min(console.next_time(), 1e300), now) + SLICE
             self._stuck = not console.settle(limit) and console.now < limit
-        if self._at_once and self._busy_until > console.now and (self._stuck or not console.working):
-            console.run(self._busy_until)
+        if self._at_once and self.busy_until > console.now and (self._stuck or not console.working):
+            console.run(self.busy_until)
 
     def timeout(self) -> float | None:
         """Return None if nothing happens until a host sends something, else 0."""
