@@ -39,7 +39,7 @@ SCHEMA = "motionlang.check/3"
 
 @dataclass
 class Checked:
-    """What is known of a file.
+    """A file as far as it has been checked.
 
     `language` is "" if it is unknown. `source` is the file that the diagnostics are about: the program or its machine
     file. `settings` is None if the program could not be checked.

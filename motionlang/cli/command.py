@@ -68,7 +68,7 @@ class WrongOption(ValueError):
 
 
 class Refused(Exception):
-    """What a command needs is missing or wrong: diagnostics, and the exit status."""
+    """A command cannot do its work: the diagnostics with the reason, and the exit status."""
 
     def __init__(
         self,

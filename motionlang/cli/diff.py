@@ -48,7 +48,7 @@ Side = tuple[dict[str, Any], Run | None]
 
 @dataclass
 class A(Command):
-    """What is given for A alone."""
+    """The machine, values and inputs of A alone."""
 
     title: ClassVar[str] = "A alone"
     machine_a: str | None = option("M.toml", "the machine file of A; default: the one next to it")
@@ -62,7 +62,7 @@ class A(Command):
 
 @dataclass
 class B(Command):
-    """What is given for B alone."""
+    """The machine, values and inputs of B alone."""
 
     title: ClassVar[str] = "B alone"
     machine_b: str | None = option("M.toml", "the machine file of B; default: the one next to it")

@@ -43,7 +43,7 @@ Found = Mapping[str, Sequence[Keyword]]
 
 @dataclass
 class Meaning:
-    """What a word may mean: what that is, the words after `help` for it alone, and its text."""
+    """A meaning of a word: its kind, the words after `help` that lead to it alone, and its text."""
 
     what: str
     words: str

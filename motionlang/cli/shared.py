@@ -111,7 +111,7 @@ class Program(OnMachine):
 
 @dataclass
 class World(Command):
-    """What the program receives from outside: inputs, answers, keys."""
+    """The world of a program: inputs, answers, keys."""
 
     title: ClassVar[str] = "world"
     input: list[str] = option(
@@ -135,7 +135,7 @@ class World(Command):
 
 @dataclass
 class Output(Command):
-    """What a command prints, and where."""
+    """The form of the output, and its file."""
 
     title: ClassVar[str] = "report"
     format: str = forms("text", "json")

@@ -310,7 +310,7 @@ class Loops:
         return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
 
     def _begin(self) -> None:
-        """Begin to record what tasks read; of what was not recorded, nobody may find the list again."""
+        """Begin to record what tasks read; a list that has a gap is never continued."""
         dependencies = self.world.dependencies
         if self.task is not None:
             self.task.notes = dependencies.notes

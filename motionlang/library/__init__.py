@@ -1,1 +1,1 @@
-"""What Python programs use: functions, the types of a report, and rows as tables."""
+"""The library for Python programs: functions, the types of a report, and rows as tables."""

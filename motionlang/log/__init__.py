@@ -1,1 +1,1 @@
-"""What a run records, and its motion read from it: streams, tracks, trace, figures."""
+"""The log of a run, and the motion that is read from it: streams, tracks, trace, figures."""

@@ -50,7 +50,7 @@ class Floats:
 
     @property
     def arrays(self) -> tuple[array[Any], ...]:
-        """What the column is made of."""
+        """The arrays of the column."""
         return (self._numbers,)
 
     def read(self, first: int, past: int) -> Sequence[Any]:
@@ -73,7 +73,7 @@ class Values:
 
     @property
     def arrays(self) -> tuple[array[Any], ...]:
-        """What the column is made of."""
+        """The arrays of the column."""
         return self._numbers, self._kinds
 
     def append(self, value: object) -> None:
@@ -112,7 +112,7 @@ class _Sequences:
 
     @property
     def arrays(self) -> tuple[array[Any], ...]:
-        """What the column is made of."""
+        """The arrays of the column."""
         return self._items, self._ends
 
     def _append(self, items: Any) -> None:

@@ -122,7 +122,7 @@ class Chunk:
 
     @property
     def arrays(self) -> list[array[Any]]:
-        """What its columns are made of."""
+        """The arrays of its columns."""
         return [each for column in self.columns for each in column.arrays]
 
 

@@ -382,7 +382,7 @@ class Function:
 
     @property
     def effect(self) -> str:
-        """What a call does here."""
+        """The effect of a call, or the reason why it has none."""
         return self.help or f"Not supported: {self.unsupported}."
 
     def failed(self, code: int) -> int:
