@@ -15,7 +15,7 @@ from motionlang.library.report_types import Report
 from motionlang.result import Run
 from motionlang.views.curve import curve, velocity_curve
 from motionlang.views.diagnostics import render_all
-from motionlang.views.table import render
+from motionlang.views.report import render
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
