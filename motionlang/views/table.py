@@ -11,11 +11,11 @@ import json
 from codecs import StreamWriter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from html import escape
 from math import isfinite
 from typing import IO, Any
 
-from motionlang.views.terminal import cells, printable, styled
+from motionlang.views import terminal
+from motionlang.views.terminal import printable, styled
 from motionlang.views.words import decimals_of, figure, grouped
 
 # The name of the one schema of the commands' JSON documents; the report of a run has its own.
@@ -113,18 +113,12 @@ class Table:
 
     def markdown(self) -> list[str]:
         """Return the table as lines of Markdown."""
-        heads, rows = self._named()
+        heads, rows = self.cells()
         lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
         return lines + [f"| {' | '.join(cell.replace('|', '&#124;') for cell in row)} |" for row in rows]
 
-    def html(self) -> str:
-        """Return the table as HTML, with all text escaped."""
-        heads, rows = self._named()
-        lines = [("th", heads), *(("td", row) for row in rows)]
-        return f"<table>{''.join(_html_row(tag, row) for tag, row in lines)}</table>"
-
-    def _named(self) -> tuple[list[str], list[tuple[str, ...]]]:
-        """Return the headings with units, and the cells of the rows in the text."""
+    def cells(self) -> tuple[list[str], list[tuple[str, ...]]]:
+        """Return the headings with units, and the cells of the rows, at most so many as the text has."""
         columns = [column for column in self.columns if not column.data]
         heads = [f"{column.heading}, {column.unit}" if column.unit else column.heading for column in columns]
         rows = self.rows[: self.most] if self.most else self.rows
@@ -202,10 +196,6 @@ def csv_cell(value: object) -> object:
     return "" if value is None else _plain(value) if isinstance(value, tuple | list) else value
 
 
-def _html_row(tag: str, row: Iterable[str]) -> str:
-    return f"<tr>{''.join(f'<{tag}>{escape(cell)}</{tag}>' for cell in row)}</tr>"
-
-
 def _fitting(columns: Sequence[Column], found: Sequence[Sequence[str]], width: int) -> list[int]:
     """Return the columns that fit; one that may be dropped and has no text is dropped, too."""
     shown = [k for k in range(len(columns)) if not columns[k].drop or any(found[k])]
@@ -216,7 +206,7 @@ def _fitting(columns: Sequence[Column], found: Sequence[Sequence[str]], width: i
 
 
 def _width(column: Column, texts: Sequence[str]) -> int:
-    return max(1, *map(cells, (column.heading, column.unit, *texts)))
+    return max(1, *map(terminal.cells, (column.heading, column.unit, *texts)))
 
 
 def _laid(
@@ -241,6 +231,6 @@ def _line(
     padded = []
     for column, width, text in zip(columns, widths, texts, strict=True):
         text = text if column.left else text.rstrip()
-        blanks, shown = " " * (width - cells(text)), styled(text, style or column.style, colour)
+        blanks, shown = " " * (width - terminal.cells(text)), styled(text, style or column.style, colour)
         padded.append(shown + blanks if column.left else blanks + shown)
     return (" " * GAP).join(padded).rstrip()
