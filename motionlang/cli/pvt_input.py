@@ -33,7 +33,6 @@ from motionlang.planners.pvt.scurve import limited_scurve, scurve
 from motionlang.planners.pvt.velocities import METHODS, pvt_velocities
 from motionlang.source import Source
 
-SCHEMA = "motionlang.pvt/2"
 GRID = 0.001
 MAX_REPORTED = 20
 TOLERANCE = 1.0

@@ -22,7 +22,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import listing, page
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 if TYPE_CHECKING:
     from motionlang.repl.session import Session

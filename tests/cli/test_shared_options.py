@@ -107,7 +107,9 @@ def test_a_program_that_cannot_be_read_gets_one_answer(file: str, message: str, 
 def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> None:
     line = [*command.split(), *LINES[command].split()]
     # init has no document, and the forms of pvt export are those of drives
-    for form in ([],) if command in ("init", "pvt export") else ([], ["--format", "json"]):
+    for form in (
+        ([],) if command in ("init", "pvt export") else ([], ["--format", "json"], ["--format", "csv"])
+    ):
         printed = program(*line, *form)
         (program.folder / "a.machine.toml").unlink(missing_ok=True)  # which `init` writes
         written = program(*line, *form, "-o", "out.txt")
@@ -115,4 +117,4 @@ def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> No
         assert (written.status, written.out, written.err) == (printed.status, "", printed.err), command
         text = (program.folder / "out.txt").read_text(encoding="utf-8")
         assert text == printed.out, command
-        assert not form or json.loads(text)["schema"].startswith("motionlang."), command
+        assert form != ["--format", "json"] or json.loads(text)["schema"].startswith("motionlang"), command

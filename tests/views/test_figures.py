@@ -8,7 +8,7 @@ import pytest
 from motionlang.execution import run
 from motionlang.source import Source
 from motionlang.views import plot, sweep_plot
-from motionlang.views.table import _motors
+from motionlang.views.report import motors_table
 from motionlang.views.window import Window
 
 pytest.importorskip("matplotlib")
@@ -120,7 +120,7 @@ def test_a_motor_that_never_settles_is_reported() -> None:
         {"axis": axis, "line": 1, "motor": {**figures, "settle_time": time}}
         for axis, time in ((0, None), (1, 0.25))
     ]
-    lines = _motors(rows, 100, False, False)
+    lines = motors_table(rows, False).lines(100)
     assert ["never" in line for line in lines if line.split()[0] in ("0", "1")] == [True, False]
     assert "0.25" in lines[-1]
 
