@@ -103,7 +103,8 @@ class Keyword:
                language
     `driven`   the section of the machine file that sets the value read, such as "input"
     `channel`  the device, one of `CHANNELS`, that the brackets number, or the parameter of a command without an axis
-    `selects`  the device that the value numbers, such as the input of a home switch
+    `selects`  the device that the value numbers, such as the input of a home switch; without a value the axis
+               numbers it
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
     `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
     """

@@ -128,13 +128,13 @@ class Diagram:
 class Diagrams:
     """All diagrams of a program, and where a run is seen.
 
-    `states` has the state of each point at which one is entered, `branches` the points whose choice matters, and
-    `owners` the number of the diagram of each point.
+    `states` has the state of each point at which one is entered, `owners` the number of the diagram of each point.
+    `branches` maps each point whose choice matters to the steps to which it may lead.
     """
 
     diagrams: list[Diagram]
     states: dict[tuple[str, int], State]
-    branches: set[tuple[str, int]]
+    branches: dict[tuple[str, int], list[int]]
     owners: dict[tuple[str, int], int]
 
 
@@ -157,13 +157,14 @@ class _Builder:
         self.waiting = self._waiting_units()
 
     def built(self) -> Diagrams:
-        found = Diagrams([], {}, set(), {self.points[p].key: k for p, k in self.owner.items()})
+        found = Diagrams([], {}, {}, {self.points[p].key: k for p, k in self.owner.items()})
         targets = {q for p in self.owner for q in self.following(p) if self.owner[q] != self.owner[p]}
         for number, unit in enumerate(self.structure.units):
             made = _DiagramBuilder(self, number, unit, targets)
             found.diagrams.append(made.diagram)
             found.states |= {self.points[p].key: state for p, state in made.states.items()}
-            found.branches |= {self.points[p].key for p in made.branches}
+            for p in made.branches:
+                found.branches[self.points[p].key] = [self.points[q].key[1] for q in self.points[p].next]
         return found
 
     def next_point(self, p: int) -> int:
@@ -264,7 +265,8 @@ class _DiagramBuilder:
         order, back = ordered([self.entry], self.after)
         self._mark(order)
         self._dominators = postdominators(order, back, self.after)
-        for p in reversed(order):
+        regions = [(p, region) for p in order if (region := self._region(p)) is not None]
+        for p, _ in sorted(regions, key=lambda each: len(each[1])):  # inner ones first
             self._fold(p, set(back))
         self._cut_loops()
         self._cut_paths()
@@ -355,22 +357,28 @@ class _DiagramBuilder:
 
     # ------------------------------------------------------------------------------------------------- folding
 
-    def _fold(self, p: int, back: set[tuple[int, int]]) -> None:
-        """Make one action, or one polling state, of a branch whose sides meet again."""
+    def _region(self, p: int) -> set[int] | None:
+        """Return a branch and all points before its sides meet; None if they do not, or if there is a state."""
         sides = self.after(p)
         end = self._dominators.get(p, -1)
         if p in self.states or len(set(sides)) < 2 or end < 0 or self._is_foreign(end):
-            return
-        region, stack = set[int](), [each for each in sides if each not in (end, p)]
+            return None
+        region, stack = {p}, list(sides)
         while stack:
             each = stack.pop()
-            if each in region:
+            if each in region or each == end:
                 continue
             if each in self.states or self._is_foreign(each):
-                return
+                return None
             region.add(each)
-            stack += [q for q in self.after(each) if q not in (end, p)]
-        inside = {p, *region}
+            stack += self.after(each)
+        return region
+
+    def _fold(self, p: int, back: set[tuple[int, int]]) -> None:
+        """Make one action, or one polling state, of a branch whose sides meet again."""
+        inside, end = self._region(p), self._dominators.get(p, -1)
+        if inside is None:
+            return
         loops = any(one in inside and other in inside for one, other in back)
         polled = self.program.polled(sorted(self._offsets(inside))) if loops else None
         actions = self._outline(p, end, inside, loops)

@@ -135,6 +135,8 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
     made.condition = command.text if branches and not row.waits else ""
     if row.channel:
         made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at))
+    if row.selects:
+        made.channels.append(ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text))
     if row.topic and row.access != "R":
         axis = command.axis or None
         given = _parameter(command) if command.kind in (NUMBER, REGISTER) else ""

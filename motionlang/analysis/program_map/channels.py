@@ -1,0 +1,130 @@
+"""Inputs, outputs and the other devices of a program: what reads and writes each of them, and its name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from motionlang.analysis.program_map.comments import Named
+from motionlang.lang.keyword import CHANNELS
+from motionlang.lang.structure import READ, WRITE, ChannelUse, Structure
+
+# The tables of the machine file whose entries may name a channel.
+_TABLES = {"input": "input", "analogue input": "analog"}
+
+
+@dataclass(eq=False, slots=True)
+class Channel:
+    """A channel: `kind` is one of `CHANNELS`, `number` its text, "?" for all that are known only at run time.
+
+    The lists have lines: those that read and write it, those at which a task waits for it, and those that assign it to
+    a function of an axis. `starts` is what its change starts. `values` are the texts of what is written.
+    """
+
+    kind: str
+    number: str
+    name: str = ""
+    named_by: str = ""
+    reads: list[int] = field(default_factory=list)
+    writes: list[int] = field(default_factory=list)
+    waits: list[int] = field(default_factory=list)
+    set_up: list[int] = field(default_factory=list)
+    starts: list[str] = field(default_factory=list)
+    values: list[str] = field(default_factory=list)
+
+    @property
+    def title(self) -> str:
+        """Its kind and number, such as "input 3"."""
+        return f"{self.kind} {self.number}".strip()
+
+    @property
+    def known_as(self) -> str:
+        """Its kind, number and name, such as "input 3 (start)"."""
+        return f"{self.title} ({self.name})" if self.name else self.title
+
+    @property
+    def direction(self) -> str:
+        """ "in", "out" or "in/out", as the program uses it."""
+        is_read = bool(self.reads or self.waits or self.starts)
+        if self.writes:
+            return "in/out" if is_read else "out"
+        return "in" if is_read or "input" in self.kind else "out" if "output" in self.kind else ""
+
+    @property
+    def lines(self) -> list[int]:
+        """All lines that use it."""
+        return sorted({*self.reads, *self.writes, *self.waits, *self.set_up})
+
+
+def channels(
+    structure: Structure, settings: Mapping[str, object], names: Sequence[Named], comments: Mapping[int, str]
+) -> list[Channel]:
+    """Return the channels of a program, in the order of `CHANNELS` and their numbers.
+
+    `names` are those of the comments that list channels, `comments` the comments at the end of lines with code.
+    """
+    found: dict[tuple[str, str], Channel] = {}
+    uses = [
+        (use, statement.waits) for statement in structure.statements.values() for use in statement.channels
+    ]
+    outputs = {use.number for use, _ in uses if use.channel == "output" and use.access == WRITE}
+    for use, waits in uses:
+        kind = use.channel
+        if kind == "digital" or (kind == "input" and use.number in outputs and use.access == READ):
+            kind = "output" if use.number in outputs else "input"
+        channel = found.setdefault((kind, use.number), Channel(kind, use.number))
+        _enter(channel, use, structure.line(use.at), waits)
+    for unit in structure.units:
+        if unit.trigger is not None:
+            key = unit.trigger.channel, unit.trigger.number
+            found.setdefault(key, Channel(*key)).starts.append(unit.title)
+    for channel in found.values():
+        _name(channel, settings, names, comments)
+    return sorted(found.values(), key=_place)
+
+
+def _enter(channel: Channel, use: ChannelUse, line: int, waits: str) -> None:
+    if use.access == READ:
+        _add(channel.waits if waits else channel.reads, line)
+    elif use.access == WRITE:
+        _add(channel.writes, line)
+        if use.value and use.value not in channel.values:
+            channel.values.append(use.value)
+    else:
+        _add(channel.set_up, line)
+        if use.value and use.value not in channel.starts:
+            channel.starts.append(use.value)
+    if use.alias and not channel.name:
+        channel.name, channel.named_by = use.alias, "program"
+
+
+def _add(lines: list[int], line: int) -> None:
+    if line not in lines:
+        lines.append(line)
+        lines.sort()
+
+
+def _name(
+    channel: Channel, settings: Mapping[str, object], names: Iterable[Named], comments: Mapping[int, str]
+) -> None:
+    """Name a channel by the machine file, by a list in comments, or by the comment on its only line."""
+    if channel.name or not channel.number.isdecimal():
+        return
+    entries = settings.get(_TABLES.get(channel.kind, ""), [])
+    for entry in entries if isinstance(entries, list) else []:
+        if str(entry.get("channel")) == channel.number and entry.get("name"):
+            channel.name, channel.named_by = str(entry["name"]), "machine file"
+            return
+    for each in names:
+        if each.kind == channel.kind and str(each.number) == channel.number:
+            channel.name, channel.named_by = each.name, f"comment, line {each.line}"
+            return
+    lines = [line for line in channel.lines if line in comments]
+    if len(lines) == 1:
+        channel.name, channel.named_by = comments[lines[0]], f"comment, line {lines[0]}"
+
+
+def _place(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:
+    parts = channel.number.split(", ")
+    numbers = [(not each.isdecimal(), int(each) if each.isdecimal() else 0, each) for each in parts]
+    return CHANNELS.index(channel.kind) if channel.kind in CHANNELS else len(CHANNELS), numbers
