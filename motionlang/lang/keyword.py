@@ -25,7 +25,7 @@ _INDEXED = {"input": "input", "output": "output", "relay": "relay", "coil": "Mod
             "register": "Modbus register", "element": "comms element", "auxchannel": "encoder"}  # fmt: skip
 # What a statement does to an axis, in the order of a map of a program.
 TOPICS = ("enable", "home", "move", "speed", "limit", "master", "scale", "servo", "stop")
-_TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move", "go": "move",
+_TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move",
                    "stop": "stop", "scale": "scale", "zero": "home"}  # fmt: skip
 _TOPICS_BY_GROUP = {"limits": "limit", "homing": "home", "following": "master", "trajectory": "speed",
                     "user units": "scale", "servo": "servo", "servo filter": "servo", "contour": "move"}  # fmt: skip

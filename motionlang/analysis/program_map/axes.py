@@ -76,9 +76,8 @@ def axes(structure: Structure, names: Sequence[Named]) -> list[AxisMap]:
                 facts[key].lines.append(statement.line)
     for axis in found.values():
         axis.facts.sort(key=lambda fact: (TOPICS.index(fact.topic), min(fact.lines)))
-        axis.name = next(
-            (each.name for each in names if each.kind == "axis" and each.number == axis.axis), ""
-        )
+        named = (each.name for each in names if each.kind == "axis" and each.number == axis.axis)
+        axis.name = next(named, "").partition(" (")[0]
     return sorted(found.values(), key=lambda axis: (axis.axis is None, axis.axis or 0))
 
 

@@ -34,8 +34,8 @@ class Channel:
 
     @property
     def title(self) -> str:
-        """Its kind and number, such as "input 3"."""
-        return f"{self.kind} {self.number}".strip()
+        """Its kind and number, such as "input 3"; an answer has a prompt in place of a number."""
+        return self.kind if self.kind == "answer" else f"{self.kind} {self.number}".strip()
 
     @property
     def known_as(self) -> str:
@@ -65,14 +65,18 @@ def channels(
     """
     found: dict[tuple[str, str], Channel] = {}
     uses = [
-        (use, statement.waits) for statement in structure.statements.values() for use in statement.channels
+        (use, bool(statement.waits) or statement.polls)
+        for statement in structure.statements.values()
+        for use in statement.channels
     ]
     outputs = {use.number for use, _ in uses if use.channel == "output" and use.access == WRITE}
     for use, waits in uses:
         kind = use.channel
-        if kind == "digital" or (kind == "input" and use.number in outputs and use.access == READ):
+        if kind == "digital" or (kind == "input" and structure.has_one_series):
             kind = "output" if use.number in outputs else "input"
         channel = found.setdefault((kind, use.number), Channel(kind, use.number))
+        if kind == "answer":
+            channel.name, channel.named_by = use.number, "program"
         _enter(channel, use, structure.line(use.at), waits)
     for unit in structure.units:
         if unit.trigger is not None:
@@ -83,7 +87,7 @@ def channels(
     return sorted(found.values(), key=_place)
 
 
-def _enter(channel: Channel, use: ChannelUse, line: int, waits: str) -> None:
+def _enter(channel: Channel, use: ChannelUse, line: int, waits: bool) -> None:
     if use.access == READ:
         _add(channel.waits if waits else channel.reads, line)
     elif use.access == WRITE:

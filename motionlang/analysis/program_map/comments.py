@@ -28,13 +28,16 @@ _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in rev
 # A word that begins a list, with its first number: "IN 0", "in1", "out 33".
 _BEGIN = re.compile(rf"\b(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
 _ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name>[A-Za-z].*)", re.DOTALL)
+_UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
 # Where the name ends: at the next number of the list, at two blanks, or at a sign.
-_END = re.compile(r"\s{2,}|[,;|*]|\s+(?=\d{1,3}\s+[A-Za-z])|\s+(?=\d{1,3}\s*=)|\.\s")
+_END = re.compile(
+    rf"\s{{2,}}|[,;|*]|\s+(?=\d{{1,3}}\s+(?!{_UNIT}\b)[A-Za-z])|\s+(?=\d{{1,3}}\s*=)|\.\s", re.IGNORECASE
+)
 _MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*]*", re.IGNORECASE)
 # "X = 0" and "X=0": a letter for an axis.
 _LETTER = re.compile(r"\b([A-Z])\s*=\s*(\d)\b")
-_UNITS = re.compile(r"^(?:mm|s|ms|counts?|steps?|rpm|deg|revs?|turns?|percent|kHz|Hz|V|A)\b", re.IGNORECASE)
-MAX_NAME = 40
+_UNITS = re.compile(rf"^{_UNIT}\b", re.IGNORECASE)
+MAX_NAME = 28
 
 
 @dataclass(eq=False, slots=True)
@@ -87,6 +90,8 @@ def _items(text: str) -> Iterator[tuple[int, str]]:
         rest = match["name"]
         end = _END.search(rest)
         name = (rest[: end.start()] if end else rest).strip(" .-*")
+        if "(" in name and ")" not in name:
+            name = name.partition("(")[0].rstrip()
         if name and not _UNITS.match(name):
             yield int(match["number"]), name[:MAX_NAME]
         text = rest[len(name) :]

@@ -54,6 +54,7 @@ KINDS_OF_STATES = {
     "end": "the task ends",
     "jump": "another unit goes on",
 }
+_LEAVING = ("return", "end", "jump")
 # The branches on a path: the key of each point, and which of its successors follows.
 Branches = tuple[tuple[tuple[str, int], int], ...]
 
@@ -277,9 +278,8 @@ class _DiagramBuilder:
                 self._walk(self.states[p], self.after(p), p)
         self.diagram.states += self._jumps.values()
         reached = {id(each.target) for each in self.diagram.transitions}
-        self.diagram.states = [
-            each for each in self.diagram.states if each.kind == "start" or id(each) in reached
-        ]
+        shown = [each for each in self.diagram.states[1:] if id(each) in reached]
+        self.diagram.states[1:] = sorted(shown, key=lambda each: (each.kind in _LEAVING, each.at))
 
     # ------------------------------------------------------------------------------------------------ the graph
 
@@ -449,9 +449,7 @@ class _DiagramBuilder:
         if p in self._folded:
             return self._folded[p]
         statement = self.program.statement(p)
-        if statement is None or statement.is_silent or (statement.condition and self.points[p].branches):
-            return []
-        if statement.condition and not statement.text.startswith("For "):
+        if statement is None or statement.is_silent or statement.condition:
             return []
         return [Action(statement.at, statement.text)]
 

@@ -73,7 +73,7 @@ def structure(source: Source, settings: Mapping[str, object]) -> Structure:
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.verb == "store"
     )
-    return Structure(source, statements, points, units, writes, asked(source))
+    return Structure(source, statements, points, units, writes, asked(source), has_one_series=True)
 
 
 def _roots(
@@ -128,6 +128,7 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         return made
     made.is_silent = row.verb in _SILENT
     made.waits = row.waits
+    made.what = (command.axis,) if row.waits == "axis" and command.axis else ()
     if row.verb == "start_task":
         made.starts.append(f"macro {_parameter(command)}")
     if row.verb == "end_task":
@@ -136,7 +137,9 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
     if row.channel:
         made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at))
     if row.selects:
-        made.channels.append(ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text))
+        made.channels.append(
+            ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text)
+        )
     if row.topic and row.access != "R":
         axis = command.axis or None
         given = _parameter(command) if command.kind in (NUMBER, REGISTER) else ""

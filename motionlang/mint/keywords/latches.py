@@ -238,7 +238,8 @@ def reading_row(
 ROWS = (
     _setting("LATCHTRIGGERMODE", "trigger_mode", "latch", "integer", "1",
              "Trigger of a latch: 0 an input, 1 the encoder's index.", 1),
-    _setting("LATCHTRIGGERCHANNEL", "input", "latch", "integer", "3", "The input that triggers a latch.", 999, selects="input"),
+    _setting("LATCHTRIGGERCHANNEL", "input", "latch", "integer", "3", "The input that triggers a latch.", 999,
+             selects="input"),
     _setting("LATCHTRIGGEREDGE", "edge", "latch", "integer", "2",
              "The edge that triggers a latch: 0 becoming active, 1 becoming inactive, 2 both.", 2),
     _setting("LATCHSOURCE", "source", "latch", "integer", "1",
