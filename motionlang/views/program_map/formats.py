@@ -1,0 +1,43 @@
+"""The forms of a map by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.analysis.program_map.program_map import ProgramMap
+from motionlang.views.program_map import tables
+from motionlang.views.program_map.mermaid import dot, mermaid
+from motionlang.views.program_map.page import page
+from motionlang.views.program_map.text import headline, markdown, render
+from motionlang.views.table import Document
+
+# The form that a file extension stands for.
+SUFFIXES = {
+    ".txt": "text",
+    ".md": "markdown",
+    ".mmd": "mermaid",
+    ".dot": "dot",
+    ".gv": "dot",
+    ".json": "json",
+    ".html": "html",
+}
+_FORMS: dict[str, Callable[[ProgramMap], str]] = {
+    "text": lambda made: render(made, width=80),
+    "markdown": markdown,
+    "mermaid": lambda made: "\n".join(mermaid(made)) + "\n",
+    "dot": dot,
+    "json": lambda made: document(made).json(),
+    "html": page,
+}
+FORMS = tuple(_FORMS)
+
+
+def written(made: ProgramMap, form: str) -> str:
+    """Return a map in one of `FORMS`."""
+    return _FORMS[form](made)
+
+
+def document(made: ProgramMap) -> Document:
+    """Return a map as a document of the commands."""
+    values = {"program": made.source.name, "dialect": made.language.name, "summary": headline(made)}
+    return Document(tables.tables(made), values)
