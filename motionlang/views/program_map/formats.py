@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from io import StringIO
 
 from motionlang.analysis.program_map.program_map import ProgramMap
 from motionlang.views.program_map import tables
@@ -19,17 +20,9 @@ SUFFIXES = {
     ".dot": "dot",
     ".gv": "dot",
     ".json": "json",
+    ".csv": "csv",
     ".html": "html",
 }
-_FORMS: dict[str, Callable[[ProgramMap], str]] = {
-    "text": lambda made: render(made, width=80),
-    "markdown": markdown,
-    "mermaid": lambda made: "\n".join(mermaid(made)) + "\n",
-    "dot": dot,
-    "json": lambda made: document(made).json(),
-    "html": page,
-}
-FORMS = tuple(_FORMS)
 
 
 def written(made: ProgramMap, form: str) -> str:
@@ -37,7 +30,25 @@ def written(made: ProgramMap, form: str) -> str:
     return _FORMS[form](made)
 
 
+def _csv(made: ProgramMap) -> str:
+    out = StringIO()
+    document(made).csv(out)
+    return out.getvalue()
+
+
 def document(made: ProgramMap) -> Document:
     """Return a map as a document of the commands."""
     values = {"program": made.source.name, "dialect": made.language.name, "summary": headline(made)}
     return Document(tables.tables(made), values)
+
+
+_FORMS: dict[str, Callable[[ProgramMap], str]] = {
+    "text": lambda made: render(made, width=80),
+    "markdown": markdown,
+    "mermaid": lambda made: "\n".join(mermaid(made)) + "\n",
+    "dot": dot,
+    "json": lambda made: document(made).json(),
+    "csv": _csv,
+    "html": page,
+}
+FORMS = tuple(_FORMS)

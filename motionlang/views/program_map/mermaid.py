@@ -21,16 +21,18 @@ _BRACKETS = {
     "meet": ("(", ")"),
 }
 _SHAPES = {
-    "start": "circle",
-    "return": "doublecircle",
-    "end": "doublecircle",
-    "jump": "cds",
-    "call": "box3d",
-    "wait": "box",
-    "poll": "hexagon",
-    "loop": "ellipse",
-    "meet": "ellipse",
+    "start": 'style="rounded,filled" fillcolor="#eeeeee"',
+    "return": 'style="rounded,filled" fillcolor="#eeeeee"',
+    "end": 'style="rounded,filled" fillcolor="#eeeeee"',
+    "jump": "shape=cds style=filled",
+    "call": "style=filled penwidth=2",
+    "wait": 'style="rounded,filled"',
+    "poll": "shape=hexagon style=filled",
+    "loop": "shape=ellipse style=filled",
+    "meet": "shape=ellipse style=filled",
 }
+# The colours of states by what they wait for, also those of the page.
+COLOURS = {"axis": "#dbeafe", "input": "#dcf5df", "operator": "#fdeccb", "time": "#eee6fb"}
 # The longest text of a node or an edge; the tables have the rest.
 MAX_ACTIONS = 4
 MAX_TEXT = 48
@@ -61,24 +63,23 @@ def dot(made: ProgramMap, diagrams: Sequence[Diagram] | None = None, *, links: b
     found = [
         f"digraph {_string('map of ' + made.source.name)} {{",
         '  graph [fontname="sans-serif" fontsize=12 rankdir=TB nodesep=0.35 ranksep=0.4]',
-        '  node [fontname="sans-serif" fontsize=11 shape=box style="rounded,filled" fillcolor=white]',
+        '  node [fontname="sans-serif" fontsize=11 shape=box fillcolor=white]',
         '  edge [fontname="sans-serif" fontsize=9]',
     ]
     for number, diagram in enumerate(chosen):
-        found.append(f"  subgraph {_string(f'cluster_{number}')} {{")
         if len(chosen) > 1:
-            found.append(f"    label={_string(diagram.unit.title)}")
+            found += [f"  subgraph cluster_{number} {{", f"    label={_string(diagram.unit.title)}"]
         for state in diagram.states:
             link = f" URL={_string(f'#L{state.line}')}" if links and state.line else ""
-            shape = f" shape={_SHAPES[state.kind]}"
-            style = ' style="filled"' if state.kind not in ("wait", "start") else ""
+            colour = f' fillcolor="{COLOURS[state.cause]}"' if state.cause in COLOURS else ""
             text = _string("\\n".join(map(_escaped, label(made, state))), is_escaped=True)
-            found.append(f"    {state.id} [label={text}{shape}{style}{link}]")
+            found.append(f"    {state.id} [label={text} {_SHAPES[state.kind]}{colour}{link}]")
         for each in diagram.transitions:
             lines = edge_label(made, each)
             text = f" [label={_string(_left(lines), is_escaped=True)}]" if lines else ""
             found.append(f"    {each.source.id} -> {each.target.id}{text}")
-        found.append("  }")
+        if len(chosen) > 1:
+            found.append("  }")
     return "\n".join([*found, "}"]) + "\n"
 
 

@@ -4,59 +4,41 @@ from __future__ import annotations
 
 import re
 from html import escape
+from importlib.resources import files
 
 from motionlang.analysis.program_map.program_map import ProgramMap
 from motionlang.views.program_map import tables
+from motionlang.views.program_map.mermaid import COLOURS
 from motionlang.views.program_map.svg import picture
 from motionlang.views.program_map.text import headline
+from motionlang.views.program_map.words import CAUSES
 from motionlang.views.table import Table
 
-_STYLE = """
-:root { --ink: #1b1f24; --dim: #667; --line: #d5d9de; --paper: #fff; --wash: #f4f6f8; --link: #0b57a4; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6e8ea; --dim: #9aa4ad; --line: #3a424a; --paper: #16191d; --wash: #20252b; --link: #7db7f5; }
-}
-body { font: 15px/1.45 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0; }
-main { max-width: 76rem; margin: 0 auto; padding: 1rem 1.5rem 4rem; }
-nav { position: sticky; top: 0; background: var(--paper); border-bottom: 1px solid var(--line); padding: .5rem 1.5rem; }
-nav a { margin-right: 1.2rem; }
-a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
-h1 { font-size: 1.5rem; margin: .6rem 0 .2rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
-h3 { font-size: 1rem; margin: 1.6rem 0 .4rem; }
-p.head { color: var(--dim); margin: 0; }
-table { border-collapse: collapse; } td, th { text-align: left; vertical-align: top; padding: .18rem .9rem .18rem 0; }
-th { border-bottom: 1px solid var(--line); font-weight: 600; } tr:hover td { background: var(--wash); }
-.scroll { overflow-x: auto; } td.code, pre { font-family: ui-monospace, Consolas, monospace; font-size: .86rem; }
-pre { line-height: 1.4; background: var(--wash); padding: .6rem; overflow-x: auto; }
-pre a.n { color: var(--dim); display: inline-block; width: 3.2rem; text-align: right; margin-right: 1rem; }
-pre span.row:target { background: #ffe9a8; color: #000; display: inline-block; min-width: 100%; }
-pre span.never { opacity: .55; text-decoration: line-through; }
-svg text { font-family: system-ui, sans-serif; fill: var(--ink); }
-svg text.name { text-anchor: middle; font-size: 12px; } svg text.label { text-anchor: middle; font-size: 11px; }
-svg .state { fill: var(--paper); stroke: #5b6770; stroke-width: 1.2; }
-svg .state.start, svg .state.end, svg .state.return { fill: var(--wash); }
-svg .state.axis { fill: #dbeafe; } svg .state.input { fill: #dcf5df; } svg .state.operator { fill: #fdeccb; }
-svg .state.time { fill: #eee6fb; } svg .state.call { stroke-width: 2.2; }
-svg .state.axis + text, svg .state.input + text, svg .state.operator + text, svg .state.time + text { fill: #111; }
-svg .state.axis ~ text, svg .state.input ~ text, svg .state.operator ~ text, svg .state.time ~ text { fill: #111; }
-svg .edge { fill: none; stroke: #7a8790; stroke-width: 1.2; marker-end: url(#tip); }
-svg .edge.taken { stroke: #0b57a4; stroke-width: 1.8; } svg .edge.untaken { stroke-dasharray: 4 4; }
-svg .back { fill: var(--paper); } svg marker path { fill: #7a8790; }
-.key span { display: inline-block; padding: .05rem .6rem; margin-right: .6rem; border: 1px solid #5b6770; color: #111; }
-"""
 _KEY = (
-    '<p class="key"><span style="background:#dbeafe;border-radius:8px">waits for motion</span>'
-    '<span style="background:#dcf5df;border-radius:8px">for an input</span>'
-    '<span style="background:#eee6fb;border-radius:8px">for a time</span>'
-    '<span style="background:#fdeccb;border-radius:8px">for the operator</span>'
-    '<span style="background:#fff;border-width:2px">runs another unit</span></p>'
+    '<p class="key">'
+    + "".join(
+        f'<span style="background:{colour};border-radius:8px">waits for {CAUSES[cause]}</span>'
+        for cause, colour in COLOURS.items()
+    )
+    + '<span style="background:#fff;border-width:2px">runs another unit</span></p>'
 )
 # Columns whose cells are text of the program, and those whose cells are lines.
 _CODE = frozenset(
     ("statement", "value", "state", "from", "to", "when", "does", "text", "values", "meanwhile")
 )
 _LINES = frozenset(("waited for", "read", "written", "assigned", "lines", "line", "from line", "to line"))
+# A cell of fewer characters is not broken.
+MAX_SHORT = 40
 _LINES_IN_TEXT = re.compile(r"\((\d[\d, -]*)\)")
+
+
+def _style() -> str:
+    """Return the style sheet, with the colours of states."""
+    colours = "".join(
+        f"svg .state.{cause} {{ fill: {colour}; }} svg .state.{cause} ~ text {{ fill: #111; }}\n"
+        for cause, colour in COLOURS.items()
+    )
+    return files(__name__.rpartition(".")[0]).joinpath("style.css").read_text(encoding="utf-8") + colours
 
 
 def page(made: ProgramMap, timing: str = "", *, graphviz: bool | None = None) -> str:
@@ -92,7 +74,7 @@ def page(made: ProgramMap, timing: str = "", *, graphviz: bool | None = None) ->
     nav = "".join(f'<a href="#{key}">{title}</a>' for key, title in links)
     head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
     return (
-        f'<!doctype html>\n<html lang="en"><head>{head}<title>Map of {name}</title><style>{_STYLE}</style></head>\n'
+        f'<!doctype html>\n<html lang="en"><head>{head}<title>Map of {name}</title><style>{_style()}</style></head>\n'
         f"<body><nav>{nav}</nav><main>\n" + "\n".join(body) + "\n</main></body></html>\n"
     )
 
@@ -118,7 +100,9 @@ def _cell(head: str, text: str) -> str:
         shown = _linked(shown)
     else:
         shown = _LINES_IN_TEXT.sub(lambda found: f"({_linked(found[1])})", shown)
-    return f'<td class="code">{shown}</td>' if head in _CODE else f"<td>{shown}</td>"
+    if head in _CODE:
+        return f'<td class="code">{shown}</td>'
+    return f'<td class="short">{shown}</td>' if len(text) < MAX_SHORT else f"<td>{shown}</td>"
 
 
 def _linked(numbers: str) -> str:

@@ -101,7 +101,7 @@ def _edge(
         width = _size(lines, SMALL, 4.0)[0]
         path = f"M{right:.0f} {y - height / 2:.0f}h14v{height:.0f}h-14"
         return [
-            f'<path class="edge{style}" d="{path}"/>',
+            f'<path class="path{style}" d="{path}"/>',
             *_texts(lines, right + 20 + width / 2, y, SMALL, "label"),
         ]
     down = (bends[0][1] if bends else to_y) > y
@@ -117,7 +117,7 @@ def _edge(
         width, height = _size(lines, SMALL, 4.0)
         back = f'<rect class="back" x="{middle[0] - width / 2:.0f}" y="{middle[1] - height / 2:.0f}" '
         shown.insert(0, back + f'width="{width:.0f}" height="{height:.0f}"/>')
-    return [f'<path class="edge{style}" d="{path}"/>', *shown]
+    return [f'<path class="path{style}" d="{path}"/>', *shown]
 
 
 def _node(state: State, placed: Layout, size: tuple[float, float], lines: list[str]) -> list[str]:

@@ -1,10 +1,10 @@
-"""Does the map of a program have everything that a run of it does? `python -m tests.analysis.program_map.proof COUNT`."""
+"""Compare the map of a program with runs of it: `python -m tests.analysis.program_map.proof FIRST COUNT`."""
 
 from __future__ import annotations
 
 import sys
-from time import monotonic
 from collections.abc import Iterator, Mapping
+from time import monotonic
 
 from motionlang.analysis.program_map.observed import Observed
 from motionlang.analysis.program_map.program_map import ProgramMap, program_map
@@ -16,7 +16,7 @@ from motionlang.source import Source
 from tests.generated import handlers, polls, tasks
 from tests.generated.motion import generate
 
-UNTIL = 20.0
+UNTIL = 6.0
 # Those of programs that poll at every statement.
 MAX_POLLS = 1.5
 # The families of generated programs in turn, and how often each is drawn.
@@ -67,7 +67,9 @@ def _missing_channels(made: ProgramMap, result: Run, digital: set[int], analogue
     log = result.machine.log
     touched = {("output", each.channel) for each in log.outputs}
     touched |= {("analogue output", each.channel) for each in log.analogue_outputs}
-    touched |= {("input", channel) for channel in digital} | {("analogue input", channel) for channel in analogue}
+    touched |= {("input", channel) for channel in digital} | {
+        ("analogue input", channel) for channel in analogue
+    }
     for kind, channel in sorted(touched):
         either = (kind, "output") if kind == "input" else (kind,)  # an output of MCCL can be read, too
         if not any((each, str(channel)) in listed for each in either) and not (
@@ -104,6 +106,8 @@ def main(first: int, count: int) -> int:
     for seed in range(first, first + count):
         began = monotonic()
         found = problems(*drawn(seed))
+        if seed % 20 == 0:
+            print(f"at {seed}", flush=True)
         if monotonic() - began > 5.0:
             print(f"seed {seed}: {monotonic() - began:.0f} s", flush=True)
         wrong += bool(found)
