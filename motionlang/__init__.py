@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
     from motionlang.lang.machine.machine import Machine
-    from motionlang.library.functions import certify, check, compare, diff, profile, prove, run
+    from motionlang.library.functions import certify, check, compare, cover, diff, profile, prove, run
     from motionlang.library.moves import Move, Moves
     from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
@@ -38,6 +38,7 @@ __all__ = [
     "certify",
     "check",
     "compare",
+    "cover",
     "diff",
     "parse",
     "plan",
@@ -63,6 +64,7 @@ _HOMES = {
     "certify": "library.functions",
     "check": "library.functions",
     "compare": "library.functions",
+    "cover": "library.functions",
     "diff": "library.functions",
     "parse": "lang.dialect",
     "plan": "analysis.planning",

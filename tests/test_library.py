@@ -38,6 +38,7 @@ CALLS: dict[str, Callable[[], object]] = {
     "plan": lambda: motionlang.plan(distance=20, time=0.6, rule="third"),
     "parse": lambda: motionlang.parse(FEED.text, "mint"),
     "profile": lambda: motionlang.profile(FEED),
+    "cover": lambda: motionlang.cover(FEED),
     "diff": lambda: motionlang.diff(FEED, FEED),
     "compare": lambda: motionlang.compare(
         FEED,

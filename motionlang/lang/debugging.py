@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.controller.clock import INFINITY
 
@@ -87,14 +87,14 @@ class Observer(Protocol):
     """
 
     @property
-    def seen(self) -> int:
-        """The number of things that it has counted so far."""
+    def seen(self) -> Any:
+        """What it has counted so far, as `skipped` takes it."""
 
     def written(self, steps: Steps) -> None:
         """Take note of steps that have been written and not run."""
 
-    def skipped(self, first: int, end: int, times: int) -> None:
-        """Count what was counted from number `first` on, up to `end` exclusive, `times` more times."""
+    def skipped(self, first: Any, end: Any, times: int) -> None:
+        """Count what was counted between two moments, `first` and `end`, so many more times."""
 
     def failed(self, task: StepTask) -> None:
         """Take note that a statement of a task has failed, and that the task is now where it goes on."""

@@ -139,7 +139,7 @@ class State:
     logged: Any = None
     lengths: list[int] = field(default_factory=list)
     # How much the observer of the run had counted.
-    seen: int = 0
+    seen: Any = None
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: State | None = None
     change: list[float] | None = None

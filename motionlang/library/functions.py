@@ -23,6 +23,7 @@ from motionlang.source import Source
 if TYPE_CHECKING:
     from motionlang.analysis.certificate import Limit
     from motionlang.analysis.compare.comparison import Comparison
+    from motionlang.analysis.coverage import Coverage
     from motionlang.analysis.cycle.profile import TimeProfile
     from motionlang.analysis.diff.reports import Difference
     from motionlang.analysis.proof.checker import Proof
@@ -122,6 +123,17 @@ def profile(program: Program | Run) -> TimeProfile:
     from motionlang.analysis.cycle.profile import TimeProfile
 
     return TimeProfile(_run_of(program))
+
+
+def cover(program: Program, *, until: float | None = None) -> Coverage:
+    """Return which statements and conditions of a program its runs reach, in its own world and in its scenarios.
+
+    `until` ends each run, as in `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and
+    ProgramError for a program or a machine file with errors.
+    """
+    from motionlang.analysis.coverage import covered
+
+    return covered(program if isinstance(program, Source) else os.fspath(program), until=until)
 
 
 def diff(old: Side, new: Side, *tolerances: str) -> Difference:

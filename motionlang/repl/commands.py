@@ -11,8 +11,9 @@ from os.path import expanduser
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.coverage import covered
 from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, as_hint, missing, nearest
+from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.lang.dialect import dialect
@@ -20,6 +21,7 @@ from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.repl import debugging, status
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import listing, page
 from motionlang.views.report import render
@@ -275,6 +277,23 @@ def _switch(session: Session, name: str) -> None:
         session.write(f"-- {language.title}, on a new machine at 0 s\n")
 
 
+def _cover(session: Session, path: str) -> None:
+    try:
+        found = covered(expanduser(path))
+    except OSError as error:
+        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
+        return
+    except ValueError as error:
+        _wrong(session, "language", str(error))
+        return
+    except ProgramError as error:
+        session.trouble(error.diagnostics)
+        return
+    table = coverage.files_table([found]).lines(session.width, colour=session.colour)
+    lines = [*coverage.listing(found, session.colour), "", *table]
+    session.write("\n".join(lines) + "\n")
+
+
 def _quit(session: Session, _: str) -> None:
     session.over = True
 
@@ -313,6 +332,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
         ),
+        Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
     ),
     "debug": (
         Command(

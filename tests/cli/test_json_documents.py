@@ -23,6 +23,7 @@ OTHER = START.format(speed=120) + 'PRINT "b"\n'
 COMMANDS = {
     "check": "check a.mnt",
     "compare": "compare b.mnt b.csv --map position.0=p",
+    "cover": "cover a.mnt",
     "diff": "diff a.mnt b.mnt",
     "help": "help HOMESPEED",
     "plan": "plan --distance 20 --time 0.6 --rule third",

@@ -13,7 +13,9 @@ from tests.cli.programs import ALL, Cell
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.
 LINES: dict[str, str] = {
-    **dict.fromkeys(("run", "profile", "prove", "certify", "init", "check", "verify", "repl"), "a.mnt"),
+    **dict.fromkeys(
+        ("run", "profile", "prove", "certify", "init", "check", "cover", "verify", "repl"), "a.mnt"
+    ),
     "trace": "a.mnt out.csv",
     "plot": "a.mnt out.html",
     "diff": "a.mnt a.mnt",
