@@ -7,22 +7,17 @@ import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.analysis.program_map.observed import Observed
-from motionlang.analysis.program_map.program_map import ProgramMap, program_map
+from motionlang.analysis.program_map.program_map import UNTIL, map_of_run, program_map
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import either
 from motionlang.cli.readers import machine_time
 from motionlang.cli.shared import Output, Program, World, with_world
 from motionlang.errors import ProgramError
-from motionlang.execution import Checked, run
-from motionlang.source import Source
+from motionlang.execution import Checked
 from motionlang.views.program_map.formats import FORMS, SUFFIXES, written
 from motionlang.views.program_map.text import render
 from motionlang.views.terminal import table_width, wants_colour
-
-# Seconds of machine time of a run without an end of its own.
-UNTIL = 600.0
 
 
 @dataclass
@@ -66,31 +61,19 @@ examples:
     def run(self) -> int:
         source, language, settings = self.source(), self.known_language(), self.settings()
         try:
-            made = program_map(source, language, settings)
+            if self.run_:
+                settings = Checked(with_world(settings, self.entries()))
+                overrides = self.overrides()
+                made = map_of_run(source, language, settings, until=self.until, overrides=overrides)
+            else:
+                made = program_map(source, language, settings)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=self.file) from None
-        if self.run_:
-            self._observe(made, source, settings)
+        if made.run is not None:
+            complain(made.run.diagnostics, source, self.file)
         if self.format == "text":
             width = table_width(sys.stdout)
             sys.stdout.write(render(made, width=width, colour=wants_colour(sys.stdout)))
         elif self.format != "none":
             sys.stdout.write(written(made, self.format))
         return 0
-
-    def _observe(self, made: ProgramMap, source: Source, settings: Checked) -> None:
-        """Run the program, and store in its map what the run does."""
-        observed = Observed(made.diagrams)
-        settings = Checked(with_world(settings, self.entries()))
-        until = self.until if self.until is not None else None if "run.until" in settings else UNTIL
-        made.run = run(
-            source,
-            dialect=self.known_language().name,
-            machine=settings,
-            until=until,
-            overrides=self.overrides(),
-            observer=observed,
-            begun=observed.attach,
-        )
-        made.observed = observed
-        complain(made.run.diagnostics, source, self.file)

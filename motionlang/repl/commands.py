@@ -12,9 +12,10 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.coverage import covered
+from motionlang.analysis.program_map.program_map import program_map
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
-from motionlang.execution import ONE_SHIFT, dialect_of
+from motionlang.execution import ONE_SHIFT, dialect_for, dialect_of, settings_next_to
 from motionlang.files import reason
 from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import WrongEntry, entries
@@ -24,6 +25,7 @@ from motionlang.source import Source
 from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import listing, page
+from motionlang.views.program_map.text import render as render_map
 from motionlang.views.report import render
 
 if TYPE_CHECKING:
@@ -294,6 +296,21 @@ def _cover(session: Session, path: str) -> None:
     session.write("\n".join(lines) + "\n")
 
 
+def _map(session: Session, path: str) -> None:
+    try:
+        source = Source.read(expanduser(path))
+        language = dialect_for(source, None)
+        found = program_map(source, language, settings_next_to(source.name))
+    except OSError as error:
+        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
+    except ValueError as error:
+        _wrong(session, "language", str(error))
+    except ProgramError as error:
+        session.trouble(error.diagnostics)
+    else:
+        session.write(render_map(found, width=session.width, colour=session.colour))
+
+
 def _quit(session: Session, _: str) -> None:
     session.over = True
 
@@ -332,6 +349,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
         ),
+        Command("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
         Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
     ),
     "debug": (

@@ -11,11 +11,14 @@ from motionlang.analysis.program_map.comments import named
 from motionlang.analysis.program_map.observed import Observed, Taken
 from motionlang.analysis.program_map.states import Diagrams, Transition, diagrams
 from motionlang.analysis.program_map.units import UnitMap, Variable, units, variables
+from motionlang.execution import Checked, run
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.structure import Structure
 from motionlang.result import Run
 from motionlang.source import Source
 
+# Seconds of machine time of a run without an end of its own.
+UNTIL = 600.0
 # A comment at the end of a line is a name if it is no longer than this.
 MAX_COMMENT = 40
 
@@ -68,6 +71,34 @@ def program_map(
         diagrams(structure),
         unreached,
     )
+
+
+def map_of_run(
+    source: Source,
+    language: Dialect,
+    settings: Checked,
+    *,
+    until: float | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+) -> ProgramMap:
+    """Return the map of a program with what a run of it does.
+
+    The run ends after `until` seconds of machine time, by default after `run.until` of the settings or `UNTIL`. Raises
+    ProgramError with all errors of the text.
+    """
+    made = program_map(source, language, settings)
+    made.observed = observed = Observed(made.diagrams)
+    end = until if until is not None or "run.until" in settings else UNTIL
+    made.run = run(
+        source,
+        dialect=language,
+        machine=settings,
+        until=end,
+        overrides=overrides,
+        observer=observed,
+        begun=observed.attach,
+    )
+    return made
 
 
 def _comments(source: Source, language: Dialect) -> tuple[list[tuple[int, str]], dict[int, str]]:
