@@ -71,12 +71,17 @@ class Observed:
         self.recovered: dict[State, int] = {}
         # The units that have run, by number, each after the number of its caller, -1 for none.
         self.calls: set[tuple[int, int]] = set()
+        self._roots = {
+            k for k, each in enumerate(diagrams.diagrams) if each.unit.kind in ("program", "task", "event")
+        }
         self._starts = [each.states[0] for each in diagrams.diagrams]
         self._known: dict[tuple[int, Branches], list[Transition]] = {}
         for diagram in diagrams.diagrams:
             for each in diagram.transitions:
                 self._known.setdefault((id(each.source), each.branches), []).append(each)
         self._frames: dict[StepTask, list[_Frame]] = {}
+        # Tasks in which a statement has failed before the first state.
+        self._lost: set[StepTask] = set()
         self._events: list[Transition] = []
         self._dropped = 0
         self.machine: Machine | None = None
@@ -108,6 +113,8 @@ class Observed:
             self.taken[each].count += times
 
     def failed(self, task: StepTask) -> None:
+        if not any(frame.owner in self._roots for frame in self._frames.get(task, ())):
+            self._lost.add(task)
         for frame in self._frames.get(task, ()):
             if frame.depth >= len(task.calls):
                 frame.state = None
@@ -151,7 +158,10 @@ class Observed:
             return frames[-1]
         now = task.machine.clock.now
         self.calls.add((frames[-1].owner if frames else -1, owner))
-        frames.append(_Frame(task, depth, owner, self._starts[owner], now))
+        is_lost = task in self._lost and owner in self._roots
+        if is_lost:
+            self._lost.discard(task)
+        frames.append(_Frame(task, depth, owner, None if is_lost else self._starts[owner], now))
         left = frames[here[-1]] if here else None
         if left is not None and left.state is not None and left.state.kind != "call":
             self._take(left, None, now)

@@ -59,8 +59,9 @@ def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
             _add(by_title[title].called_by, own.title, line)
         for at, title in reader.starts[k]:
             _add(own.starts, title, structure.line(at))
-            if title in by_title:
-                _add(by_title[title].called_by, own.title, structure.line(at))
+            for each in by_title.values():
+                if is_meant(each.title, title):
+                    _add(each.called_by, own.title, structure.line(at))
     return list(made.values()), reader.unreached_lines()
 
 
@@ -98,6 +99,11 @@ def variables(structure: Structure, definitions: Iterable[Definition]) -> list[V
     return sorted(
         found, key=lambda each: (_VALUES.index(each.kind), min([*each.reads, *each.writes, 10**9]), each.name)
     )
+
+
+def is_meant(title: str, started: str) -> bool:
+    """True if a statement that starts a unit may mean one with this title: a macro may be defined more than once."""
+    return title == started or title.startswith(f"{started} of line ")
 
 
 def _add(to: dict[str, list[int]], title: str, line: int) -> None:
@@ -144,7 +150,8 @@ class _Reader:
                 self.reached_units.add(k)
                 self._reached |= bodies[k]
                 stack += [callee for _, callee in self.calls[k]]
-                stack += [by_title[title] for _, title in self.starts[k] if title in by_title]
+                for _, title in self.starts[k]:
+                    stack += [number for each, number in by_title.items() if is_meant(each, title)]
 
     def _body(self, unit: Unit, entries: dict[int, int]) -> set[int]:
         """Return the points of a unit, up to the entries of others."""

@@ -108,12 +108,13 @@ def _roots(
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
-    """Record the macros that the calls of a line enter; the last definition counts."""
+    """Record the macros that the calls of a line enter: the last definition above the line, else the last one."""
     for pc, step in enumerate(steps):
         command = steps.command(pc)
         found = macros.get(command.number) if command is not None and command.number is not None else None
         if step.kind in (CALL, ENTER) and found:
-            steps.called[pc] = found[-1], 0
+            above = [body for body in found if body.line.number < steps.line.number]
+            steps.called[pc] = (above or found)[-1], 0
 
 
 def _computed(steps: Steps, pc: int) -> Iterable[int]:
