@@ -7,16 +7,16 @@ import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.analysis.program_map.program_map import UNTIL, map_of_run, program_map
+from motionlang.analysis.program_map.program_map import UNTIL, ProgramMap, map_of_run, program_map
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import either
 from motionlang.cli.readers import machine_time
 from motionlang.cli.shared import Output, Program, World, with_world
-from motionlang.errors import ProgramError
+from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.execution import Checked
 from motionlang.views.program_map.formats import FORMS, SUFFIXES, written
-from motionlang.views.program_map.text import render
+from motionlang.views.program_map.text import render, render_states
 from motionlang.views.terminal import table_width, wants_colour
 
 
@@ -43,6 +43,7 @@ examples:
         f"HTML page, or none (by default that of the extension of --output: {either(list(SUFFIXES))}; else text)",
         choices=(*FORMS, "none"),
     )
+    unit: str | None = option("NAME", "show the states of one sub, task, handler or macro only")
     run_: bool = flag("run the program, too, and show which transitions it takes")
     until: float | None = option(
         "S", f"end the run after S seconds of machine time (run.until of the machine file, or {UNTIL:.0f})",
@@ -69,11 +70,29 @@ examples:
                 made = program_map(source, language, settings)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=self.file) from None
+        if self.unit is not None:
+            self._choose(made, self.unit)
         if made.run is not None:
             complain(made.run.diagnostics, source, self.file)
         if self.format == "text":
             width = table_width(sys.stdout)
-            sys.stdout.write(render(made, width=width, colour=wants_colour(sys.stdout)))
+            colour = wants_colour(sys.stdout)
+            shown = render if self.unit is None else render_states
+            sys.stdout.write(shown(made, width=width, colour=colour))
         elif self.format != "none":
             sys.stdout.write(written(made, self.format))
         return 0
+
+    def _choose(self, made: ProgramMap, name: str) -> None:
+        """Leave only the diagram of one unit; Refused if there is none of this name."""
+        wanted = name.lower()
+        found = [
+            each
+            for each in made.diagrams.diagrams
+            if wanted in (each.unit.name.lower(), each.unit.title.lower())
+        ]
+        if not found:
+            near = nearest(name, [each.name for each in made.structure.units])
+            hint = f"did you mean {near}?" if near else "motionlang map lists them under Structure"
+            raise Refused([Diagnostic("option", f"the program has no unit {name}", hint=hint)], status=2)
+        made.diagrams.diagrams[:] = found

@@ -48,7 +48,7 @@ class ChannelUse:
 
     `channel` is one of `keyword.CHANNELS`. `number` is the text of its number, such as "3" or "1, 5" for several
     indices, "?" if it is known only at run time. `alias` is the name that the program has for it, "" if none. `value`
-    is what is written, as in the program.
+    is what is written, as in the program. `name_at` is the offset of the keyword, -1 if it has none.
     """
 
     channel: str
@@ -57,6 +57,7 @@ class ChannelUse:
     at: int
     alias: str = ""
     value: str = ""
+    name_at: int = -1
 
 
 @dataclass(eq=False, slots=True)

@@ -18,7 +18,8 @@ class Channel:
     """A channel: `kind` is one of `CHANNELS`, `number` its text, "?" for all that are known only at run time.
 
     The lists have lines: those that read and write it, those at which a task waits for it, and those that assign it to
-    a function of an axis. `starts` is what its change starts. `values` are the texts of what is written.
+    function of an axis. `starts` is what its change starts. `values` are the texts of what is written. `names_at` are
+    the offsets of the keywords that use it.
     """
 
     kind: str
@@ -31,6 +32,7 @@ class Channel:
     set_up: list[int] = field(default_factory=list)
     starts: list[str] = field(default_factory=list)
     values: list[str] = field(default_factory=list)
+    names_at: set[int] = field(default_factory=set)
 
     @property
     def title(self) -> str:
@@ -55,6 +57,27 @@ class Channel:
         """All lines that use it."""
         return sorted({*self.reads, *self.writes, *self.waits, *self.set_up})
 
+    def sentences(self) -> list[str]:
+        """Return what it is and where it is used, a sentence each."""
+        found = [self.known_as]
+        for word, at in (("waited for", self.waits), ("read", self.reads), ("written", self.writes)):
+            if at:
+                found.append(
+                    f"{word} at line {lines(at)}" if len(at) == 1 else f"{word} at lines {lines(at)}"
+                )
+        return found + [f"starts {each}" for each in self.starts]
+
+
+def lines(numbers: Iterable[int]) -> str:
+    """Return line numbers as text, with ranges: "3, 5-7"."""
+    ranges: list[list[int]] = []
+    for each in sorted(set(numbers)):
+        if ranges and each == ranges[-1][1] + 1:
+            ranges[-1][1] = each
+        else:
+            ranges.append([each, each])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in ranges)
+
 
 def channels(
     structure: Structure, settings: Mapping[str, object], names: Sequence[Named], comments: Mapping[int, str]
@@ -77,6 +100,7 @@ def channels(
         channel = found.setdefault((kind, use.number), Channel(kind, use.number))
         if kind == "answer":
             channel.name, channel.named_by = use.number, "program"
+        channel.names_at.add(use.name_at)
         _enter(channel, use, structure.line(use.at), waits)
     for unit in structure.units:
         if unit.trigger is not None:

@@ -73,6 +73,12 @@ def program_map(
     )
 
 
+def channels_of(source: Source, language: Dialect, settings: Mapping[str, object]) -> list[Channel]:
+    """Return only the channels of a program; ProgramError with all errors of the text."""
+    listed, at_ends = _comments(source, language)
+    return channels(language.structure(source, settings), settings, named(listed), at_ends)
+
+
 def map_of_run(
     source: Source,
     language: Dialect,

@@ -136,10 +136,10 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         made.ends.append(f"task {_parameter(command)}")
     made.condition = command.text if branches and not row.waits else ""
     if row.channel:
-        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at))
+        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at, name_at=at))
     if row.selects:
         made.channels.append(
-            ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text)
+            ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)
         )
     if row.topic and row.access != "R":
         axis = command.axis or None

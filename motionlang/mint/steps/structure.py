@@ -296,13 +296,17 @@ class _Reader:
                 number = ", ".join(map(self._number, group)) or ("0" if kinds[0] != "none" else "")
                 own = self._text(values[min(k, len(values) - 1)]) if values else value
                 known_as = alias or next((a for a in map(_alias, group) if a), "")
-                made.channels.append(ChannelUse(row.channel, number, access, made.at, known_as, own))
+                made.channels.append(
+                    ChannelUse(row.channel, number, access, made.at, known_as, own, name.start)
+                )
         if row.selects and access == WRITE:
             for k, each in enumerate(values):
                 by = f"{row.name}({self._number(args[k])})" if k < len(args) else row.name
                 number = self._number(each)
                 if not number.startswith("-"):
-                    made.channels.append(ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by))
+                    made.channels.append(
+                        ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
+                    )
         if (is_of_axes or row.does("all")) and access == WRITE and row.topic:
             self._axes(made, row, args, kinds, values)
 

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from motionlang.analysis.program_map.axes import TITLES, AxisFact, AxisMap
+from motionlang.analysis.program_map.channels import lines
 from motionlang.analysis.program_map.program_map import ProgramMap
 from motionlang.analysis.program_map.states import Transition
 from motionlang.analysis.program_map.units import UnitMap
-from motionlang.views.program_map.words import does, lines, name_of, waits_for, when
+from motionlang.views.program_map.words import does, name_of, waits_for, when
 from motionlang.views.table import Column, Table
 
 

@@ -9,7 +9,7 @@ from motionlang.analysis.program_map.states import Diagram, State, Transition
 from motionlang.errors import count_of
 from motionlang.views.program_map import tables
 from motionlang.views.program_map.mermaid import clipped, mermaid
-from motionlang.views.program_map.words import does, lines, name_of, waits_for, when
+from motionlang.views.program_map.words import does, name_of, waits_for, when
 from motionlang.views.terminal import printable, styled
 
 
@@ -30,10 +30,14 @@ def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
     for table in (tables.channels(made), tables.axes(made), tables.units(made), tables.variables(made)):
         found += ["", *table.lines(width, colour=colour)]
     found += ["", *tables.unreached(made).lines(width, colour=colour)]
-    found += ["", styled("States", "bold", colour)]
-    for diagram in made.diagrams.diagrams:
-        found += ["", *_diagram(made, diagram, width, colour)]
-    return "\n".join(found) + "\n"
+    found += ["", styled("States", "bold", colour), "", ""]
+    return "\n".join(found) + render_states(made, width=width, colour=colour)
+
+
+def render_states(made: ProgramMap, *, width: int, colour: bool = False) -> str:
+    """Return the states of all units, each with the transitions from it."""
+    diagrams = (_diagram(made, diagram, width, colour) for diagram in made.diagrams.diagrams)
+    return "\n\n".join("\n".join(lines) for lines in diagrams) + "\n"
 
 
 def _diagram(made: ProgramMap, diagram: Diagram, width: int, colour: bool) -> list[str]:
@@ -99,19 +103,3 @@ def markdown(made: ProgramMap) -> str:
         at = f" (line {diagram.unit.line})" if diagram.unit.line else ""
         found += ["", f"### {diagram.unit.title}{at}", "", "```mermaid", *mermaid(made, [diagram]), "```"]
     return "\n".join(found) + "\n"
-
-
-def uses_of(made: ProgramMap, kind: str, number: str) -> list[str]:
-    """Return sentences about the uses of a channel, for an editor; [] if there are none."""
-    for each in made.channels:
-        if (each.kind, each.number) == (kind, number):
-            found = [f"{each.known_as}"]
-            for word, at in (("waited for", each.waits), ("read", each.reads), ("written", each.writes)):
-                if at:
-                    found.append(
-                        f"{word} at line {lines(at)}" if len(at) == 1 else f"{word} at lines {lines(at)}"
-                    )
-            if each.starts:
-                found.append(f"starts {'; '.join(each.starts)}")
-            return found
-    return []

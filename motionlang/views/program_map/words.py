@@ -43,17 +43,6 @@ def waits_for(made: ProgramMap, state: State) -> str:
     return ", ".join(found) or CAUSES[state.cause]
 
 
-def lines(numbers: Iterable[int]) -> str:
-    """Return line numbers as text, with ranges: "3, 5-7"."""
-    ranges: list[list[int]] = []
-    for each in sorted(set(numbers)):
-        if ranges and each == ranges[-1][1] + 1:
-            ranges[-1][1] = each
-        else:
-            ranges.append([each, each])
-    return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in ranges)
-
-
 def name_of(state: State) -> str:
     """Return a short name of a state: its line and its text."""
     if state.kind in ("start", "return", "end", "jump"):
