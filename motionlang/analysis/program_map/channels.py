@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -9,6 +10,8 @@ from motionlang.analysis.program_map.comments import Named
 from motionlang.lang.keyword import CHANNELS
 from motionlang.lang.structure import READ, WRITE, ChannelUse, Structure
 
+# The keys of the machine file that assign an input to an axis.
+_WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
 # The tables of the machine file whose entries may name a channel.
 _TABLES = {"input": "input", "analogue input": "analog"}
 
@@ -47,7 +50,7 @@ class Channel:
     @property
     def direction(self) -> str:
         """ "in", "out" or "in/out", as the program uses it."""
-        is_read = bool(self.reads or self.waits or self.starts)
+        is_read = bool(self.reads or self.waits or (self.starts and "output" not in self.kind))
         if self.writes:
             return "in/out" if is_read else "out"
         return "in" if is_read or "input" in self.kind else "out" if "output" in self.kind else ""
@@ -102,10 +105,15 @@ def channels(
             channel.name, channel.named_by = use.number, "program"
         channel.names_at.add(use.name_at)
         _enter(channel, use, structure.line(use.at), waits)
+    for key, value in settings.items():
+        wired = _WIRED.fullmatch(key)
+        if wired is not None and isinstance(value, int):
+            given = found.setdefault(("input", str(value)), Channel("input", str(value)))
+            given.starts.append(f"{wired[2].replace('_', ' ')} of axis {wired[1]} (machine file)")
     for unit in structure.units:
         if unit.trigger is not None:
-            key = unit.trigger.channel, unit.trigger.number
-            found.setdefault(key, Channel(*key)).starts.append(unit.title)
+            trigger = unit.trigger.channel, unit.trigger.number
+            found.setdefault(trigger, Channel(*trigger)).starts.append(unit.title)
     for channel in found.values():
         _name(channel, settings, names, comments)
     return sorted(found.values(), key=_place)

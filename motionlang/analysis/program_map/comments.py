@@ -26,7 +26,7 @@ _WORDS = {
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
 # A word that begins a list, with its first number: "IN 0", "in1", "out 33".
-_BEGIN = re.compile(rf"\b(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
+_BEGIN = re.compile(rf"(?:^|(?<=\s\s)|(?<=[,;|.]\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
 _ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name>[A-Za-z].*)", re.DOTALL)
 _UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
 # Where the name ends: at the next number of the list, at two blanks, or at a sign.
@@ -94,4 +94,5 @@ def _items(text: str) -> Iterator[tuple[int, str]]:
             name = name.partition("(")[0].rstrip()
         if name and not _UNITS.match(name):
             yield int(match["number"]), name[:MAX_NAME]
-        text = rest[len(name) :]
+        bracket = rest.find(")") + 1 if "(" in rest[: len(name) + 2] and "(" not in name else len(name)
+        text = rest[max(bracket, len(name)) :]

@@ -90,6 +90,15 @@ class Observed:
         """Watch a run that is about to begin on a machine."""
         self.machine = machine
 
+    def ended(self) -> None:
+        """Count the end of a program whose last step is none of its own: a file ends with its last line."""
+        for frames in self._frames.values():
+            for frame in frames:
+                if frame.owner == 0 and frame.state is not None:
+                    found = self._known.get((id(frame.state), tuple(frame.branches)), [])
+                    if any(each.target.kind == "end" for each in found):
+                        self._take(frame, found[0].target, frame.task.machine.clock.now)
+
     # ------------------------------------------------------------------------------------------ as an observer
 
     @property
@@ -163,7 +172,7 @@ class Observed:
             self._lost.discard(task)
         frames.append(_Frame(task, depth, owner, None if is_lost else self._starts[owner], now))
         left = frames[here[-1]] if here else None
-        if left is not None and left.state is not None and left.state.kind != "call":
+        if left is not None and left.state is not None and self._jumps(left):
             self._take(left, None, now)
             left.state = None
             left.branches.clear()
@@ -183,13 +192,8 @@ class Observed:
             return
         assert self.machine is not None
         now = self.machine.clock.now
-        if (
-            frame.state is state
-            and not frame.branches
-            and state.kind in ("wait", "poll")
-            and not self._loops(state)
-        ):
-            return  # it is tested again
+        if frame.state is state and not frame.branches and not self._loops(state):
+            return  # its step is done again
         if frame.state is None:
             self.recovered[state] = self.recovered.get(state, 0) + 1
         elif frame.has_jumped and (id(frame.state), tuple(frame.branches)) not in self._known:
@@ -201,6 +205,11 @@ class Observed:
         frame.has_jumped = False
         if state.kind in ("return", "end"):
             self._frames[frame.task].remove(frame)
+
+    def _jumps(self, frame: _Frame) -> bool:
+        """True if the transition of a call leads into another unit; a macro that another one calls returns to it."""
+        found = self._known.get((id(frame.state), tuple(frame.branches)), ())
+        return any(each.target.kind == "jump" for each in found)
 
     def _loops(self, state: State) -> bool:
         return any(each.target is state for each in self._known.get((id(state), ()), ()))

@@ -104,6 +104,8 @@ def map_of_run(
         observer=observed,
         begun=observed.attach,
     )
+    if made.run.status == "ended":
+        observed.ended()
     return made
 
 

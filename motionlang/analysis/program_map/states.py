@@ -20,14 +20,15 @@ Rules, in this order:
 3. A branch whose sides meet again, with no state between, is one action with its conditions (`_fold`). A loop
    without a state is one action if it computes, and a state if it waits for a reading: it polls.
 4. A loop that is left over has no state and no end; its first step is a state.
-5. A step that more than `MAX_PATHS` paths lead to is a state ("meet"), so that the paths after it are counted anew.
+5. A step that more than `MAX_PATHS` paths lead to is a state ("meet"), and so is a branch behind `MAX_BRANCHES` others
+   ("branch"), so that the paths after it are counted again from one.
 6. A step belongs to the diagram of one unit. A jump into the steps of another one is a state of its own.
 
 Invariants. Every path of the program passes the same states in the same order; a transition is identified by its source
 and the branches on its way (`Transition.branches`), which lead to one target. `observed.py` follows a run by these.
 
-Cost. Every step is on at most `MAX_PATHS` paths, so states, transitions and actions together are linear in the number
-of steps. Folding visits a step once for each branch around it that cannot be folded.
+Cost. Rule 5 bounds the paths to a step and the branches of a path, so states, transitions and actions together are
+linear in the number of steps. Folding visits a step once for each branch around it that cannot be folded.
 """
 
 from __future__ import annotations
@@ -42,6 +43,8 @@ from motionlang.lang.structure import Statement, Structure, Unit
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4
+# The number of branches on a path.
+MAX_BRANCHES = 6
 # The kinds of states, with what a reader sees of each.
 KINDS_OF_STATES = {
     "start": "the unit begins",
@@ -50,10 +53,13 @@ KINDS_OF_STATES = {
     "call": "another unit runs",
     "loop": "a loop without a wait and without an end",
     "meet": "many paths meet",
+    "branch": "a path goes on that has many branches before it",
     "return": "the unit returns to its caller",
     "end": "the task ends",
     "jump": "another unit goes on",
 }
+# Those at which the program does not stop: what their step does is an action behind them.
+_PASSED = ("loop", "meet", "branch")
 _LEAVING = ("return", "end", "jump")
 # The branches on a path: the key of each point, and which of its successors follows.
 Branches = tuple[tuple[tuple[str, int], int], ...]
@@ -154,7 +160,10 @@ class _Builder:
         self.entries = [self.next_point(unit.entry) for unit in structure.units]
         self.owner: dict[int, int] = {}
         self._claim()
-        self.by_entry = {entry: k for k, entry in reversed(list(enumerate(self.entries)))}
+        # The points of each unit, in the order of their lists.
+        self.owned: list[list[int]] = [[] for _ in structure.units]
+        for p, number in sorted(self.owner.items()):
+            self.owned[number].append(p)
         self.waiting = self._waiting_units()
 
     def built(self) -> Diagrams:
@@ -179,9 +188,10 @@ class _Builder:
             self._next_of[each] = p
         return p
 
-    def silent(self, p: int, to: int) -> Iterator[int]:
-        """Yield the silent points between a point and one that may follow it."""
-        while p != to and self.points[p].is_silent and self.points[p].next:
+    def silent(self, p: int) -> Iterator[int]:
+        """Yield the silent points from `p` on, up to the next one at which something happens."""
+        end = self.next_point(p)
+        while p != end:
             yield p
             p = self.points[p].next[0]
 
@@ -218,7 +228,7 @@ class _Builder:
             statement = self.statement(p)
             ats = {
                 self.points[p].at,
-                *(self.points[q].at for n in self.points[p].next for q in self.silent(n, -1)),
+                *(self.points[q].at for n in self.points[p].next for q in self.silent(n)),
             }
             if (statement is not None and statement.waits) or any(self.polled([at]) for at in ats if at >= 0):
                 found.add(number)
@@ -252,6 +262,9 @@ class _DiagramBuilder:
         self._targets = targets
         # The first point of each statement at which a task waits; and the points of its other steps.
         self._merged = self._merge()
+        self._members: dict[int, list[int]] = {}
+        for q, first in self._merged.items():
+            self._members.setdefault(first, []).append(q)
         self._after: dict[int, list[int]] = {}
         # What is folded into one action at a point.
         self._folded: dict[int, list[Action]] = {}
@@ -286,7 +299,7 @@ class _DiagramBuilder:
     def _merge(self) -> dict[int, int]:
         firsts: dict[int, int] = {}
         merged: dict[int, int] = {}
-        for p in sorted(p for p, owner in self.program.owner.items() if owner == self.number):
+        for p in self.program.owned[self.number]:
             statement = self.program.statement(p)
             if statement is not None and statement.waits:
                 merged[p] = firsts.setdefault(self.points[p].at, p)
@@ -296,7 +309,7 @@ class _DiagramBuilder:
         """Return the points after a point, or after a whole statement at which a task waits."""
         found = self._after.get(p)
         if found is None:
-            members = [q for q, first in self._merged.items() if first == p] or [p]
+            members = self._members.get(p) or [p]
             if p >= 0 and self._is_foreign(p):
                 members = []
             found = [self._merged.get(q, q) for member in members for q in self.program.following(member)]
@@ -395,7 +408,8 @@ class _DiagramBuilder:
         found = {self.points[p].at for p in inside}
         for p in inside:
             for first in self.points[p].next:
-                found |= {self.points[q].at for q in self.program.silent(first, -1)}
+                if self.program.next_point(first) in inside:
+                    found |= {self.points[q].at for q in self.program.silent(first)}
         return found
 
     def _outline(self, p: int, end: int, inside: set[int], loops: bool) -> list[Action]:
@@ -426,12 +440,15 @@ class _DiagramBuilder:
             meets, sides = self._dominators.get(p, stop), self.after(p)
             seen.add(p)
             word = "while" if loops and p == first else "if"
+            has_first = False
             for k, each in enumerate(sides):
                 if each == meets or each in seen:
                     continue
                 condition = Condition(self.points[p].at, self._condition(p), k == 0)
-                found.append(Action(self.points[p].at, f"{word} {condition}", depth, True))
+                text = "else" if has_first else f"{word} {condition}"
+                found.append(Action(self.points[p].at, text, depth, True))
                 side(each, meets, depth + 1)
+                has_first = True
             return meets
 
         first = p
@@ -474,22 +491,28 @@ class _DiagramBuilder:
         """Make a state of each point to which too many paths lead."""
         order, _ = ordered(self._roots(), self._between)
         paths: dict[int, int] = dict.fromkeys(order, 0)
+        branches: dict[int, int] = dict.fromkeys(order, 0)
         paths[self.entry] = paths.get(self.entry, 0) + 1
         for p in list(self.states):
             for q in self._between(p):
                 paths[q] += 1
+                branches[q] = max(branches[q], len(set(self.after(p))) > 1)
         for p in order:
+            is_branch = len(set(self.after(p))) > 1
             if paths[p] > MAX_PATHS:
                 self._state(p, "meet")
-            count = 1 if p in self.states else paths[p]
+            elif is_branch and branches[p] >= MAX_BRANCHES:
+                self._state(p, "branch")
+            count, before = (1, 0) if p in self.states else (paths[p], branches[p])
             for q in self.after(p):
                 if q in paths and q not in self.states:
                     paths[q] += count
+                    branches[q] = max(branches[q], before + is_branch)
 
     def _walk(self, source: State, firsts: list[int], own: int | None = None) -> None:
         """Add the transitions from a state to the first states after it; `own` is the point of the state."""
         stack: list[tuple[int, Branches, list[Condition], list[Action]]] = []
-        acts = self._acts(own) if own is not None and source.kind in ("loop", "meet") else []
+        acts = self._acts(own) if own is not None and source.kind in _PASSED else []
         if own is not None and len(set(firsts)) > 1:
             self.branches.add(own)
         for k, p in reversed(list(enumerate(firsts))):
@@ -527,8 +550,10 @@ class _DiagramBuilder:
         actions: Sequence[Action],
         branches: Branches,
     ) -> None:
+        own = list(actions)
         # What a target does itself is no action on the way to it.
-        own = [each for each in actions if each.at != target.at or target.kind == "jump"]
+        while own and own[-1].at == target.at and target.kind != "jump":
+            own.pop()
         made = Transition(source, target, list(conditions), _without_repeats(own), branches)
         self.diagram.transitions.append(made)
 

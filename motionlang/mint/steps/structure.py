@@ -57,7 +57,11 @@ def structure(source: Source, names: Names, settings: Mapping[str, object]) -> S
     for function in names.functions:
         reader.read(function)
     units = sorted(_units(names, writer, graph, reader), key=lambda each: each.line)
-    return Structure(source, reader.statements, graph.points(), units, frozenset(reader.writes), polls)
+
+    def polled(at: int) -> LoopDependencies | None:
+        return polls(reader.repeats.get(at, at))
+
+    return Structure(source, reader.statements, graph.points(), units, frozenset(reader.writes), polled)
 
 
 def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -> Iterator[Unit]:
@@ -103,6 +107,8 @@ class _Reader:
         self.writes: set[int] = set()
         # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
+        # The offset of each Repeat by that of its condition.
+        self.repeats: dict[int, int] = {}
 
     def line(self, at: int) -> int:
         """Return the line of an offset."""
@@ -148,6 +154,7 @@ class _Reader:
                     node.condition.start, f"Until {self._text(node.condition)}", [node.condition]
                 )
                 made.polls = self._polls(node.start)
+                self.repeats[made.at] = node.start
                 # The step tests if the loop goes on.
                 made.condition = f"not ({self._text(node.condition)})"
                 self._block(function, node.body)

@@ -19,6 +19,7 @@ _BRACKETS = {
     "poll": ("{{", "}}"),
     "loop": ("(", ")"),
     "meet": ("(", ")"),
+    "branch": ("(", ")"),
 }
 _SHAPES = {
     "start": 'style="rounded,filled" fillcolor="#eeeeee"',
@@ -30,6 +31,7 @@ _SHAPES = {
     "poll": "shape=hexagon style=filled",
     "loop": "shape=ellipse style=filled",
     "meet": "shape=ellipse style=filled",
+    "branch": "shape=ellipse style=filled",
 }
 # The colours of states by what they wait for, also those of the page.
 COLOURS = {"axis": "#dbeafe", "input": "#dcf5df", "operator": "#fdeccb", "time": "#eee6fb"}

@@ -60,11 +60,13 @@ def when(transition: Transition) -> str:
 
 def does(actions: Iterable[Action]) -> str:
     """Return actions on one line: "if a > 1: (b = 2; c = 3); d = 4"."""
-    found, depth = "", 0
-    for each in actions:
+    given = list(actions)
+    found, lowest = "", min((each.depth for each in given), default=0)
+    depth = lowest
+    for each in given:
         while depth > each.depth:
             found, depth = found + ")", depth - 1
-        gap = "" if not found or found.endswith("(") else "; "
+        gap = "" if not found or found.endswith("(") else " " if each.text == "else" else "; "
         found += f"{gap}{each.text}: (" if each.is_condition else f"{gap}{each.text}"
         depth = each.depth + each.is_condition
-    return (found + ")" * depth).replace(": ()", "")
+    return (found + ")" * (depth - lowest)).replace(": ()", "")

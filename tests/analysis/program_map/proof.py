@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from motionlang.analysis.program_map.observed import Observed
 from motionlang.analysis.program_map.program_map import ProgramMap, program_map
+from motionlang.analysis.program_map.units import UnitMap
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, run
 from motionlang.lang.machine.machine import Machine
@@ -86,8 +87,19 @@ def _missing_calls(made: ProgramMap, observed: Observed) -> Iterator[str]:
     for caller, callee in sorted(observed.calls):
         if not units[titles[callee]].is_reached:
             yield f"{titles[callee]} ran and is listed as never reached"
-        if caller >= 0 and titles[callee] not in units[titles[caller]].calls:
+        if caller >= 0 and titles[callee] not in _called(units, titles[caller]):
             yield f"{titles[caller]} called {titles[callee]}, which the graph does not have"
+
+
+def _called(units: Mapping[str, UnitMap], title: str) -> set[str]:
+    """Return the units that a unit calls, also through others."""
+    found, stack = set[str](), [title]
+    while stack:
+        for each in units[stack.pop()].calls:
+            if each not in found:
+                found.add(each)
+                stack.append(each)
+    return found
 
 
 def drawn(seed: int) -> tuple[Source, Mapping[str, object], float]:
