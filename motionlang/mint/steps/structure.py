@@ -61,7 +61,10 @@ def structure(source: Source, names: Names, settings: Mapping[str, object]) -> S
     def polled(at: int) -> LoopDependencies | None:
         return polls(reader.repeats.get(at, at))
 
-    return Structure(source, reader.statements, graph.points(), units, frozenset(reader.writes), polled)
+    points = graph.points()
+    last = graph.index(writer.steps[names.main], len(writer.steps[names.main]) - 1)
+    points[last] = points[last]._replace(at=-1)  # the end of the text is no statement
+    return Structure(source, reader.statements, points, units, frozenset(reader.writes), polled)
 
 
 def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -> Iterator[Unit]:

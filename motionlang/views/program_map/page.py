@@ -27,6 +27,8 @@ _CODE = frozenset(
     ("statement", "value", "state", "from", "to", "when", "does", "text", "values", "meanwhile")
 )
 _LINES = frozenset(("waited for", "read", "written", "assigned", "lines", "line", "from line", "to line"))
+# Columns whose cells are units with lines in brackets.
+_UNITS = frozenset(("called by", "calls"))
 # A cell of fewer characters is not broken.
 MAX_SHORT = 40
 _LINES_IN_TEXT = re.compile(r"\((\d[\d, -]*)\)")
@@ -98,7 +100,7 @@ def _cell(head: str, text: str) -> str:
     shown = escape(text)
     if head in _LINES:
         shown = _linked(shown)
-    else:
+    elif head in _UNITS:
         shown = _LINES_IN_TEXT.sub(lambda found: f"({_linked(found[1])})", shown)
     if head in _CODE:
         return f'<td class="code">{shown}</td>'

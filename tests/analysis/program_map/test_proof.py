@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.analysis.guesses import guessed
 from motionlang.analysis.program_map.observed import Observed
 from motionlang.analysis.program_map.program_map import map_of_run, program_map
 from motionlang.analysis.program_map.states import State
@@ -29,6 +30,21 @@ def test_runs_of_the_gallery_are_in_their_maps() -> None:
     found = {path.name: problems(Source.read(path), settings_next_to(path)) for path in GALLERY}
     assert {name: each for name, each in found.items() if each} == {}
     assert len(found) > 100
+
+
+@pytest.mark.parametrize(
+    "path", [each for each in GALLERY if each.parent.name == "old"], ids=lambda each: each.name
+)
+def test_cycles_of_the_old_programs_are_in_their_maps(path: Path) -> None:
+    """With the machine that `init` guesses each program runs its cycle."""
+    source, language = Source.read(path), dialect("mccl" if path.suffix == ".mccl" else "mint")
+    guesses, _ = guessed(source, language, 30.0, {})
+    settings = guesses.settings(30.0)
+    assert problems(source, settings, 30.0) == []
+    made = map_of_run(source, language, Checked(settings), until=30.0)
+    assert made.observed is not None
+    transitions = [each for diagram in made.diagrams.diagrams for each in diagram.transitions]
+    assert len(made.observed.taken) > 0.4 * len(transitions)
 
 
 @pytest.mark.slow
