@@ -14,7 +14,17 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
     from motionlang.lang.machine.machine import Machine
-    from motionlang.library.functions import certify, check, compare, cover, diff, profile, prove, run
+    from motionlang.library.functions import (
+        certify,
+        check,
+        compare,
+        cover,
+        diff,
+        improve,
+        profile,
+        prove,
+        run,
+    )
     from motionlang.library.moves import Move, Moves
     from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
@@ -40,6 +50,7 @@ __all__ = [
     "compare",
     "cover",
     "diff",
+    "improve",
     "parse",
     "plan",
     "profile",
@@ -66,6 +77,7 @@ _HOMES = {
     "compare": "library.functions",
     "cover": "library.functions",
     "diff": "library.functions",
+    "improve": "library.functions",
     "parse": "lang.dialect",
     "plan": "analysis.planning",
     "profile": "library.functions",
