@@ -14,7 +14,18 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
     from motionlang.lang.machine.machine import Machine
-    from motionlang.library.functions import certify, check, compare, cover, diff, map, profile, prove, run
+    from motionlang.library.functions import (
+        certify,
+        check,
+        compare,
+        cover,
+        diff,
+        improve,
+        map,
+        profile,
+        prove,
+        run,
+    )
     from motionlang.library.moves import Move, Moves
     from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
@@ -40,6 +51,7 @@ __all__ = [
     "compare",
     "cover",
     "diff",
+    "improve",
     "map",
     "parse",
     "plan",
@@ -67,6 +79,7 @@ _HOMES = {
     "compare": "library.functions",
     "cover": "library.functions",
     "diff": "library.functions",
+    "improve": "library.functions",
     "map": "library.functions",
     "parse": "lang.dialect",
     "plan": "analysis.planning",

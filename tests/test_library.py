@@ -45,6 +45,7 @@ CALLS: dict[str, Callable[[], object]] = {
         FEED,
         Source("d.csv", "time_s,axis0_position_uu\n" + "".join(f"{n / 10},{n * 9}\n" for n in range(20))),
     ),
+    "improve": lambda: motionlang.improve(FEED, machine=LIMITS),
     "certify": lambda: motionlang.certify(motionlang.run(FEED, machine=LIMITS)),
     "prove": lambda: motionlang.prove(FEED),
     "sweep": lambda: list(motionlang.sweep(FEED, {"axis.0.limits.speed": [125.0]}, jobs=1)),

@@ -33,6 +33,7 @@ GROUPS = {
     },
     "compare and verify": {
         "sweep": ("sweep:Sweep", "run many variants of a program and find the best"),
+        "improve": ("improve:Improve", "find a shorter cycle within the limits of the machine"),
         "diff": ("diff:Diff", "compare two runs, or a program and its golden files"),
         "compare": ("compare:Compare", "compare a recording from a real controller with the run"),
         "verify": ("verify:Verify", "compare programs with their golden files"),

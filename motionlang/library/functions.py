@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from motionlang.analysis.coverage import Coverage
     from motionlang.analysis.cycle.profile import TimeProfile
     from motionlang.analysis.diff.reports import Difference
+    from motionlang.analysis.improve import Improvement
     from motionlang.analysis.program_map.program_map import ProgramMap
     from motionlang.analysis.proof.checker import Proof
 
@@ -139,14 +140,13 @@ def map(
     in the function `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError
     for a program with errors.
     """
-    from motionlang.analysis.program_map.program_map import map_of_run, program_map
+    from motionlang.analysis.program_map.program_map import map_of_run, mapped
 
     source = program if isinstance(program, Source) else Source.read(program)
-    language = dialect_for(source, None)
     settings = Checked(checked_settings(machine) if machine is not None else settings_next_to(program))
     if run:
-        return map_of_run(source, language, settings, until=until)
-    return program_map(source, language, settings)
+        return map_of_run(source, dialect_for(source, None), settings, until=until)
+    return mapped(source, settings)
 
 
 def cover(program: Program, *, until: float | None = None) -> Coverage:
@@ -221,6 +221,26 @@ def certify(program: Program | Run) -> list[Limit]:
     if not lines:
         raise ValueError(f"the machine has no limits: axis.N.limits with {', '.join(LIMITS)}")
     return lines
+
+
+def improve(
+    program: Program,
+    *,
+    machine: Mapping[str, object] | None = None,
+    by: float = 0.0,
+    edits: int = 0,
+    cycle: str = "",
+) -> Improvement:
+    """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
+
+    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how many edits there may be.
+    `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or no limit, and the errors
+    of `run`.
+    """
+    from motionlang.analysis.improve import improver_of
+
+    program = program if isinstance(program, Source) else os.fspath(program)
+    return improver_of(program, machine, cycle=cycle).improved(by, edits)
 
 
 def prove(program: Program | Run) -> Proof:

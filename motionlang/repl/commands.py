@@ -9,13 +9,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from motionlang.analysis.coverage import covered
-from motionlang.analysis.program_map.program_map import program_map
+from motionlang.analysis.improve import NotPossible, improver_of
+from motionlang.analysis.program_map.program_map import mapped
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
-from motionlang.execution import ONE_SHIFT, dialect_for, dialect_of, settings_next_to
+from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import WrongEntry, entries
@@ -24,6 +25,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
+from motionlang.views.improvement import improvement_lines
 from motionlang.views.keywords import listing, page
 from motionlang.views.program_map.text import render as render_map
 from motionlang.views.report import render
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from motionlang.repl.session import Session
 
 
+Found = TypeVar("Found")
 # A space at which no line is wrapped.
 _FIXED = "\u00a0"
 _MORE = ".help input explains a group, .help .run a command, .help WORD a keyword."
@@ -279,17 +282,31 @@ def _switch(session: Session, name: str) -> None:
         session.write(f"-- {language.title}, on a new machine at 0 s\n")
 
 
-def _cover(session: Session, path: str) -> None:
+def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found | None:
+    """Return what is found about a program in a file; None if that is not possible, which is reported."""
     try:
-        found = covered(expanduser(path))
+        return work(expanduser(path))
     except OSError as error:
         _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
-        return
+    except NotPossible as error:
+        _wrong(session, error.code, error.message, error.hint)
     except ValueError as error:
         _wrong(session, "language", str(error))
-        return
     except ProgramError as error:
         session.trouble(error.diagnostics)
+    return None
+
+
+def _improve(session: Session, path: str) -> None:
+    found = _of_file(session, path, lambda file: improver_of(file).improved())
+    if found is not None:
+        lines = improvement_lines(found, path, width=session.width, colour=session.colour)
+        session.write("\n".join(lines) + "\n")
+
+
+def _cover(session: Session, path: str) -> None:
+    found = _of_file(session, path, covered)
+    if found is None:
         return
     table = coverage.files_table([found]).lines(session.width, colour=session.colour)
     lines = [*coverage.listing(found, session.colour), "", *table]
@@ -297,17 +314,8 @@ def _cover(session: Session, path: str) -> None:
 
 
 def _map(session: Session, path: str) -> None:
-    try:
-        source = Source.read(expanduser(path))
-        language = dialect_for(source, None)
-        found = program_map(source, language, settings_next_to(source.name))
-    except OSError as error:
-        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
-    except ValueError as error:
-        _wrong(session, "language", str(error))
-    except ProgramError as error:
-        session.trouble(error.diagnostics)
-    else:
+    found = _of_file(session, path, mapped)
+    if found is not None:
         session.write(render_map(found, width=session.width, colour=session.colour))
 
 
@@ -351,6 +359,9 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         ),
         Command("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
         Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
+        Command(
+            "improve", "FILE", "Find a shorter cycle of a program within the machine's limits.", _improve
+        ),
     ),
     "debug": (
         Command(

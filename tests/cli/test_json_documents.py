@@ -27,6 +27,7 @@ COMMANDS = {
     "map": "map a.mnt",
     "diff": "diff a.mnt b.mnt",
     "help": "help HOMESPEED",
+    "improve": "improve c.mnt",
     "plan": "plan --distance 20 --time 0.6 --rule third",
     "profile": "profile b.mnt",
     "pvt plot": "pvt plot --scurve 1000 --time 100",
@@ -45,6 +46,8 @@ COMMANDS = {
 def files(cell: Cell) -> Cell:
     cell.write("a.mnt", PROGRAM)
     cell.write("b.mnt", OTHER)
+    cell.write("c.mnt", OTHER)
+    cell.write("c.machine.toml", "[axis.0.limits]\nspeed = 200.0\nacceleration = 2000.0\n")
     cell.write("b.csv", "time,p\n" + "".join(f"{time / 100},{min(time, 95)}\n" for time in range(120)))
     return cell
 

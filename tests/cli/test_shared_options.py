@@ -19,6 +19,7 @@ LINES: dict[str, str] = {
     "trace": "a.mnt out.csv",
     "plot": "a.mnt out.html",
     "diff": "a.mnt a.mnt",
+    "improve": "c.mnt",
     "compare": "a.mnt a.csv --map position.0=p",
     "sweep": "a.mnt --vary rate=1,2 --keep time --jobs 1",
     "plan": "--distance 20 --time 0.6 --rule third",
@@ -69,6 +70,8 @@ def program(cell: Cell) -> Cell:
     cell.write("a.mnt", "Dim rate = 1\nSPEED(0) = rate\n" + MOVE)
     cell.write("a.csv", "time,p\n" + "".join(f"{time},{min(time, 5)}\n" for time in range(8)))
     cell.write("a.log", "")
+    cell.write("c.mnt", "SPEED(0) = 50\n" + MOVE)
+    cell.write("c.machine.toml", "[axis.0.limits]\nspeed = 200.0\n")
     cell.write("wrong.toml", "[controller]\naxs = 2\n")
     return cell
 

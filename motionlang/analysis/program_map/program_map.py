@@ -11,7 +11,7 @@ from motionlang.analysis.program_map.comments import named
 from motionlang.analysis.program_map.observed import Observed, Taken
 from motionlang.analysis.program_map.states import Diagrams, Transition, diagrams
 from motionlang.analysis.program_map.units import UnitMap, Variable, units, variables
-from motionlang.execution import Checked, run
+from motionlang.execution import Checked, dialect_for, run, settings_next_to
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.structure import Structure
 from motionlang.result import Run
@@ -71,6 +71,16 @@ def program_map(
         diagrams(structure),
         unreached,
     )
+
+
+def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -> ProgramMap:
+    """Return the map of a program by its path, on the given machine or on that of the file next to it.
+
+    Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for a wrong file.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    settings = settings_next_to(program) if machine is None else machine
+    return program_map(source, dialect_for(source, None), settings)
 
 
 def channels_of(source: Source, language: Dialect, settings: Mapping[str, object]) -> list[Channel]:
