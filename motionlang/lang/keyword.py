@@ -106,6 +106,7 @@ class Keyword:
     `selects`  the device that the value numbers, such as the input of a home switch; without a value the axis
                numbers it
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
+    `tests`    the condition of a command that goes on if it holds, or waits for it, with {} for the parameter
     `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
     """
 
@@ -136,6 +137,7 @@ class Keyword:
         channel: str = "",
         selects: str = "",
         waits: str = "",
+        tests: str = "",
         topic: str = "",
         meant: str = "",
         family: str = "",
@@ -151,7 +153,7 @@ class Keyword:
         self.tunes, self.meant, self.family = tunes, meant, family
         self.every, self.optional = every, optional
         self.channel, self.selects, self.waits = channel or self._device(), selects, waits
-        self.topic = topic or self._default_topic()
+        self.topic, self.tests = topic or self._default_topic(), tests
 
     @property
     def is_whole(self) -> bool:

@@ -134,7 +134,10 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         made.starts.append(f"macro {_parameter(command)}")
     if row.verb == "end_task":
         made.ends.append(f"task {_parameter(command)}")
-    made.condition = command.text if branches and not row.waits else ""
+    if row.tests:
+        made.condition = row.tests.format(_parameter(command))
+    elif branches and not row.waits:
+        made.condition = command.text
     if row.channel:
         made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at, name_at=at))
     if row.selects:

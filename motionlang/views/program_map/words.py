@@ -30,7 +30,10 @@ def waits_for(made: ProgramMap, state: State) -> str:
     if statement is not None:
         used = {(use.channel, use.number) for use in statement.channels if use.access == READ}
         known = [each for each in made.channels if (each.kind, each.number) in used and each.kind != "answer"]
-        found |= dict.fromkeys(each.known_as for each in known)
+        level = (
+            statement.condition.rpartition(" ")[2] if statement.condition.endswith((" on", " off")) else ""
+        )
+        found |= dict.fromkeys(f"{each.known_as} to be {level}" if level else each.known_as for each in known)
         axes = statement.what or (
             tuple(n for kind, n in polled.leaves if kind in ("axis", "position") and n is not None)
             if polled
