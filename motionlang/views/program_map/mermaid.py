@@ -35,6 +35,8 @@ _SHAPES = {
 }
 # The colours of states by what they wait for, also those of the page.
 COLOURS = {"axis": "#dbeafe", "input": "#dcf5df", "operator": "#fdeccb", "time": "#eee6fb"}
+# The attributes of an edge that a run took.
+TAKEN = 'color="#0b57a4" penwidth=1.6'
 # The longest text of a node or an edge; the tables have the rest.
 MAX_ACTIONS = 4
 MAX_TEXT = 48
@@ -66,7 +68,7 @@ def dot(made: ProgramMap, diagrams: Sequence[Diagram] | None = None, *, links: b
         f"digraph {_string('map of ' + made.source.name)} {{",
         '  graph [fontname="sans-serif" fontsize=12 rankdir=TB nodesep=0.35 ranksep=0.4]',
         '  node [fontname="sans-serif" fontsize=11 shape=box fillcolor=white]',
-        '  edge [fontname="sans-serif" fontsize=9]',
+        '  edge [fontname="sans-serif" fontsize=10 color="#5b6770"]',
     ]
     for number, diagram in enumerate(chosen):
         if len(chosen) > 1:
@@ -78,8 +80,11 @@ def dot(made: ProgramMap, diagrams: Sequence[Diagram] | None = None, *, links: b
             found.append(f"    {state.id} [label={text} {_SHAPES[state.kind]}{colour}{link}]")
         for each in diagram.transitions:
             lines = edge_label(made, each)
-            text = f" [label={_string(_left(lines), is_escaped=True)}]" if lines else ""
-            found.append(f"    {each.source.id} -> {each.target.id}{text}")
+            label_of = f"label={_string(_left(lines), is_escaped=True)}" if lines else ""
+            style = ""
+            if made.observed is not None:
+                style = TAKEN if made.taken(each) is not None else "style=dashed"
+            found.append(f"    {each.source.id} -> {each.target.id} [{f'{label_of} {style}'.strip()}]")
         if len(chosen) > 1:
             found.append("  }")
     return "\n".join([*found, "}"]) + "\n"
@@ -142,7 +147,7 @@ def _escaped(text: str) -> str:
 
 
 def _left(lines: Iterable[str]) -> str:
-    return "".join(_escaped(line) + "\\l" for line in lines)
+    return "".join(f"\u00a0{_escaped(line)}\\l" for line in lines)
 
 
 def _string(text: str, is_escaped: bool = False) -> str:
