@@ -1,14 +1,13 @@
 """A layered layout of a graph, for pictures where Graphviz is not installed.
 
 Sugiyama's four steps, each in its simplest form:
-
 1. Edges that lead back are turned, so that there is no cycle. Each node gets a layer below those before it.
 2. An edge becomes a chain through a bend in each layer between; the bend in the middle carries the label, with its
    size, so that labels never overlap nodes.
 3. Nodes of a layer are ordered by the mean place of their neighbours, in sweeps down and up.
 4. Each node moves towards the mean of its neighbours as far as its own neighbours in the layer allow.
 
-It has no ports and no splines: edges are lines through the bends. Long edges of dense graphs cross nodes' surroundings.
+Crossings of dense graphs remain, since the order is only as good as its sweeps.
 """
 
 from __future__ import annotations
@@ -48,12 +47,10 @@ class _Layered:
         number = {name: k for k, name in enumerate(self.names)}
         self.sizes: list[Size] = list(sizes.values())
         self.given = [(number[a], number[b], size) for a, b, size in edges]
-        for k, (a, b, (width, _)) in enumerate(self.given):
+        for a, b, (width, height) in self.given:
             if a == b:  # room for a loop and its label
-                self.sizes[a] = (
-                    self.sizes[a][0] + 2 * (width + GAP_X),
-                    max(self.sizes[a][1], self.given[k][2][1]),
-                )
+                own = self.sizes[a]
+                self.sizes[a] = own[0] + 2 * (width + GAP_X), max(own[1], height)
         self.turned = self._turned(len(self.names))
         self.layer = self._layers(len(self.names))
         # The bends of each edge from its upper end to its lower one; the middle one has the label.
@@ -65,8 +62,7 @@ class _Layered:
         self.rows: list[list[int]] = [[] for _ in range(max(self.layer, default=0) + 1)]
         for node, row in enumerate(self.layer):
             self.rows[row].append(node)
-        self.above: list[list[int]] = [[] for _ in self.sizes]
-        self.below: list[list[int]] = [[] for _ in self.sizes]
+        self.above, self.below = ([list[int]() for _ in self.sizes] for _ in range(2))
         for a, b in self.links:
             self.below[a].append(b)
             self.above[b].append(a)
@@ -93,14 +89,12 @@ class _Layered:
 
     def _chain(self, upper: int, lower: int, label: Size) -> list[int]:
         rows = range(self.layer[upper] + 1, self.layer[lower])
-        middle = rows[len(rows) // 2] if self.layer[lower] - self.layer[upper] > 2 else rows[0]
         chain = []
         for row in rows:
-            self.sizes.append(label if row == middle else (6.0, 0.0))
+            self.sizes.append(label if row == rows[len(rows) // 2] else (6.0, 0.0))
             self.layer.append(row)
             chain.append(len(self.sizes) - 1)
-        ends = [upper, *chain, lower]
-        self.links += pairwise(ends)
+        self.links += pairwise([upper, *chain, lower])
         return chain
 
     def _order(self) -> None:
@@ -133,10 +127,8 @@ class _Layered:
         found.nodes = {name: places[k] for k, name in enumerate(self.names)}
         for k, chain in enumerate(self.chains):
             bends = [places[n] for n in (reversed(chain) if k in self.turned else chain)]
-            middle = next(
-                (places[n] for n in chain if self.sizes[n] == self.given[k][2]), places[self.given[k][0]]
-            )
-            found.edges.append((bends, middle))
+            middle = chain[len(chain) // 2] if chain else self.given[k][0]
+            found.edges.append((bends, places[middle]))
         return found
 
     def _align(self, row: list[int], x: list[float]) -> None:
