@@ -50,6 +50,7 @@ ENOUGH, SATED = 1e-4, "more gains nothing"
 FURTHER = 1.05
 # The largest factor by which a number is changed, and the steps of the bisection between two factors.
 MAX_FACTOR, STEPS = 16.0, 7
+UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
 # Of more edits than this not all sets are tried, but those of the best ones.
 MAX_EDITS = 8
 # Positions are equal within this, user units.
@@ -173,7 +174,8 @@ class Improver:
             for literal in candidates:
                 values = {each.literal.address: each.value for each in edits.values()}
                 cost, edit = self._search(literal, values, best)
-                if edit is not None and best - cost > WORTH * self.before:
+                worth = ENOUGH if literal.address in edits else WORTH
+                if edit is not None and best - cost > worth * best:
                     found.append((cost, edit))
             if not found:
                 return list(edits.values())
@@ -284,7 +286,7 @@ class Improver:
                 break
             slower, low, cost, high = low, high, made, 2.0 * high
         else:
-            bound = f"more than {MAX_FACTOR:.0f} times was not tried"
+            bound = UNTRIED
         for _ in range(STEPS if high <= MAX_FACTOR else 0):
             middle = 0.5 * (low + high)
             made, reason = judged(middle)
@@ -294,12 +296,12 @@ class Improver:
                 high, bound = middle, reason or bound
         if low == 1.0:
             return best, None
-        if bound == SATED:
+        if bound in (SATED, UNTRIED):
             # It may be more than enough.
             for _ in range(STEPS):
                 middle = 0.5 * (slower + low)
                 made, reason = judged(middle)
-                if not reason and made <= cost + ENOUGH * self.before:
+                if not reason and made <= cost * (1.0 + ENOUGH):
                     low = middle
                 else:
                     slower = middle
@@ -307,7 +309,7 @@ class Improver:
         value, beyond = (was * each if grows else was / each for each in (low, high))
         round_ = _roundest(value, beyond)
         made, reason = self._judge({**values, literal.address: round_})
-        if reason or made > cost + ENOUGH * self.before:
+        if reason or made > cost * (1.0 + ENOUGH):
             round_ = _rounded(value, grows)
             cost, _ = self._judge({**values, literal.address: round_})
         else:
