@@ -363,7 +363,8 @@ class Improver:
 def improver_of(program: str | Source, machine: Mapping[str, object] | None = None, **given: Any) -> Improver:
     """Return the improver of a program in its own world and its scenarios; `given` is as for `Improver`.
 
-    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError for a wrong one, and NotPossible.
+    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError
+    for a wrong one, and NotPossible.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     settings = settings_next_to(program) if machine is None else checked_settings(machine)
