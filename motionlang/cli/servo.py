@@ -24,6 +24,7 @@ from motionlang.servo.gains import mccl_values, mint_values
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.settings import SERVO, make_loop
 from motionlang.views import servo as view
+from motionlang.views.figure import Figure
 
 if TYPE_CHECKING:  # which needs numpy
     from motionlang.servo.trace import ServoTrace
@@ -51,12 +52,12 @@ class ServoCommand(Report, Picture):
     def draw(self, trace: ServoTrace, title: str) -> int:
         """Draw a trace, if wished; return the exit status."""
 
-        def draw(path: str) -> None:
-            from motionlang.views.servo_plot import plot_trace
+        def figure() -> Figure:
+            from motionlang.views.servo_plot import trace_figure
 
-            plot_trace(trace, title, path)
+            return trace_figure(trace, title)
 
-        return self.drawn(draw)
+        return self.drawn(figure)
 
 
 @dataclass
@@ -90,12 +91,12 @@ class ServoCompare(OneAxis, Gains, ServoCommand):
                 _print([*([""] if i else []), *view.compare_lines(basis, rows, self.window)])
             _print(["", view.plant_line(plant)])
 
-        def draw(path: str) -> None:
-            from motionlang.views.servo_plot import plot_comparison
+        def figure() -> Figure:
+            from motionlang.views.servo_plot import comparison_figure
 
-            plot_comparison(tables, path)
+            return comparison_figure(tables)
 
-        return self.drawn(draw)
+        return self.drawn(figure)
 
 
 @dataclass
