@@ -12,20 +12,11 @@ from motionlang.log.trace import Trace
 from motionlang.servo.trace import ServoTrace
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.outline import outline, thinned
-from motionlang.views.quantities import UNITS
+from motionlang.views.quantities import COLOURS, UNITS
 from motionlang.views.words import peak_of
 
 Array = NDArray[np.float64]
 
-COLOURS = {
-    "position": "#1f5fae",
-    "velocity": "#0b7a5b",
-    "acceleration": "#b4490f",
-    "jerk": "#8a3b76",
-    "following error": "#b3261e",
-    "output": "#6b4fa0",
-    "motor": "#e08a1e",
-}
 # The usual height of a panel in points, and that of each quantity's panel relative to it.
 HEIGHT = 137.0
 HEIGHTS = {

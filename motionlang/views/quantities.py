@@ -11,3 +11,13 @@ PHASES = {
     "segment": "#f1ebf9",
     "hold": "#f4f6f8",
 }
+
+COLOURS = {
+    "position": "#1f5fae",
+    "velocity": "#0b7a5b",
+    "acceleration": "#b4490f",
+    "jerk": "#8a3b76",
+    "following error": "#b3261e",
+    "output": "#6b4fa0",
+    "motor": "#e08a1e",
+}
