@@ -36,16 +36,16 @@ def line_figure(
 ) -> Figure:
     """Return a panel for each result over the varied name `x`.
 
-    A panel has a line for each combination of the other names. `curves` has the points of each line by result
+    A panel has a line for each combination of the other names; the first one names them. `curves` has the points of each line by result
     and label; `best` has a point to mark, by result.
     """
-    panels = []
+    panels: list[list[Panel]] = []
     for name, lines in curves.items():
         drawn = [
             _points(
                 points,
                 COLOURS[n % len(COLOURS)],
-                label,
+                "" if panels else label,
                 width=1.4,
                 is_dashed=n >= len(COLOURS),
                 marker="circle" if len(points) <= MAX_MARKED else "",
