@@ -14,7 +14,17 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic, ProgramError
     from motionlang.lang.dialect import parse
     from motionlang.lang.machine.machine import Machine
-    from motionlang.library.functions import certify, check, compare, diff, profile, prove, run
+    from motionlang.library.functions import (
+        certify,
+        check,
+        compare,
+        cover,
+        diff,
+        improve,
+        profile,
+        prove,
+        run,
+    )
     from motionlang.library.moves import Move, Moves
     from motionlang.library.report_types import Report
     from motionlang.log.trace import Trace
@@ -38,7 +48,9 @@ __all__ = [
     "certify",
     "check",
     "compare",
+    "cover",
     "diff",
+    "improve",
     "parse",
     "plan",
     "profile",
@@ -63,7 +75,9 @@ _HOMES = {
     "certify": "library.functions",
     "check": "library.functions",
     "compare": "library.functions",
+    "cover": "library.functions",
     "diff": "library.functions",
+    "improve": "library.functions",
     "parse": "lang.dialect",
     "plan": "analysis.planning",
     "profile": "library.functions",

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from motionlang.errors import Diagnostic, ProgramError, Terminated
-from motionlang.lang.debugging import Hook
+from motionlang.lang.debugging import Hook, Observer
 from motionlang.lang.dialect import Dialect, dialect, dialects
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.literals import edited
@@ -89,6 +89,7 @@ def run(
     log_size: float | None = None,
     compiled: Program | None = None,
     hook: Hook | None = None,
+    observer: Observer | None = None,
     inputs: Given = (),
     analog: Given = (),
     answers: Given = (),
@@ -99,9 +100,10 @@ def run(
     `motionlang.run` describes the public parameters and the errors raised. The other parameters are for this
     package. `pace` is called with the machine time of the next step. `outside` is a world that acts on its own, such
     as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
-    an observer. `hook` selects a debug build, which calls it before statements. An internal error is raised, or with
-    `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the compiled program of this
-    source, made for a machine that agrees with this one in every setting for which `Dialect.compiled_in` is True.
+    an observer. `hook` selects a debug build, which calls it before statements. `observer` counts steps. An internal
+    error is raised, or with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the
+    compiled program of this source, made for a machine that agrees with this one in every setting for which
+    `Dialect.compiled_in` is True.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
@@ -118,6 +120,7 @@ def run(
         show=show,
         overrides=overrides,
         hook=hook,
+        observer=observer,
     )
     result = Run(source, language, virtual)
     if wrong:

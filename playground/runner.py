@@ -203,7 +203,7 @@ def _settings(machine: Source, dialect: str) -> dict[str, object]:
 def _results(made: Run, source: Source) -> Message:
     from motionlang.cli.event_status import complaints
     from motionlang.report import events
-    from motionlang.views.table import render
+    from motionlang.views.report import render
 
     diagnostics = list(made.diagnostics)
     if made.crash is not None:

@@ -28,7 +28,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
     ("debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("hosts/mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
-    ("lang", "loop_log loops step_task"): "a task knows its loops, which are those of a task",
+    ("lang", "debugging loop_log loops step_task"): "a task knows its loops and its hook, which are those of a task",
     ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
     ("mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
     ("mint/hosts", "console port"): "a console has ports, and what a port receives acts on its console",

@@ -38,11 +38,13 @@ CALLS: dict[str, Callable[[], object]] = {
     "plan": lambda: motionlang.plan(distance=20, time=0.6, rule="third"),
     "parse": lambda: motionlang.parse(FEED.text, "mint"),
     "profile": lambda: motionlang.profile(FEED),
+    "cover": lambda: motionlang.cover(FEED),
     "diff": lambda: motionlang.diff(FEED, FEED),
     "compare": lambda: motionlang.compare(
         FEED,
         Source("d.csv", "time_s,axis0_position_uu\n" + "".join(f"{n / 10},{n * 9}\n" for n in range(20))),
     ),
+    "improve": lambda: motionlang.improve(FEED, machine=LIMITS),
     "certify": lambda: motionlang.certify(motionlang.run(FEED, machine=LIMITS)),
     "prove": lambda: motionlang.prove(FEED),
     "sweep": lambda: list(motionlang.sweep(FEED, {"axis.0.limits.speed": [125.0]}, jobs=1)),

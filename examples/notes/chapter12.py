@@ -18,10 +18,10 @@ from motionlang.notes.figures import (
     forces,
     s_curve,
 )
-from motionlang.views.grid import filled
+from motionlang.views.table import filled
 
 if TYPE_CHECKING:
-    from motionlang.views.grid import Cells
+    from motionlang.views.table import Cells
 
 WIDTH = 100
 WEIGHT, FRICTION, FORCE = dissect.WEIGHT_LB, dissect.FRICTION, forces(LIMIT).friction

@@ -12,10 +12,10 @@ from motionlang.errors import count_of
 from motionlang.notes.dac_override import OverrideRun, demonstrate
 from motionlang.notes.dissect import dac_timing
 from motionlang.notes.figures import LIMIT, SPEED
-from motionlang.views.grid import filled
+from motionlang.views.table import filled
 
 if TYPE_CHECKING:
-    from motionlang.views.grid import Cells
+    from motionlang.views.table import Cells
 
 TIMINGS: Cells = {
     "DAC": lambda timing: f"{timing.bits} bits",

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 
 from motionlang.notes.chapter12 import EXAMPLE, ListingRun, run_listing
-from motionlang.views.grid import filled
+from motionlang.views.table import filled
 
 
 def tidy(value: float) -> float:

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import sys
 import textwrap
+from operator import itemgetter
 
 from motionlang.notes.tn1069 import ERRATA, NOTE, Demand, comparison, profiles
-from motionlang.views.grid import Column, grid
+from motionlang.views.table import Column, Table
 
 MEANINGS = {
     "T_A": "acceleration time",
@@ -31,13 +32,9 @@ def table(demand: Demand) -> list[str]:
         rows.append([row.name, MEANINGS[row.name], *exact, row.unit])
         if row.printed:
             rows.append(["", "as printed", *(f"{value:.10g}" for value in row.printed), ""])
-    columns = [
-        Column("", align="<"),
-        Column("", align="<"),
-        *map(Column, demand.columns),
-        Column("", align="<"),
-    ]
-    return grid(columns, rows, width=1000)
+    titles = ["", "", *demand.columns, ""]
+    columns = [Column("", title, get=itemgetter(k), left=not title) for k, title in enumerate(titles)]
+    return Table("figures", columns, rows).lines(1000)
 
 
 def show(demand: Demand) -> None:

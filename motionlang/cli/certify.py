@@ -19,7 +19,8 @@ from motionlang.errors import ProgramError
 from motionlang.execution import MACHINE_SUFFIX, machine_of, run
 from motionlang.result import Run as Result
 from motionlang.source import STDIN_NAME, Source
-from motionlang.views.certificate import certificate_lines
+from motionlang.views.certificate import certificate_lines, limits_table
+from motionlang.views.table import Document
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
 
 # Maximum programs without limits that are named.
@@ -95,6 +96,9 @@ examples:
         super().extend(result)
         if self.proof is not None:
             result.certificate = certify(result, self.machine_path())
+
+    def document(self, result: Result) -> Document:
+        return Document([limits_table(result.certificate or [])])
 
     def conclude(self, result: Result) -> None:
         if self.proof is None or not result.certificate or self.format != "text":

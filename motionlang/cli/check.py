@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import ClassVar
 
+from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.used import depended_on
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
@@ -21,20 +21,20 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import language_of, machine_of
 from motionlang.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.lang.foreign import one_sentence
-from motionlang.lang.literals import literals
+from motionlang.lang.literals import Literal, literals
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.lang.step_list import ListedUnit
 from motionlang.mccl.models import MODELS
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
-from motionlang.views.assumptions import as_dict, listing
-from motionlang.views.diagnostics import tally
+from motionlang.views.assumptions import assumptions_table, listing
+from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.findings import Found, written
-from motionlang.views.steps import render_steps, steps_as_dicts
+from motionlang.views.steps import render_steps, steps_table
+from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of
 from motionlang.views.tree import render_tree
-
-SCHEMA = "motionlang.check/3"
 
 
 @dataclass
@@ -50,6 +50,17 @@ class Checked:
     settings: dict[str, object] | None = None
     diagnostics: Sequence[Diagnostic] = ()
     fixed: Sequence[Fixed] = ()
+
+
+@dataclass
+class _Shown:
+    """What is known of the files, each with its name, for a document."""
+
+    files: list[dict[str, object]] = field(default_factory=list)
+    fixed: list[tuple[str, Fixed]] = field(default_factory=list)
+    literals: list[tuple[str, Literal]] = field(default_factory=list)
+    steps: list[tuple[str, list[ListedUnit]]] = field(default_factory=list)
+    assumptions: list[tuple[dict[str, object], Assumption]] = field(default_factory=list)
 
 
 @dataclass
@@ -84,7 +95,7 @@ examples:
     steps: bool = flag("print the steps that a run takes beside the lines of each program without errors")
     tree: bool = flag("print the syntax tree of each program without syntax errors")
 
-    _rows: list[dict[str, object]] = field(default_factory=list, init=False, repr=False)
+    _shown: _Shown = field(default_factory=_Shown, init=False, repr=False)
 
     def check(self) -> None:
         """Raise WrongOption if the model is one of no language of the files."""
@@ -115,31 +126,28 @@ examples:
             is_about_machine = checked.source is not None and checked.source.name != name_of(file)
             path = (machine_of(file, self.machine) or name) if is_about_machine else name
             findings.append(Found(name, checked.diagnostics, checked.source, path, self.strict))
-            if self.format in ("text", "json"):
-                self._report(checked, findings[-1])
-        if self.format == "json":
-            sys.stdout.write(json.dumps({"schema": SCHEMA, "files": self._rows}, indent=1) + "\n")
-        elif self.format != "text":
+            self._report(checked, findings[-1])
+        if self.format in ("json", "csv"):
+            self.show(self._document(findings), "")
+        elif self.format not in ("text", "none"):
             sys.stdout.write(written(findings, self.format, "check"))
         return 1 if any(each.is_wrong for each in findings) else 0
 
     def _report(self, checked: Checked, found: Found) -> None:
-        """Print what is known of a file, or make its row."""
-        source, settings = checked.source, checked.settings
-        row: dict[str, object] = {
-            "program": found.file,
-            "dialect": checked.language,
-            "diagnostics": [each.as_dict() for each in checked.diagnostics],
-        }
+        """Print what is known of a file, or keep it for the document."""
+        source, settings, text = checked.source, checked.settings, self.format == "text"
         notes: list[str] = []
         if source is not None and settings is not None:
             notes = dialect(checked.language).remarks(source, settings)
-        if notes:
-            row["notes"] = notes
-        if self.fix:
-            row["fixed"] = [each._asdict() for each in checked.fixed]
-        self._rows.append(row)
-        if self.format == "text":
+        row: dict[str, object] = {
+            "file": found.file,
+            "dialect": checked.language,
+            "notes": notes,
+            "tree": None,
+        }
+        self._shown.files.append(row)
+        self._shown.fixed += [(found.file, each) for each in checked.fixed]
+        if text:
             sys.stdout.write("".join(f"{printable(f'{found.file}:{each}')}\n" for each in checked.fixed))
             complain(checked.diagnostics, source, found.path, sys.stdout)
             if not self.quiet:
@@ -152,13 +160,11 @@ examples:
     def _show(
         self, language: Dialect, source: Source, settings: dict[str, object], row: dict[str, object]
     ) -> None:
-        """Print what else is asked for, or put it into the row."""
-        text, colour = self.format == "text", wants_colour(sys.stdout)
+        """Print what else is asked for, or keep it for the document."""
+        text, colour, file = self.format == "text", wants_colour(sys.stdout), str(row["file"])
         if self.literals:
             found = literals(source, language)
-            row["literals"] = [
-                {"address": each.address, "line": each.line, "value": each.text} for each in found
-            ]
+            self._shown.literals += [(file, each) for each in found]
             if text:
                 width = max((len(each.address) for each in found), default=0)
                 values = max((len(each.text) for each in found), default=0)
@@ -171,15 +177,29 @@ examples:
                 sys.stdout.write(tree if text else "")
             if self.steps:
                 units = language.step_list(source, settings)
-                row["steps"] = steps_as_dicts(units)
+                self._shown.steps.append((file, units))
                 sys.stdout.writelines(render_steps(language, units, colour=colour) if text else ())
         except ProgramError:  # its errors are among the findings
             pass
         if self.evidence:
             known = assumptions()
             open_ones = [known[name] for name in depended_on(language, source.text, settings)]
-            row["assumptions"] = [as_dict(each) for each in open_ones]
+            self._shown.assumptions += [({"file": file}, each) for each in open_ones]
             sys.stdout.write(listing(open_ones, width=width_of(sys.stdout), colour=colour) if text else "")
+
+    def _document(self, findings: Sequence[Found]) -> Document:
+        """Return the findings, and the tables that are asked for."""
+        shown = self._shown
+        about = [(each.file, diagnostic) for each in findings for diagnostic in each.diagnostics]
+        names = ("file", "dialect", "notes", *(["tree"] if self.tree else []))
+        tables = [diagnostics_table(about), Table("files", list(map(Column, names)), shown.files)]
+        asked = {
+            "fix": _by_file("fixed", ("line", "column", "code", "before", "after"), shown.fixed),
+            "literals": _by_file("literals", ("address", "line", "text"), shown.literals),
+            "steps": steps_table(shown.steps),
+            "evidence": assumptions_table(shown.assumptions, ["file"]),
+        }
+        return Document([*(table for option, table in asked.items() if getattr(self, option)), *tables])
 
     def _tally(self, checked: Checked, file: str) -> str:
         """Return the number of findings of a file, and what the option for fixes would correct."""
@@ -190,6 +210,12 @@ examples:
             return text
         among = len(checked.diagnostics)
         return f"{text}; --fix corrects {'it' if among == 1 else count if count < among else 'all'}"
+
+
+def _by_file(name: str, keys: Sequence[str], found: Sequence[tuple[str, object]]) -> Table:
+    """Return records, each with its file, as data."""
+    rows = [{"file": file, **{key: getattr(each, key) for key in keys}} for file, each in found]
+    return Table(name, list(map(Column, ("file", *keys))), rows)
 
 
 def _checked_and_fixed(options: Check, file: str) -> Checked:

@@ -32,9 +32,11 @@ GROUPS = {
     },
     "compare and verify": {
         "sweep": ("sweep:Sweep", "run many variants of a program and find the best"),
+        "improve": ("improve:Improve", "find a shorter cycle within the limits of the machine"),
         "diff": ("diff:Diff", "compare two runs, or a program and its golden files"),
         "compare": ("compare:Compare", "compare a recording from a real controller with the run"),
         "verify": ("verify:Verify", "compare programs with their golden files"),
+        "cover": ("cover:Cover", "show which statements and conditions of programs their runs reach"),
         "probe": ("probe:ProbeCommand", "write a test program for open questions on a controller"),
     },
     "connect hosts": {

@@ -32,9 +32,9 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect_of, run
 from motionlang.report import build
 from motionlang.result import Run
-from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines, quantity_lines
+from motionlang.views.diff import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.views.scope import write_scope
-from motionlang.views.terminal import draws, plain, wants_colour
+from motionlang.views.terminal import wants_colour
 
 SCHEMA = "motionlang.diff/2"
 # The suffixes of a recording; any other file is a program or a report.
@@ -164,13 +164,9 @@ examples:
             changed = changed_literals(old_run, new_run)
             values = values_of(new_run, self.keep)
             kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]
-        if self.format == "json":
-            data = _data(found, diverged, charges, changed)
-            if kept:
-                data["quantities"] = [dict(zip(("name", "old", "new"), each, strict=True)) for each in kept]
-            sys.stdout.write(json.dumps(data, default=vars) + "\n")
-        else:
-            _print(found, diverged, charges, changed, self.all, kept)
+        lines = _lines(found, diverged, charges, changed, self.all, kept)
+        document = diff_document(found, diverged, charges, changed, kept)
+        self.show(document, "\n".join(lines) + "\n")
         status, page = 0 if found.same else 1, self.plot
         if page is not None and old_run is not None and new_run is not None:
             status = max(status, written(page, lambda: write_scope(new_run, page, against=old_run)))
@@ -254,45 +250,14 @@ def _report(path: str) -> Side:
         raise Refused([Diagnostic("file", f"{path} {why}: {error}")], file=path) from None
 
 
-def _data(
-    found: Any, diverged: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral]
-) -> dict[str, Any]:
-    return {
-        "schema": SCHEMA,
-        "equal": found.same,
-        "literals": [_as_dict(each) for each in changed],
-        "time": found.time,
-        "time_by_line": [_as_dict(each) for each in charges],
-        "status": found.status,
-        "lines": [_as_dict(each) for each in found.lines],
-        "removed_moves": found.removed,
-        "added_moves": found.new,
-        "prints": [
-            dict(zip(("old", "new", "old_text", "new_text"), each, strict=True)) for each in found.prints
-        ],
-        "events": [dict(zip(("old", "new", "shift"), each, strict=True)) for each in found.events],
-        "errors": [{"change": change, "message": message} for change, message in found.errors],
-        "other_differences": found.others,
-        "divergence": None if diverged is None else _as_dict(diverged),
-    }
-
-
-def _print(
+def _lines(
     found: Any,
     diverged: Any,
     charges: Sequence[Charge],
     changed: Sequence[ChangedLiteral],
     everything: bool,
     kept: Sequence[Kept],
-) -> None:
+) -> list[str]:
     most = 1_000_000 if everything else MAX_LINES
-    lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most) or [
-        "no difference"
-    ]
-    text = "\n".join([*literal_lines(changed, most), *quantity_lines(kept), *lines]) + "\n"
-    sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))
-
-
-def _as_dict(of: Any) -> dict[str, Any]:
-    """Return the fields of a row, in alphabetical order."""
-    return {name: getattr(of, name) for name in sorted(of.__slots__)}
+    lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most)
+    return [*literal_lines(changed, most), *quantity_lines(kept), *(lines or ["no difference"])]

@@ -20,7 +20,7 @@ class Drawn(Simulated):
     """A command that writes a file about a run, and reports the run only on request."""
 
     out: str = argument("OUT", "the file to write")
-    format: str = forms("none", "text", "json", what="the report of the run")
+    format: str = forms("none", "text", "json", "csv", what="the report of the run")
 
     def prepare(self) -> None:
         refuse_input(self, self.out)

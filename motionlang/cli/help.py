@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import re
 import sys
@@ -25,7 +24,8 @@ from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.vocabulary import Vocabulary
 from motionlang.views import assumptions
-from motionlang.views.keywords import as_dict, listing, page
+from motionlang.views.keywords import evidence_table, keywords_table, listing, page
+from motionlang.views.table import Document
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, styled, wants_colour, width_of
 
 # For a keyword whose meaning is remembered.
@@ -33,7 +33,6 @@ MEANING = (
     "its meaning is unconfirmed, too: run the example here and on a controller whose axes may "
     "move, and compare"
 )
-SCHEMA = "motionlang.keywords/2"
 # The words for the list of all keywords, and for that of all codes.
 ALL_KEYWORDS, ALL_CODES = "keywords", "codes"
 
@@ -67,16 +66,15 @@ examples:
   motionlang help codes                 all codes
 """
     words: list[str] = argument("WORD", "what to explain; default: list all commands", many=True, default=[])
-    format: str = forms("text", "json", what="the output, in JSON of keywords only")
+    format: str = forms("text", "json", "csv", "none", what="the output, as data of keywords only")
     lang: str | None = option("", "look for keywords of this language only", choices=dialects())
 
     def run(self) -> int:
         """Print what the words mean, or the keywords that they describe."""
         name = " ".join(self.words)
-        if self.format == "json":
+        if self.format in ("json", "csv"):
             found, _ = self._keywords(name)
-            rows = [_row(each, language) for language, rows in found.items() for each in rows]
-            sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
+            self.show(_document(found), "")
             return 0
         meanings = self._meanings(name)
         if not meanings:
@@ -179,11 +177,15 @@ def _is_misspelt(name: str, near: str, found: Found) -> bool:
     )
 
 
-def _row(row: Keyword, language: str) -> dict[str, object]:
-    return {
-        **as_dict(row, language),
-        "assumptions": [assumptions.as_dict(each) for each in of_word(language, row)],
-    }
+def _document(found: Found) -> Document:
+    rows = [(language, row) for language, of_language in found.items() for row in of_language]
+    open_ones = [
+        ({"dialect": language, "keyword": row.name}, each)
+        for language, row in rows
+        for each in of_word(language, row)
+    ]
+    about = assumptions.assumptions_table(open_ones, ("dialect", "keyword"))
+    return Document([keywords_table(rows), evidence_table(rows), about])
 
 
 def _listings(found: Found) -> str:

@@ -17,7 +17,7 @@ from motionlang.cli.complaints import no_dialect, unreadable, unwritten
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time
 from motionlang.cli.run import Run
-from motionlang.cli.shared import Language, Report, forms, read
+from motionlang.cli.shared import Language, Output, forms, read
 from motionlang.cli.signals import SIGNALS
 from motionlang.errors import Diagnostic, count_of, nearest
 from motionlang.execution import MACHINE_SUFFIX, dialect_of, language_of
@@ -32,7 +32,7 @@ UNTIL = 300.0
 
 
 @dataclass
-class Init(Report, Language):
+class Init(Output, Language):
     """Write a first machine file for a program, mark the guesses, and run it."""
 
     title: ClassVar[str] = "program"
@@ -55,7 +55,9 @@ examples:
   motionlang init --new feed.mcl      the same in MCCL
 """
     file: str = argument("FILE", "the program, or a folder with programs")
-    format: str = forms("text", "json", "none", what="what follows the program's own output, as in run")
+    format: str = forms(
+        "text", "json", "csv", "none", what="what follows the program's own output, as in run"
+    )
     new: bool = flag("write a small program with its machine file; FILE without an extension is Mint")
     until: float = option(
         "S",

@@ -100,7 +100,7 @@ def both(words: Sequence[str]) -> str:
 
 
 def either(words: Sequence[str]) -> str:
-    return f"{', '.join(words[:-1])} or {words[-1]}"
+    return f"{', '.join(words[:-1])} or {words[-1]}" if len(words) > 1 else words[0]
 
 
 def sentence(summary: str) -> str:

@@ -6,7 +6,6 @@ still undetermined. A move that is too short for its speed has a lower peak, whi
 
 from __future__ import annotations
 
-import json
 import sys
 from dataclasses import dataclass
 from typing import ClassVar
@@ -22,11 +21,10 @@ from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies
 from motionlang.planners.solve import NAMES, RULES, Underdetermined
 from motionlang.views.an00115_plot import plan_figure
-from motionlang.views.grid import Column, grid
-from motionlang.views.terminal import draws, plain, styled, wants_colour
+from motionlang.views.table import Column, Document, Table
+from motionlang.views.terminal import styled, wants_colour
 from motionlang.views.words import dialect_name
 
-SCHEMA = "motionlang.plan/1"
 UNITS = {
     "distance": "uu",
     "time": "s",
@@ -112,21 +110,12 @@ examples:
         }
         notes = [f"scale: {how} = {shown(scale)} counts/uu"] if how else []
         notes += _unreached(move, wanted)
-        if self.format == "json":
-            document = {
-                "schema": SCHEMA,
-                "move": move,
-                "formulas": behind,
-                "scale": scale,
-                "notes": notes,
-                "programs": programs,
-            }
-            sys.stdout.write(json.dumps(document, indent=1) + "\n")
-            return 0
+        table = _table(move, set(given) - set(wanted), assumed, behind)
+        written = [{"dialect": name, "program": program} for name, program in programs.items()]
+        tables = (table, Table("programs", (Column("dialect"), Column("program")), written))
         colour = wants_colour(sys.stdout)
-        lines = _lines(move, set(given) - set(wanted), assumed, behind, notes, programs, colour)
-        text = "\n".join(lines) + "\n"
-        sys.stdout.write(text if draws(sys.stdout) else plain(text))
+        lines = [*table.lines(1000, colour=colour), *_remarks(notes, programs, colour)]
+        self.show(Document(tables, {"scale": scale, "notes": notes}), "\n".join(lines) + "\n")
         return 0
 
 
@@ -152,22 +141,29 @@ def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
     ]
 
 
-def _lines(
-    move: dict[str, float],
-    given: set[str],
-    assumed: set[str],
-    behind: dict[str, str],
-    notes: list[str],
-    programs: dict[str, str],
-    colour: bool,
-) -> list[str]:
-    rows, styles = [], []
-    for name in NAMES:
-        origin = "given" if name in given else "assumed" if name in assumed else behind.get(name, "")
-        rows.append([name.replace("_", " "), shown(move[name]), UNITS[name], origin])
-        styles.append("dim" if name in given else "")
-    columns = (Column("figure", align="<"), Column("value"), Column("", align="<"), Column("", align="<"))
-    lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
+def _table(move: dict[str, float], given: set[str], assumed: set[str], behind: dict[str, str]) -> Table:
+    """Return the figures of a move, each with the way it is known."""
+    rows = [
+        {
+            "figure": name,
+            "value": move[name],
+            "unit": UNITS[name],
+            "origin": "given" if name in given else "assumed" if name in assumed else behind.get(name, ""),
+        }
+        for name in NAMES
+    ]
+    columns = (
+        Column("figure", text=lambda name: name.replace("_", " "), left=True),
+        Column("value", text=shown),
+        Column("unit", "", left=True),
+        Column("origin", "", left=True),
+    )
+    return Table("move", columns, rows, style=lambda row: "dim" if row["figure"] in given else "")
+
+
+def _remarks(notes: list[str], programs: dict[str, str], colour: bool) -> list[str]:
+    """Return the notes and the programs below the table."""
+    lines: list[str] = []
     if notes:
         lines += ["", *(f"{styled('note:', 'note', colour)} {note}" for note in notes)]
     for name, program in programs.items():

@@ -6,7 +6,6 @@ import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.analysis.cycle.export import json_pieces, write_profile
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.cli.command import flag, option
 from motionlang.cli.drawn import refuse_input
@@ -14,10 +13,10 @@ from motionlang.cli.output_files import written
 from motionlang.cli.simulated import Simulated
 from motionlang.errors import need
 from motionlang.result import Run as Result
-from motionlang.views.cycle import render_profile
-from motionlang.views.paths import render_paths
-
-PROFILES = (".json", ".speedscope.json")
+from motionlang.views.cycle import profile_document, render_profile
+from motionlang.views.paths import paths_table
+from motionlang.views.speedscope import SUFFIXES, write_profile
+from motionlang.views.table import Document
 
 
 @dataclass
@@ -35,7 +34,7 @@ examples:
         "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
     )
     to: str | None = option(
-        "FILE", "also write the profile into a file, which speedscope and Perfetto open", suffixes=PROFILES
+        "FILE", "also write the profile into a file, which speedscope and Perfetto open", suffixes=SUFFIXES
     )
 
     @property
@@ -48,15 +47,24 @@ examples:
         if self.to is not None:
             refuse_input(self, self.to)
 
-    def document(self, result: Result) -> None:
-        sys.stdout.writelines(json_pieces(TimeProfile(result).report()))
+    def print_json(self, result: Result) -> None:
+        self.show(self.document(result), "")
+
+    def document(self, result: Result) -> Document:
+        made = profile_document(TimeProfile(result))
+        if not self.paths:
+            return made
+        from motionlang.log.paths import paths
+
+        return Document([paths_table(paths(result.trace)), *made.tables], made.values)
 
     def more(self, result: Result, *, width: int, colour: bool) -> str:
         shown = ""
         if self.paths:
             from motionlang.log.paths import paths
 
-            shown = "\n" + render_paths(paths(result.trace), width=width, colour=colour, everything=self.all)
+            lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
+            shown = "\n" + "\n".join(lines) + "\n"
         made = TimeProfile(result)
         return shown + "\n" + render_profile(made, width=width, colour=colour, everything=self.all)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -10,20 +9,20 @@ from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, option
 from motionlang.cli.output_files import written
-from motionlang.cli.pvt_input import SCHEMA, Move, Points, Sent, spans_of
+from motionlang.cli.pvt_input import Move, Points, Sent, spans_of
 from motionlang.cli.pvt_stream import PvtStream
 from motionlang.cli.readers import whole
-from motionlang.cli.shared import Output, Report
+from motionlang.cli.shared import Output
 from motionlang.copley.export import Unwritable, export
 from motionlang.copley.point import from_wire, to_wire
 from motionlang.copley.table import write_points
 from motionlang.errors import Diagnostic, count_of
 from motionlang.files import replacing
-from motionlang.planners.curve import Profile
-from motionlang.planners.pvt.points import Point, absolute, knots, plan_points, segments, until_end
+from motionlang.planners.pvt.points import Point, absolute, plan_points, until_end
 from motionlang.planners.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.planners.total import total
-from motionlang.views.pvt import comparison_lines, segment_lines
+from motionlang.views.pvt import WIDTH, methods_table, motion_document, segment_lines
+from motionlang.views.table import Document
 
 # Counts below which a difference is rounding.
 NOISE = 1e-6
@@ -36,22 +35,19 @@ def _counts(text: str) -> list[int]:
 
 
 @dataclass
-class PvtPlot(Points, Report):
+class PvtPlot(Points, Output):
     """Show the motion that a drive makes of points, segment by segment, or as a picture."""
 
     def run(self) -> int:
         """Print the segments, and draw them if wished."""
         move = self.move(strict=False)
         profile = self.planned(move.points)
-        if self.format == "json":
-            _print_json({"move": move.name, **_motion_json(profile)})
-        elif self.format == "text":
-            _print(segment_lines(profile))
+        self.show(motion_document(move.name, profile), _text(segment_lines(profile)))
         return self.draw([profile], [move.name])
 
 
 @dataclass
-class PvtRefine(Points, Report):
+class PvtRefine(Points, Output):
     """Choose velocities for positions, and show the remaining acceleration jumps."""
 
     title: ClassVar[str] = "refinement"
@@ -71,12 +67,9 @@ class PvtRefine(Points, Report):
             rows = compare_velocities(positions, spans, self.compare)
         except (ValueError, OverflowError) as problem:
             raise Refused([Diagnostic("range", str(problem))]) from None
-        if self.format == "json":
-            table = [{"velocities": name, "largest_jump": jump, "values": v} for name, v, jump in rows]
-            _print_json({"move": move.name, "methods": table})
-        elif self.format == "text":
-            sides = knot_accelerations(positions, rows[0][1], spans)
-            _print(comparison_lines(rows, [a for pair in sides for a in pair]))
+        sides = knot_accelerations(positions, rows[0][1], spans)
+        methods = methods_table(rows, [a for pair in sides for a in pair])
+        self.show(Document([methods], {"move": move.name}), _text(methods.lines(WIDTH)))
         status = written(self.to, lambda: self._write(moving)) if self.to is not None else 0
         profiles = [plan_points(_replaced(moving, v)) for _, v, _ in rows] if self.plot is not None else []
         return self.draw(profiles, [name for name, _, _ in rows]) or status
@@ -107,7 +100,7 @@ class PvtExport(Sent, Output):
         span = total(p.time for p in points)
         worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
         head = f"# {move.name}: {count_of(len(points) - 1, 'segment')}, {span:.3f} s, {worst}"
-        _print([head, *made.lines])
+        sys.stdout.write(_text([head, *made.lines]))
         return self.draw([self.planned(received)], [move.name])
 
     def _error(self, move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
@@ -141,30 +134,5 @@ def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Poin
     return [replace(p, velocity=v) for p, v in zip(points, velocities, strict=True)]
 
 
-def _motion_json(profile: Profile) -> dict[str, object]:
-    return {
-        "duration": profile.duration,
-        "knots": [
-            {
-                "time": k.time,
-                "position": k.position,
-                "velocity": k.velocity,
-                "acceleration_before": k.acceleration,
-                "acceleration_after": k.next_acceleration,
-                "jump": k.jump,
-            }
-            for k in knots(profile)
-        ],
-        "segments": [
-            {"time": s.duration, "jerk": s.jerk, "acceleration": s.acceleration, "to": s.end_acceleration}
-            for s in segments(profile)
-        ],
-    }
-
-
-def _print(lines: Sequence[str]) -> None:
-    sys.stdout.write("".join(f"{line}\n" for line in lines))
-
-
-def _print_json(content: dict[str, object]) -> None:
-    print(json.dumps({"schema": SCHEMA, **content}, indent=2))
+def _text(lines: Sequence[str]) -> str:
+    return "".join(f"{line}\n" for line in lines)

@@ -34,7 +34,6 @@ from motionlang.planners.pvt.velocities import METHODS, pvt_velocities
 from motionlang.source import Source
 from motionlang.views.figure import Figure
 
-SCHEMA = "motionlang.pvt/2"
 GRID = 0.001
 MAX_REPORTED = 20
 TOLERANCE = 1.0

@@ -2,32 +2,33 @@
 
 from __future__ import annotations
 
-import json
 import logging
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.cli.command import Refused, flag, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.pvt_input import POSITIVE, SCHEMA, Move, Sent
-from motionlang.cli.shared import Report
+from motionlang.cli.pvt_input import POSITIVE, Move, Sent
+from motionlang.cli.shared import Output
 from motionlang.copley.buffer import SIZE
 from motionlang.copley.drive import Drive
 from motionlang.copley.point import WirePoint, from_wire, to_wire
 from motionlang.errors import Diagnostic, need
 from motionlang.planners.pvt.points import Point, absolute, plan_points
 from motionlang.views.pvt import figure, pairs_lines
+from motionlang.views.table import Column, Document, Table
 
 if TYPE_CHECKING:
     from motionlang.copley.master import Streamed
 
 LINEAR = ("0", "-1", "-2")
 
+LOG = (Column("time"), Column("event"))
+
 
 @dataclass
-class PvtStream(Sent, Report):
+class PvtStream(Sent, Output):
     """Send a move to a simulated drive over CANopen and compare the motion."""
 
     transfer: str = option(
@@ -119,24 +120,21 @@ class PvtStream(Sent, Report):
         frames: int,
     ) -> None:
         error = None if self.transfer == "0" else self._departure(drive, wire)
-        if self.format == "json":
-            content = {
-                "schema": SCHEMA,
-                "move": move.name,
-                "transfer": self.transfer,
-                "points": len(wire),
-                "sent": done.sent if done else None,
-                "resent": done.resent if done else None,
-                "lowest_level": done.lowest if done else None,
-                "frames": frames,
-                "time": drive.now,
-                "position": drive.position,
-                "error": error,
-                "log": [{"time": time, "event": event} for time, event in drive.log],
-            }
-            print(json.dumps(content, indent=2))
-        elif self.format == "text":
-            sys.stdout.write("\n".join(self._lines(move, drive, len(wire), done, frames, error)) + "\n")
+        values = {
+            "move": move.name,
+            "transfer": self.transfer,
+            "points": len(wire),
+            "sent": done.sent if done else None,
+            "resent": done.resent if done else None,
+            "lowest_level": done.lowest if done else None,
+            "frames": frames,
+            "time": drive.now,
+            "position": drive.position,
+            "error": error,
+        }
+        log = Table("log", LOG, [dict(zip(("time", "event"), each, strict=True)) for each in drive.log])
+        lines = self._lines(move, drive, len(wire), done, frames, error)
+        self.show(Document([log], values), "\n".join(lines) + "\n")
 
     def _lines(
         self,

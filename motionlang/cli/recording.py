@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,12 +15,12 @@ from motionlang.cli.readers import machine_time, real
 from motionlang.cli.shared import Output, read
 from motionlang.errors import ProgramError
 from motionlang.result import Run
-from motionlang.views.comparison import render_comparison
+from motionlang.views.comparison import comparison_document, render_comparison
 from motionlang.views.scope import write_comparison
-from motionlang.views.terminal import draws, plain, table_width, wants_colour
+from motionlang.views.terminal import table_width, wants_colour
 
 if TYPE_CHECKING:  # which needs numpy
-    from motionlang.analysis.compare.comparison import Comparison, Mapped
+    from motionlang.analysis.compare.comparison import Mapped
 
 
 def mapped(text: str) -> Mapped:
@@ -75,16 +74,10 @@ class Compared(Output, Recording):
             made = compare(result, recording, self.map, tolerances=tolerances, delay=self.delay)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=recording, file=path) from None
-        self._show(made)
+        width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
+        text = render_comparison(made, width=width, colour=colour, everything=self.all)
+        self.show(comparison_document(made, path), text)
         complain(made.remarks, recording, path)
         page = self.plot
         status = 0 if page is None else written(page, lambda: write_comparison(made, page))
         return 1 if made.is_within is False else status
-
-    def _show(self, made: Comparison) -> None:
-        if self.format == "json":
-            sys.stdout.write(json.dumps(made.report(), indent=1) + "\n")
-            return
-        width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
-        text = render_comparison(made, width=width, colour=colour, everything=self.all)
-        sys.stdout.write(text if draws(sys.stdout) else plain(text))

@@ -108,7 +108,7 @@ def _ask_each(program: str, all_of_them: list[Change], found: object) -> tuple[l
     accepted: list[Change] = []
     for number, change in enumerate(all_of_them):
         lines = "\n".join(f"  {line}" for line in change_lines(found, change))  # type: ignore[arg-type]
-        sys.stdout.write((lines if draws(sys.stdout) else plain(lines).replace("→", "->")) + "\n")
+        sys.stdout.write((lines if draws(sys.stdout) else plain(lines)) + "\n")
         answer = ask(f"{program}: accept change {number + 1} of {len(all_of_them)}?", "ynadq")
         if answer == "a":
             return accepted + all_of_them[number:], False

@@ -2,50 +2,46 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, is_dataclass
-from math import isfinite
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.readers import machine_time
 from motionlang.cli.servo_input import BANDWIDTH, POSITIVE, Gains, OneAxis, gains_of, pairs
-from motionlang.cli.shared import Picture, Program, Report
+from motionlang.cli.shared import Output, Picture, Program
 from motionlang.execution import Checked
 from motionlang.execution import run as run_program
 from motionlang.lang.gains import spoken
 from motionlang.log.track import WholeTrack
 from motionlang.notes.tn1069_servo import BASES
 from motionlang.notes.tn1069_servo import compare as compared
-from motionlang.servo import simulate
+from motionlang.servo import simulate as simulate_loop
 from motionlang.servo.gains import mccl_values, mint_values
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.settings import SERVO, make_loop
 from motionlang.views import servo as view
 from motionlang.views.figure import Figure
+from motionlang.views.table import Column, Document, Table, records_table
 
 if TYPE_CHECKING:  # which needs numpy
     from motionlang.servo.trace import ServoTrace
 
-SCHEMA = "motionlang.servo/1"
-
 
 @dataclass
-class ServoCommand(Report, Picture):
+class ServoCommand(Output, Picture):
     """A command that simulates servo loops."""
 
     def run(self) -> int:
         """Simulate, print and draw; a value that does not fit the motor is a wrong option."""
         try:
-            return self.show()
+            return self.simulate()
         except WrongOption:
             raise
         except (ValueError, OverflowError) as problem:
             raise WrongOption(str(problem)) from None
 
-    def show(self) -> int:
+    def simulate(self) -> int:
         """Return the exit status; ValueError names an invalid option."""
         raise NotImplementedError
 
@@ -74,7 +70,7 @@ class ServoCompare(OneAxis, Gains, ServoCommand):
     window: float = option("C", "settling window, counts (1)", read=POSITIVE, default=1.0)
     ramp: float = option("N", "ramp fraction of the trapezoidal S-curve (0.1)", read=POSITIVE, default=0.1)
 
-    def show(self) -> int:
+    def simulate(self) -> int:
         """Print and draw the settling, errors and torques of each profile."""
         plant = self.motor_of(self.axis)
         loop = self.loop_of(self.axis, plant)
@@ -83,13 +79,10 @@ class ServoCompare(OneAxis, Gains, ServoCommand):
             basis: compared(loop, plant, *move, basis, self.window, self.ramp)
             for basis in ((self.equal,) if self.equal else BASES)
         }
-        if self.format == "json":
-            made = {basis: [_plain(row, "trace") for row in rows] for basis, rows in tables.items()}
-            _print_json({"plant": _plain(plant), **made})
-        elif self.format == "text":
-            for i, (basis, rows) in enumerate(tables.items()):
-                _print([*([""] if i else []), *view.compare_lines(basis, rows, self.window)])
-            _print(["", view.plant_line(plant)])
+        shown = [view.profiles_table(basis, rows, self.window) for basis, rows in tables.items()]
+        texts = ["\n".join(table.lines(view.WIDTH)) + "\n" for table in shown]
+        document = Document([*shown, records_table("plant", [plant])])
+        self.show(document, "\n".join([*texts, f"{view.plant_line(plant)}\n"]))
 
         def figure() -> Figure:
             from motionlang.views.servo_plot import comparison_figure
@@ -107,7 +100,7 @@ class ServoStep(OneAxis, Gains, ServoCommand):
     size: float = option("C", "counts (100)", read=POSITIVE, default=100.0)
     time: float = option("S", "time to simulate, s (0.5)", read=POSITIVE, default=0.5)
 
-    def show(self) -> int:
+    def simulate(self) -> int:
         """Print and draw the step response; add the figures of the linear loop, if it is one."""
         from motionlang.servo.response import loop_figures, step_figures, step_response
 
@@ -118,11 +111,12 @@ class ServoStep(OneAxis, Gains, ServoCommand):
         linear = None
         if loop.is_linear and plant.is_linear and loop.derivative_every == 1:
             linear = loop_figures(loop, plant)
-        if self.format == "json":
-            found = {**_plain(figures), "linear": None if linear is None else _plain(linear)}
-            _print_json({"plant": _plain(plant), **found})
-        elif self.format == "text":
-            _print([*view.step_lines(figures, linear), "", view.plant_line(plant)])
+        document = Document([
+            records_table("step", [figures]),
+            records_table("linear", [] if linear is None else [linear]),
+            records_table("plant", [plant]),
+        ])  # fmt: skip
+        self.show(document, _text([*view.step_lines(figures, linear), "", view.plant_line(plant)]))
         return self.draw(trace, f"a step of {self.size:.10g} counts")
 
 
@@ -135,7 +129,7 @@ class ServoTune(OneAxis, ServoCommand):
     size: float = option("C", "size of the step shown, counts (100)", read=POSITIVE, default=100.0)
     scale: float = option("C", "counts per user unit, for VG, AG and DG (1)", read=POSITIVE, default=1.0)
 
-    def show(self) -> int:
+    def simulate(self) -> int:
         """Print the gains and their step response."""
         from motionlang.servo.response import step_figures, step_response
         from motionlang.servo.tuning import suggest
@@ -147,12 +141,20 @@ class ServoTune(OneAxis, ServoCommand):
         figures = step_figures(trace, self.size)
         mint = spoken(gains_of("mint"), mint_values(made.loop))
         mccl = spoken(gains_of("mccl"), mccl_values(made.loop, self.scale))
-        if self.format == "json":
-            gains = {"loop": _plain(made.loop), "mint": mint, "mccl": mccl, "warnings": list(made.warnings)}
-            of = {"linear": _plain(made.figures), "step": _plain(figures)}
-            _print_json({"plant": _plain(plant), **gains, **of})
-        elif self.format == "text":
-            _print([*view.tune_lines(made, figures, mint, mccl), "", view.plant_line(plant)])
+        gains = [
+            {"dialect": language, "keyword": word, "value": value}
+            for language, values in (("mint", mint), ("mccl", mccl))
+            for word, value in values.items()
+        ]
+        tables = (
+            Table("gains", (Column("dialect"), Column("keyword"), Column("value")), gains),
+            records_table("loop", [made.loop]),
+            records_table("step", [figures]),
+            records_table("linear", [made.figures]),
+            records_table("plant", [plant]),
+        )
+        lines = [*view.tune_lines(made, figures, mint, mccl), "", view.plant_line(plant)]
+        self.show(Document(tables, {"warnings": list(made.warnings)}), _text(lines))
         return self.draw(trace, f"a step of {self.size:.10g} counts, tuned for {bandwidth:.10g} Hz")
 
 
@@ -173,7 +175,7 @@ class ServoRun(Program, Gains, ServoCommand):
     )
     window: float = option("C", "settling window, counts (1)", read=POSITIVE, default=1.0)
 
-    def show(self) -> int:
+    def simulate(self) -> int:
         """Run the program and print the data of the motors of its axes."""
         source, language, settings = self.source(), self.known_language(), self.settings()
         if self.plant or self.loop or self.mint or self.mccl or self.bandwidth:
@@ -195,14 +197,11 @@ class ServoRun(Program, Gains, ServoCommand):
                 if trace is None:
                     plant = plants[number] = self.motor_of(number)
                     loop = self.loop_of(number, plant, axis.scale.counts)
-                    trace = simulate(WholeTrack(axis), loop, plant, until=end)
+                    trace = simulate_loop(WholeTrack(axis), loop, plant, until=end)
                 rows.append((number, trace, trace.settled_at(self.window, axis.end_of_motion())))
-        if self.format == "json":
-            figures = {"axes": [view.run_figures(*row) for row in rows], "time": result.time}
-            _print_json({**figures, "plants": {str(axis): _plain(plant) for axis, plant in plants.items()}})
-        elif self.format == "text":
-            lines = view.run_lines(rows, self.window) if rows else ["no axis was moved"]
-            _print([*lines, *view.plant_lines(plants)])
+        axes = view.axes_table(rows, self.window)
+        document = Document([axes, view.plants_table(plants)], {"time": result.time})
+        self.show(document, _text([*axes.lines(view.WIDTH), *view.plant_lines(plants)]))
         return self.draw(rows[0][1], f"{self.file}, axis {rows[0][0]}") if rows else 0
 
 
@@ -220,24 +219,5 @@ class Servo(Command):
     }
 
 
-def _plain(value: object, *without: str) -> dict[str, object]:
-    """Return the fields of a dataclass; values that JSON cannot represent are null."""
-    found: dict[str, object] = {}
-    for field in fields(value):  # type: ignore[arg-type]
-        if field.name not in without:
-            item = getattr(value, field.name)
-            found[field.name] = None if isinstance(item, float) and not isfinite(item) else item
-    return found
-
-
-def _print(lines: Sequence[str]) -> None:
-    sys.stdout.write("\n".join(lines) + "\n")
-
-
-def _print_json(body: dict[str, object]) -> None:
-    text = json.dumps({"schema": SCHEMA, **body}, indent=2, allow_nan=False, default=_as_json)
-    sys.stdout.write(text + "\n")
-
-
-def _as_json(value: object) -> object:
-    return _plain(value) if is_dataclass(value) else str(value)
+def _text(lines: Sequence[str]) -> str:
+    return "\n".join(lines) + "\n"

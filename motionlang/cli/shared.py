@@ -23,6 +23,8 @@ from motionlang.lang.machine.file import check_setting, read_machine, read_value
 from motionlang.source import STDIN, STDIN_NAME, Source
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure
+from motionlang.views.table import Document
+from motionlang.views.terminal import draws, plain
 
 # What each form of output is, for help.
 FORMS = {
@@ -140,34 +142,39 @@ class Output(Command):
     """The form of the output, and its file."""
 
     title: ClassVar[str] = "report"
-    format: str = forms("text", "json")
-    output: str | None = option("FILE", "write to FILE instead of standard output", short="o")
-
-    def start(self) -> int:
-        if self.output is None:
-            return super().start()
-        return into(self.output, super().start)
-
-
-@dataclass
-class Report(Output):
-    """A report that may be left out."""
-
-    format: str = forms("text", "json", "none")
+    format: str = forms("text", "json", "csv", "none")
     quiet: bool = flag("same as --format none", short="q")
+    output: str | None = option("FILE", "write to FILE instead of standard output", short="o")
 
     def check(self) -> None:
         super().check()
         if self.quiet:
             self.format = "none"
 
+    def start(self) -> int:
+        if self.output is None:
+            return super().start()
+        return into(self.output, super().start)
+
+    def show(self, document: Document, text: str) -> None:
+        """Print what the command has found, in the form that is wanted."""
+        if self.format == "json":
+            sys.stdout.write(document.json())
+        elif self.format == "csv":
+            document.csv(sys.stdout)
+        elif self.format == "text":
+            sys.stdout.write(text if draws(sys.stdout) else plain(text))
+
 
 @dataclass
 class Findings(Output):
     """Findings about programs, also in forms for other tools."""
 
-    format: str = forms("text", "json", "sarif", "junit", "github")
+    format: str = forms("text", "json", "csv", "none", "sarif", "junit", "github")
     quiet: bool = flag("print the findings only", short="q")
+
+    def check(self) -> None:
+        Command.check(self)
 
 
 @dataclass

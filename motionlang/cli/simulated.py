@@ -14,7 +14,7 @@ from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.event_status import complaints
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import watched
-from motionlang.cli.shared import Program, Report, World, forms
+from motionlang.cli.shared import Output, Program, World, forms
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.errors import Diagnostic, MissingExtra, ProgramError, Terminated
 from motionlang.execution import ONE_SHIFT, Checked, run
@@ -27,7 +27,8 @@ from motionlang.report import assumptions, failure, pieces
 from motionlang.result import Run, who_ended
 from motionlang.source import STDIN, Source, name_of
 from motionlang.views.questions import ask
-from motionlang.views.table import render
+from motionlang.views.report import render, run_document
+from motionlang.views.table import Document
 from motionlang.views.terminal import draws, is_terminal, plain, printable, shower, table_width, wants_colour
 
 # Seconds of processor time of a run that no machine time ends.
@@ -38,14 +39,14 @@ Pace = Callable[[float], None]
 
 
 @dataclass
-class Simulated(Report, World, Program):
+class Simulated(Output, World, Program):
     """A command that runs one program: it prints the program's output and then its report."""
 
     title: ClassVar[str] = "run"
     # True if the run is to be proved.
     proves: ClassVar[bool] = False
     file: str = argument("FILE", "the program; - reads standard input")
-    format: str = forms("text", "json", "none", what="the report")
+    format: str = forms("text", "json", "csv", "none", what="the report")
     until: float | None = option(
         "S",
         f"end the run after S seconds of machine time (run.until of the machine file, or {ONE_SHIFT:.0f})",
@@ -104,9 +105,13 @@ class Simulated(Report, World, Program):
     def extend(self, result: Run) -> None:
         """Compute what else the command reports of a run."""
 
-    def document(self, result: Run) -> None:
-        """Print the JSON document of a run."""
+    def print_json(self, result: Run) -> None:
+        """Print the JSON document of a run: its report, which has a schema of its own."""
         sys.stdout.writelines(pieces(result))
+
+    def document(self, result: Run) -> Document:
+        """Return the tables of a run, for CSV."""
+        return run_document(result)
 
     def more(self, result: Run, *, width: int, colour: bool) -> str:
         """Return what the command prints after the table of the run."""
@@ -188,7 +193,7 @@ class Simulated(Report, World, Program):
                 machine=settings,
                 until=self.until,
                 overrides=self.overrides(),
-                show=None if self.format == "json" else show,
+                show=None if self.format in ("json", "csv") else show,
                 pace=pace,
                 outside=outside,
                 begun=prepare,
@@ -208,7 +213,9 @@ class Simulated(Report, World, Program):
             result.diagnostics.append(crash(result.crash, self.given, of_stdin))
         self.extend(result)
         if self.format == "json":
-            self.document(result)
+            self.print_json(result)
+        elif self.format == "csv":
+            self.show(self.document(result), "")
         else:
             self._table(result)
             self.conclude(result)

@@ -18,7 +18,7 @@ from motionlang.analysis.sweeps.journal import Journal, OtherSweep, read
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable, unwritten
 from motionlang.cli.readers import whole
-from motionlang.cli.shared import Jobs, Program, Report, World, forms, with_world
+from motionlang.cli.shared import Jobs, Output, Program, World, forms, with_world
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.sweep_report import SweepReport
 from motionlang.cli.variants import Variants
@@ -26,7 +26,7 @@ from motionlang.errors import Diagnostic, ProgramError, Terminated, need
 from motionlang.execution import Checked
 from motionlang.source import STDIN
 from motionlang.views.progress import Progress
-from motionlang.views.sweep_files import write_rows
+from motionlang.views.sweep_table import write_rows
 
 # The suffix of --rows-to for the rows of an incomplete sweep.
 PARTIAL_SUFFIX = ".part"
@@ -48,7 +48,7 @@ def _quantities() -> str:
 
 
 @dataclass
-class Sweep(Variants, Report, Jobs, World, Program):
+class Sweep(Variants, Output, Jobs, World, Program):
     """Run many variants of a program and find the best."""
 
     title: ClassVar[str] = "rows"
@@ -71,7 +71,7 @@ examples:
   motionlang sweep pick.mnt --scenarios pick.scenarios --rows-to worlds.csv
 """
     file: str = argument("FILE", "the program; pick.sweep.toml next to pick.mnt has defaults for the options")
-    format: str = forms("text", "csv", "json", "none", what="the printed rows (csv and json have all)")
+    format: str = forms("text", "json", "csv", "none", what="the printed rows (json and csv have all)")
     rows: int = option(
         "N",
         f"rows of the table ({MAX_ROWS}); 0 for all",
@@ -188,7 +188,7 @@ examples:
         """Write --rows-to completely, and delete the journal if no variant remains."""
         assert self.rows_to is not None
         try:
-            write_rows(self.rows_to, report.columns, report.cells(sweep, rows))
+            write_rows(self.rows_to, report.table(sweep, rows))
             if len(rows) == len(sweep):
                 journal.remove()
             else:

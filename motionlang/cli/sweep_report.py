@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -18,22 +17,20 @@ from motionlang.errors import Diagnostic
 from motionlang.execution import end_of
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure
-from motionlang.views.sweep_files import write_csv
 from motionlang.views.sweep_plot import MAX_LINES, front_figure, line_figure, map_figure
-from motionlang.views.sweep_table import cell, heading, sweep_table
-from motionlang.views.terminal import draws, plain, table_width, wants_colour
+from motionlang.views.sweep_table import Row, cell, sweep_table
+from motionlang.views.table import Document, Table
+from motionlang.views.terminal import styled, table_width, wants_colour
 
 if TYPE_CHECKING:
     from motionlang.cli.sweep import Sweep
     from motionlang.cli.variants import Variants
 
-    Cells = list[object]
     # The values and results of each variant without an error, by its number and their name.
-    Good = dict[int, dict[str, Any]]
+    Good = dict[int, Row]
 
 # Failed variants that are named for each error.
 MAX_FAILED = 3
-SCHEMA = "motionlang.sweep/1"
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
@@ -49,31 +46,26 @@ class SweepReport:
         needed = [name for each in expressions if each is not None for name in each.names]
         self.keep = tuple(dict.fromkeys((*variants.keep, *(name for name in needed if name not in names))))
 
-    @property
-    def columns(self) -> list[str]:
-        """The columns of the file: variant number, values, results, and error."""
-        return ["variant", *self.names, *self.keep, "problem"]
+    def table(self, sweep: sweeps.Sweep, rows: dict[int, Result]) -> Table:
+        """Return the table of all rows, in the order of the variants."""
+        return sweep_table(self._units, [self._row(sweep, *rows[index]) for index in sorted(rows)])
 
-    def cells(self, sweep: sweeps.Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
-        """Yield the rows of the file, in the order of the variants."""
-        for index in sorted(rows):
-            _, results, problem = rows[index]
-            yield [index, *sweep.space[index], *results, problem and problem["message"]]
+    @property
+    def _units(self) -> dict[str, str]:
+        """The varied names and the results with their units."""
+        return {**dict.fromkeys(self.names, ""), **{name: unit_of(name) for name in self.keep}}
+
+    def _row(self, sweep: sweeps.Sweep, index: int, results: Sequence[Any], problem: Problem | None) -> Row:
+        values = zip((*self.names, *self.keep), (*sweep.space[index], *results), strict=True)
+        return {"variant": index, **dict(values), "problem": None if problem is None else problem["message"]}
 
     def report(self, command: Sweep, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
         """Print and draw the requested output; 1 if a variant failed or a picture did."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
-        if command.format == "csv":
-            write_csv(sys.stdout, self.columns, self.cells(sweep, rows))
-        if command.format == "json":
-            found = [dict(zip(self.columns, cells, strict=True)) for cells in self.cells(sweep, rows)]
-            sys.stdout.write(json.dumps({"schema": SCHEMA, "rows": found}, indent=1) + "\n")
-        names = (*self.names, *self.keep)
-        cells: dict[int, Cells] = {n: [*sweep.space[n], *rows[n][1]] for n in sorted(rows) if n not in bad}
-        good: Good = {n: dict(zip(names, row, strict=True)) for n, row in cells.items()}
+        good: Good = {n: self._row(sweep, *rows[n]) for n in sorted(rows) if n not in bad}
         best, front = self._best(good), self._front(good)
-        if command.format == "text" and rows:
-            self._print(command.rows, cells, good, best, front)
+        text = self._text(command.rows, good, best, front) if command.format == "text" and rows else ""
+        command.show(Document([self.table(sweep, rows)]), text)
         sys.stdout.flush()
         self._note_limit(sweep, good)
         if bad:
@@ -125,9 +117,7 @@ class SweepReport:
 
     # ---------------------------------------------------------------------------------------------- the table
 
-    def _print(
-        self, most: int, cells: dict[int, Cells], good: Good, best: int | None, front: list[int]
-    ) -> None:
+    def _text(self, most: int, good: Good, best: int | None, front: list[int]) -> str:
         colour = wants_colour(sys.stdout)
         shown = front if self._costs else self._where(good)
         what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
@@ -142,21 +132,16 @@ class SweepReport:
                 return (inf if cost is None else cost), index
 
             shown = sorted(shown, key=rank)
-        names = [*self.names, *self.keep]
-        units = [*("" for _ in self.names), *(unit_of(name) for name in self.keep)]
-        marked = shown.index(best) if best in shown[:most] else None
-        width = table_width(sys.stdout)
-        lines = [heading(what, colour), ""] if what else []
+        lines = [styled(what, "bold", colour), ""] if what else []
         if shown:
-            lines += sweep_table(
-                names, units, [cells[n] for n in shown[:most]], width=width, colour=colour, best=marked
-            )
+            marked = None if best is None else good[best]
+            table = sweep_table(self._units, [good[n] for n in shown[:most]], marked)
+            lines += table.lines(table_width(sys.stdout), colour=colour)
         if len(shown) > most:
             lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
         if self._variants.wanted is not None:
             lines += ["", self._best_line(good, best, self._variants.wanted)]
-        text = "\n".join(lines) + "\n"
-        sys.stdout.write(text if draws(sys.stdout) else plain(text))
+        return "\n".join(lines) + "\n"
 
     def _best_line(self, good: Good, best: int | None, wanted: Expression) -> str:
         if best is None:

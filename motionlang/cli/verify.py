@@ -27,9 +27,10 @@ from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.findings import Found, written
+from motionlang.views.table import Column, Document, Table
 
-SCHEMA = "motionlang.verify/2"
 KINDS = ("program", "scenario", "sweep", "log")
 LOG_SUFFIX = ".mcapi-log"
 NO_ANSWER = """\
@@ -68,7 +69,7 @@ without a difference. A missing golden file is an error.
         for each in in_parallel(partial(_verdicts_of, self.update), found, self.jobs):
             for verdict in each:
                 verdicts.append(verdict)
-                if form in ("text", "json"):
+                if form in ("text", "json", "csv"):
                     complain(verdict.diagnostics, verdict.source, verdict.path)
                 if form == "text":
                     sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
@@ -84,10 +85,9 @@ without a difference. A missing golden file is an error.
             good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
             what = "have current golden files" if self.update else "match their golden files"
             sys.stdout.write(f"{good} {what}\n")
-        elif form == "json":
-            rows = list(map(_row, verdicts))
-            sys.stdout.write(json.dumps({"schema": SCHEMA, "programs": rows}, indent=1) + "\n")
-        elif form != "text":
+        elif form in ("json", "csv"):
+            self.show(_document(verdicts), "")
+        elif form not in ("text", "none"):
             document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
             sys.stdout.write(written(document, form, "verify"))
         return 1 if any(each.failed for each in verdicts) else 0
@@ -135,9 +135,14 @@ def _count(verdicts: Sequence[Verdict], kind: str) -> str:
     return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
 
 
-def _row(verdict: Verdict) -> dict[str, object]:
-    found = [each.as_dict() for each in verdict.findings()]
-    return {verdict.kind: verdict.name, "matches_golden": not verdict.failed, "diagnostics": found}
+def _document(verdicts: Sequence[Verdict]) -> Document:
+    columns = (
+        Column("file", get=lambda verdict: verdict.name),
+        Column("kind"),
+        Column("matches_golden", get=lambda verdict: not verdict.failed),
+    )
+    findings = ((verdict.name, each) for verdict in verdicts for each in verdict.findings())
+    return Document([Table("verdicts", columns, verdicts), diagnostics_table(findings)])
 
 
 def _verdicts_of(rewrite: bool, program: str) -> list[Verdict]:

@@ -11,11 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.controller.clock import INFINITY
 
 if TYPE_CHECKING:
+    from motionlang.lang.step_task import StepTask
+    from motionlang.lang.steps import Steps
     from motionlang.lang.task import Task
 
 
@@ -75,6 +77,27 @@ class Hook:
         if self.count >= self.limit or (self.offsets is not None and offset in self.offsets):
             self.stop(task, time, offset)
         return self.count >= self.round_at
+
+
+class Observer(Protocol):
+    """What watches which steps a run takes.
+
+    It may replace the functions of steps before they run, by others that do the same and count. Iterations that are
+    skipped call none of them, so they are reported.
+    """
+
+    @property
+    def seen(self) -> Any:
+        """What it has counted so far, as `skipped` takes it."""
+
+    def written(self, steps: Steps) -> None:
+        """Take note of steps that have been written and not run."""
+
+    def skipped(self, first: Any, end: Any, times: int) -> None:
+        """Count what was counted between two moments, `first` and `end`, so many more times."""
+
+    def failed(self, task: StepTask) -> None:
+        """Take note that a statement of a task has failed, after which the program goes on elsewhere."""
 
 
 @dataclass(eq=False, slots=True)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
     from motionlang.lang.step_list import ListedUnit
+    from motionlang.lang.structure import Structure
     from motionlang.lang.task import Task
     from motionlang.lang.vocabulary import Vocabulary
 
@@ -127,6 +128,13 @@ class Dialect:
 
     def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
         """Return the steps of a program on a machine with these settings, for people to read.
+
+        Raises ProgramError with all errors.
+        """
+        raise NotImplementedError
+
+    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
+        """Return the statements, units and graph of a program on a machine with these settings.
 
         Raises ProgramError with all errors.
         """

@@ -12,6 +12,24 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
+# The devices of a machine that a keyword numbers, in the order of a map of a program.
+CHANNELS = (
+    "input", "input bank", "output", "output bank", "relay", "digital", "analogue input", "analogue output", "encoder",
+    "comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register", "remote node", "serial port",
+    "nv word", "key", "answer",
+)  # fmt: skip
+# The device, by the section of the machine file that drives a reading, or else by the last word of `index`.
+_DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "network data", "dpr": "dual-port RAM",
+           "serial": "serial port", "key": "key"}  # fmt: skip
+_INDEXED = {"input": "input", "output": "output", "relay": "relay", "coil": "Modbus coil",
+            "register": "Modbus register", "element": "comms element", "auxchannel": "encoder"}  # fmt: skip
+# What a statement does to an axis, in the order of a map of a program.
+TOPICS = ("enable", "home", "move", "speed", "limit", "master", "scale", "servo", "stop")
+_TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move", "go": "move",
+                   "stop": "stop", "scale": "scale", "zero": "home"}  # fmt: skip
+_TOPICS_BY_GROUP = {"limits": "limit", "homing": "home", "following": "master", "trajectory": "speed",
+                    "user units": "scale", "servo": "servo", "servo filter": "servo", "contour": "move"}  # fmt: skip
+
 # Units of integers. A time in ms may still be written with a fraction.
 WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
 
@@ -84,6 +102,10 @@ class Keyword:
     `family`   the keywords that a controller lacks or limits together with it, as defined in `models.py` of a
                language
     `driven`   the section of the machine file that sets the value read, such as "input"
+    `channel`  the device, one of `CHANNELS`, that the brackets number, or the parameter of a command without an axis
+    `selects`  the device that the value numbers, such as the input of a home switch
+    `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
+    `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
     """
 
     def __init__(
@@ -110,6 +132,10 @@ class Keyword:
         changes: str = "",
         tunes: str = "",
         driven: str = "",
+        channel: str = "",
+        selects: str = "",
+        waits: str = "",
+        topic: str = "",
         meant: str = "",
         family: str = "",
         every: bool = False,
@@ -123,6 +149,8 @@ class Keyword:
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
         self.every, self.optional = every, optional
+        self.channel, self.selects, self.waits = channel or self._device(), selects, waits
+        self.topic = topic or self._default_topic()
 
     @property
     def is_whole(self) -> bool:
@@ -169,6 +197,25 @@ class Keyword:
         """The word of `ROLES` in `effect`, "" if there is none."""
         return next((what for what in self.effect.split() if what in ROLES), "")
 
+    def _device(self) -> str:
+        """Return the device that the brackets number, as far as other columns say it."""
+        words = self.index.split(", ")
+        if "node" in words:
+            return "remote node"
+        if self.driven == "input" and words[-1] == "bank":
+            return "input bank"
+        if {"axis", "axes", "server"} & set(words) and self.driven != "encoder":
+            return "Modbus register" if "server" in words else ""
+        return _DRIVEN.get(self.driven) or _INDEXED.get(words[-1], "")
+
+    def _default_topic(self) -> str:
+        if self.index.split(", ")[0] not in ("axis", "axes") and not self.does("all"):
+            return ""
+        if self.does("datum") and not self.does("stop"):
+            return "home"
+        by_role = _TOPICS_BY_ROLE.get(self.role, "speed" if self.gives else "")
+        return by_role or _TOPICS_BY_GROUP.get(self.group, "")
+
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"
 
@@ -187,7 +234,8 @@ def constant(name: str, value: float | str, help: str, unit: str = "integer") ->
 def value(
     name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
     default: float = 0.0, low: float | None = None, high: float | None = None, group: str = "",
+    channel: str = "", selects: str = "",
 ) -> Keyword:  # fmt: skip
     """Return the row of a value: a reading if it can only be read, else a setting."""
     return Keyword(name, short, kind_of(access), access, index, unit, actions, help, example, default=default,
-                   low=low, high=high, group=group)  # fmt: skip
+                   low=low, high=high, group=group, channel=channel, selects=selects)  # fmt: skip

@@ -139,7 +139,7 @@ def edited(
     for address, value in addressed.items():
         try:
             chosen = _chosen(found, address, source)
-            text = _text(address, value)
+            text = number_text(address, value)
         except ProgramError as error:
             wrong += error.diagnostics
             continue
@@ -150,7 +150,24 @@ def edited(
             notes.append(f"{address} = {text} sets {count} {lines}")
     if wrong:
         raise ProgramError(wrong)
-    return Source(source.name, _replaced(source.text, edits)), named, notes
+    return Source(source.name, replaced(source.text, edits)), named, notes
+
+
+def constants(source: Source, language: Dialect) -> list[Literal]:
+    """Return the numbers that a program gives to names, in the order of the text; the address is the name."""
+    found: list[Literal] = []
+    tokens = [*language.tokens(source.text), ("separator", "\n", len(source.text))]
+    for number, (kind, word, _) in enumerate(tokens):
+        if kind != "control" or word.lower() not in language.declaring:
+            continue
+        line, _ = source.location(tokens[number][2])
+        rest = [each for each in tokens[number + 1 : number + 7] if source.location(each[2])[0] == line]
+        equals = next((k for k, each in enumerate(rest) if each[1] == "="), len(rest))
+        after = rest[equals + 1 : equals + 3]
+        if after and after[0][0] == "number" and (len(after) == 1 or after[1][0] not in ("operator", "word")):
+            name, (_, text, offset) = rest[0][1], after[0]
+            found.append(Literal(name, name, line, offset, text, True, True))
+    return found
 
 
 def bound(
@@ -179,9 +196,10 @@ def bound(
     if not names or "literal_" in source.text.lower():
         return None
     constants = "".join(
-        f"{language.constant.format(name, _text(given, values[given]))} : " for given, name in names.items()
+        f"{language.constant.format(name, number_text(given, values[given]))} : "
+        for given, name in names.items()
     )
-    return Source(source.name, constants + _replaced(source.text, edits)), names
+    return Source(source.name, constants + replaced(source.text, edits)), names
 
 
 def has_address(values: Values, language: Dialect) -> bool:
@@ -189,7 +207,7 @@ def has_address(values: Values, language: Dialect) -> bool:
     return any(canonical(name) is not None or language.table().get(name) is not None for name in values)
 
 
-def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
+def replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
     """Return a text with replacements at some offsets.
 
     Each edit has the length of the text that it replaces, and the new text.
@@ -301,7 +319,7 @@ def _wrong(message: str, others: Sequence[Literal], address: str = "") -> Progra
     return ProgramError.of("option", message, hint=hint)
 
 
-def _text(address: str, value: float | str) -> str:
+def number_text(address: str, value: float | str) -> str:
     """Return a value in the notation of the program."""
     if isinstance(value, str) or not isfinite(value):
         raise ProgramError.of("option", f"{address} is a number, not {value!r}")

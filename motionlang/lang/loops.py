@@ -138,6 +138,8 @@ class State:
     delays: Mark = NO_RECORDS
     logged: Any = None
     lengths: list[int] = field(default_factory=list)
+    # How much the observer of the run had counted.
+    seen: Any = None
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: State | None = None
     change: list[float] | None = None
@@ -307,7 +309,10 @@ class Loops:
         body = _body(task.last_loop)
         acted = self.world.acted()
         switched = self.world.switched
-        return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
+        now = State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
+        if self.machine.observer is not None:
+            now.seen = self.machine.observer.seen
+        return now
 
     def _begin(self) -> None:
         """Begin to record what tasks read; a list that has a gap is never continued."""
@@ -543,6 +548,8 @@ class Loops:
         """Log `times` more iterations like that from `began` to `here`, and let the numbers change with them."""
         time, log, scheduler = self.time, self.machine.log, self.machine.scheduler
         assert scheduler is not None
+        if self.machine.observer is not None:
+            self.machine.observer.skipped(last.seen, now.seen, times)
         if now.turns != last.turns:
             log.slices.so_far(task.name, scheduler.began, here)
             log.repeat_period(last.logged, began, here, time.reached, times)

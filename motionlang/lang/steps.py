@@ -107,6 +107,10 @@ class Steps(list[Step]):
         self.loops: dict[int, Any] = {}
         # What they were written from: only positions in the same text can be compared.
         self.origin: object = None
+        # The unit that they are, unique in a program: two writings of one program have steps of the same names.
+        self.name = ""
+        # The steps that a CALL or an ENTER leads to, and the first of them, by its index, if known before the run.
+        self.called: dict[int, tuple[Steps, int]] = {}
         # The step after each statement whose failure the program handles, by the steps of the statement.
         self.behind: dict[int, int] = {}
 

@@ -23,8 +23,10 @@ from motionlang.source import Source
 if TYPE_CHECKING:
     from motionlang.analysis.certificate import Limit
     from motionlang.analysis.compare.comparison import Comparison
+    from motionlang.analysis.coverage import Coverage
     from motionlang.analysis.cycle.profile import TimeProfile
     from motionlang.analysis.diff.reports import Difference
+    from motionlang.analysis.improve import Improvement
     from motionlang.analysis.proof.checker import Proof
 
 Program = str | os.PathLike[str] | Source
@@ -124,6 +126,17 @@ def profile(program: Program | Run) -> TimeProfile:
     return TimeProfile(_run_of(program))
 
 
+def cover(program: Program, *, until: float | None = None) -> Coverage:
+    """Return which statements and conditions of a program its runs reach, in its own world and in its scenarios.
+
+    `until` ends each run, as in `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and
+    ProgramError for a program or a machine file with errors.
+    """
+    from motionlang.analysis.coverage import covered
+
+    return covered(program if isinstance(program, Source) else os.fspath(program), until=until)
+
+
 def diff(old: Side, new: Side, *tolerances: str) -> Difference:
     """Return the difference between two runs.
 
@@ -185,6 +198,26 @@ def certify(program: Program | Run) -> list[Limit]:
     if not lines:
         raise ValueError(f"the machine has no limits: axis.N.limits with {', '.join(LIMITS)}")
     return lines
+
+
+def improve(
+    program: Program,
+    *,
+    machine: Mapping[str, object] | None = None,
+    by: float = 0.0,
+    edits: int = 0,
+    cycle: str = "",
+) -> Improvement:
+    """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
+
+    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how
+    many edits there may be. `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or
+    no limit, and the errors of `run`.
+    """
+    from motionlang.analysis.improve import improver_of
+
+    program = program if isinstance(program, Source) else os.fspath(program)
+    return improver_of(program, machine, cycle=cycle).improved(by, edits)
 
 
 def prove(program: Program | Run) -> Proof:

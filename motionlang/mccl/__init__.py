@@ -21,6 +21,7 @@ from motionlang.lang.vocabulary import Vocabulary
 from motionlang.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.lang.structure import Structure
     from motionlang.mccl.syntax.tree import Module
 
 
@@ -54,6 +55,11 @@ class Mccl(Dialect):
         from motionlang.mccl.runtime.listing import step_list
 
         return step_list(source, settings)
+
+    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
+        from motionlang.mccl.runtime.structure import structure
+
+        return structure(source, settings)
 
     def parse(self, source: Source) -> Module:
         """Return the lines of a text and their commands.

@@ -17,6 +17,7 @@ from motionlang.lang.vocabulary import Vocabulary
 from motionlang.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.lang.structure import Structure
     from motionlang.mint.syntax.nodes import Module
 
 
@@ -65,6 +66,12 @@ class Mint(Dialect):
         from motionlang.mint.steps.listing import step_list
 
         return step_list(source, checked_program(source, settings).checked.names, settings)
+
+    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
+        from motionlang.mint.program import checked_program
+        from motionlang.mint.steps.structure import structure
+
+        return structure(source, checked_program(source, settings).checked.names, settings)
 
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")

@@ -9,10 +9,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
+from motionlang.analysis.coverage import covered
+from motionlang.analysis.improve import NotPossible, improver_of
 from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, as_hint, missing, nearest
+from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.lang.dialect import dialect
@@ -20,15 +22,18 @@ from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.repl import debugging, status
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
 from motionlang.views.figure_files import write_figure
+from motionlang.views.improvement import improvement_lines
 from motionlang.views.keywords import listing, page
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 if TYPE_CHECKING:
     from motionlang.repl.session import Session
 
 
+Found = TypeVar("Found")
 # A space at which no line is wrapped.
 _FIXED = "\u00a0"
 _MORE = ".help input explains a group, .help .run a command, .help WORD a keyword."
@@ -276,6 +281,37 @@ def _switch(session: Session, name: str) -> None:
         session.write(f"-- {language.title}, on a new machine at 0 s\n")
 
 
+def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found | None:
+    """Return what is found about a program in a file; None if that is not possible, which is reported."""
+    try:
+        return work(expanduser(path))
+    except OSError as error:
+        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
+    except NotPossible as error:
+        _wrong(session, error.code, error.message, error.hint)
+    except ValueError as error:
+        _wrong(session, "language", str(error))
+    except ProgramError as error:
+        session.trouble(error.diagnostics)
+    return None
+
+
+def _improve(session: Session, path: str) -> None:
+    found = _of_file(session, path, lambda file: improver_of(file).improved())
+    if found is not None:
+        lines = improvement_lines(found, path, width=session.width, colour=session.colour)
+        session.write("\n".join(lines) + "\n")
+
+
+def _cover(session: Session, path: str) -> None:
+    found = _of_file(session, path, covered)
+    if found is None:
+        return
+    table = coverage.files_table([found]).lines(session.width, colour=session.colour)
+    lines = [*coverage.listing(found, session.colour), "", *table]
+    session.write("\n".join(lines) + "\n")
+
+
 def _quit(session: Session, _: str) -> None:
     session.over = True
 
@@ -313,6 +349,10 @@ GROUPS: dict[str, tuple[Command, ...]] = {
             "[FILE]",
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
+        ),
+        Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
+        Command(
+            "improve", "FILE", "Find a shorter cycle of a program within the machine's limits.", _improve
         ),
     ),
     "debug": (

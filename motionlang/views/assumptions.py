@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.probe import lines_of, meanings
 from motionlang.errors import count_of
+from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
 
 # A program with this many lines is written to a file by the command and not shown.
@@ -80,17 +81,27 @@ def _wrapped(text: str, width: int) -> list[str]:
     return textwrap.wrap(text, max(40, width - 4), initial_indent="    ", subsequent_indent="    ")
 
 
-def as_dict(assumption: Assumption) -> dict[str, object]:
-    """Return an assumption as JSON data."""
-    return {
-        "name": assumption.name,
-        "question": assumption.question,
-        "chosen": assumption.chosen,
-        "alternatives": list(assumption.alternatives),
-        "reason": assumption.why,
-        "strength": assumption.strength,
-        "motionlang_only": assumption.own,
-        "has_probe": assumption.probe is not None,
-        "probe_by_name": assumption.probe is not None and assumption.probe.alone,
-        "key": assumption.key,
-    }
+def assumptions_table(
+    found: Sequence[tuple[Mapping[str, object], Assumption]], about: Sequence[str]
+) -> Table:
+    """Return assumptions as data, each with the columns `about` what it concerns."""
+    rows = [
+        {
+            **place,
+            "name": each.name,
+            "question": each.question,
+            "chosen": each.chosen,
+            "alternatives": each.alternatives,
+            "reason": each.why,
+            "strength": each.strength,
+            "motionlang_only": each.own,
+            "has_probe": each.probe is not None,
+            "probe_by_name": each.probe is not None and each.probe.alone,
+            "key": each.key,
+        }
+        for place, each in found
+    ]
+    names = ("name", "question", "chosen", "alternatives", "reason", "strength", "motionlang_only")
+    return Table(
+        "assumptions", [Column(name) for name in (*about, *names, "has_probe", "probe_by_name", "key")], rows
+    )

@@ -11,14 +11,29 @@ from motionlang.analysis.certificate import Limit
 from motionlang.analysis.proof.checker import Proof
 from motionlang.errors import count_of
 from motionlang.result import Run
-from motionlang.views.grid import Column, grid
+from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
 from motionlang.views.words import figure
 
-COLUMNS = (
-    Column("axis"), Column("limit", align="<"), Column("", align="<"), Column("allowed"), Column("reached"),
-    Column("at", "s", drop=2), Column("line", drop=1), Column("margin"), Column("", align="<"),
-)  # fmt: skip
+
+def limits_table(lines: Sequence[Limit]) -> Table:
+    """Return the limits of a certificate, each with its verdict."""
+    columns = (
+        Column("axis"),
+        Column("name", "limit", left=True),
+        Column("unit", "", left=True),
+        Column("limit", "allowed", text="{:.6g}".format),
+        Column("reached", text=lambda reached: f"{reached + 0.0:.6g}"),
+        Column("time", "at", "s", text=lambda time: figure(time, 6), drop=2),
+        Column("line", text=lambda line: str(line or ""), drop=1),
+        Column("", "margin", get=_margin),
+        Column("margin", data=True),
+        Column("verdict", "", text=VERDICTS.__getitem__, left=True),
+    )
+    return Table("limits", columns, lines, style=lambda line: "" if line.verdict == "within" else "error")
+
+
+VERDICTS = {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor is simulated"}
 
 
 def certificate_lines(
@@ -28,11 +43,9 @@ def certificate_lines(
 
     It has the table, the proof of the motion, the digests of the certified inputs and a signature line.
     """
-    rows = [_row(line) for line in lines]
-    styles = ["" if line.verdict == "within" else "error" for line in lines]
     within = sum(line.verdict == "within" for line in lines)
     out = [styled(f"limits of {run.source.name}", "bold", colour)]
-    out += grid(COLUMNS, rows, width=width, colour=colour, styles=styles)
+    out += limits_table(lines).lines(width, colour=colour)
     out += ["", f"{within} of {len(lines)} limits met"]
     if proof is not None:
         broken = len(proof.violations)
@@ -46,23 +59,12 @@ def certificate_lines(
     return out
 
 
-def _row(line: Limit) -> list[str]:
-    margin = ""
+def _margin(line: Limit) -> str:
     if line.reached == inf:
-        margin = "none"
-    elif line.margin is not None:
-        margin = f"{figure(line.margin)} uu" if "position" in line.name else f"{100.0 * line.margin:.1f} %"
-    return [
-        str(line.axis),
-        line.name,
-        line.unit,
-        f"{line.limit:.6g}",
-        "" if line.reached is None else f"{line.reached + 0.0:.6g}",
-        "" if line.time is None else figure(line.time, 6),
-        str(line.line) if line.line else "",
-        margin,
-        {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor is simulated"}[line.verdict],
-    ]
+        return "none"
+    if line.margin is None:
+        return ""
+    return f"{figure(line.margin)} uu" if "position" in line.name else f"{100.0 * line.margin:.1f} %"
 
 
 def _digest(text: str) -> str:

@@ -6,11 +6,14 @@ It shows the error of each signal, and each move with its lag and overshoot.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from motionlang.views.grid import Column, decimals_of, grid
+from motionlang.views.diagnostics import diagnostics_table
+from motionlang.views.report import with_phases
+from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import dialect_name, figure, outcome
+from motionlang.views.words import decimals_of, dialect_name, figure, outcome
 
 if TYPE_CHECKING:
     from motionlang.analysis.compare.comparison import Comparison
@@ -20,30 +23,30 @@ Row = dict[str, Any]
 # At most this many moves are shown with their phases; of more than `MAX_MOVES`, only the worst are shown.
 WITH_PHASES, MAX_MOVES = 6, 40
 
-_SIGNALS = (
-    Column("signal", align="<", style="word"),
-    Column("column", align="<", drop=2),
-    Column("points", drop=3),
-    Column("scale", drop=1),
-    Column("offset", "uu", drop=1),
-    Column("lag", "ms"),
-    Column("largest", "uu"),
-    Column("at", "s"),
-    Column("RMS", "uu"),
-    Column("", align="<"),
-)
-_MOVES = (
-    Column("signal", align="<", style="word"),
-    Column("move", align="<"),
-    Column("line"),
-    Column("start", "s", drop=1),
-    Column("lag", "ms"),
-    Column("largest", "uu"),
-    Column("at", "s", drop=1),
-    Column("RMS", "uu"),
-    Column("overshoot", "uu"),
-    Column("", align="<"),
-)
+
+_LAG = Column("lag", unit="ms", text=lambda seconds: f"{1000.0 * seconds:.3f}")
+
+
+def _verdict_on(row: Row) -> str:
+    if row["peak"] is None:
+        return "not recorded"
+    return {None: "", True: "within", False: "exceeded"}[row["within"]]
+
+
+_VERDICT = (Column("within", data=True), Column("", get=_verdict_on, left=True))
+
+
+def comparison_document(made: Comparison, recording: str) -> Document:
+    """Return the comparison with the file `recording` as data; phases of moves have a table of their own."""
+    phases = [
+        {**phase, "signal": move["signal"], "move": number}
+        for number, move in enumerate(made.moves)
+        for phase in move["phases"]
+    ]
+    columns = (Column("signal"), Column("move"), Column("name"), *_peaks(phases), *_VERDICT)
+    values = {"program": made.run.source.name, "delay": made.delay, "within": made.is_within}
+    tables = [moves_table(made.moves), signals_table(made.signals), Table("phases", columns, phases)]
+    return Document([*tables, diagnostics_table((recording, each) for each in made.remarks)], values)
 
 
 def render_comparison(
@@ -57,15 +60,62 @@ def render_comparison(
     head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
     later = "later" if made.delay >= 0.0 else "earlier"
     sections = [[head, f"the recording is {abs(made.delay):.6f} s {later} than the run"]]
-    sections.append(
-        grid(_SIGNALS, [_signal(row, made.signals) for row in made.signals], width=width, colour=colour)
-    )
+    sections.append(signals_table(made.signals).lines(width, colour=colour))
     if made.moves:
-        sections.append(_moves(made.moves, width, colour, everything))
+        sections.append(_moves(made.moves, everything).lines(width, colour=colour))
     if made.is_within is not None:
         verdict = "every residual is within its tolerance" if made.is_within else _verdict(made)
         sections.append([styled(verdict, "note" if made.is_within else "error", colour)])
     return "\n\n".join("\n".join(section) for section in sections) + "\n"
+
+
+def signals_table(rows: Sequence[Row]) -> Table:
+    """Return the table of the signals of a recording."""
+    columns = (
+        Column("signal", left=True, style="word"),
+        Column("column", left=True, drop=2),
+        Column("points", drop=3),
+        Column("scale", text="{:.6g}".format, drop=1),
+        Column("offset", unit="uu", text=partial(figure, decimals=6), drop=1),
+        Column("moves", data=True),
+        _LAG,
+        *_peaks(rows),
+        *_VERDICT,
+    )
+    return Table("signals", columns, rows)
+
+
+def moves_table(rows: Sequence[Row]) -> Table:
+    """Return the table of the moves; a row without a command is a phase."""
+    six = partial(figure, decimals=6)
+    largest, at, rms = _peaks([row for row in rows if "phase" not in row])
+    at.drop = 1
+    columns = (
+        Column("signal", left=True, style="word"),
+        Column("axis", data=True),
+        Column("command", "move", left=True, text=lambda command: printable(command or "move")),
+        Column("line", text=lambda line: str(line or "")),
+        Column("start_time", "start", "s", text=six, drop=1),
+        Column("duration", data=True),
+        _LAG,
+        largest,
+        at,
+        rms,
+        Column("overshoot", unit="uu", text=six),
+        *_VERDICT,
+    )
+    return Table("moves", columns, rows, style=lambda row: row.get("phase", ""))
+
+
+def _peaks(rows: Sequence[Row]) -> tuple[Column, Column, Column]:
+    """Return the columns of the largest residual, its time and the RMS, of the same decimals."""
+    known = [row[name] for row in rows for name in ("peak", "rms") if row["peak"] is not None]
+    size = partial(figure, decimals=decimals_of(known))
+    return (
+        Column("peak", "largest", "uu", text=size),
+        Column("peak_time", "at", "s", text=partial(figure, decimals=6)),
+        Column("rms", "RMS", "uu", text=size),
+    )
 
 
 def _verdict(made: Comparison) -> str:
@@ -77,65 +127,12 @@ def _verdict(made: Comparison) -> str:
     return f"{len(beyond)} of {len(made.moves)} moves exceed their tolerance"
 
 
-def _signal(row: Row, rows: Sequence[Row]) -> list[str]:
-    return [
-        row["signal"],
-        printable(row["column"]),
-        str(row["points"]),
-        f"{row['scale']:.6g}",
-        figure(row["offset"], 6),
-        _lag(row["lag"]),
-        *_peaks(row, rows),
-    ]
-
-
-def _peaks(row: Row, rows: Sequence[Row]) -> list[str]:
-    """Return the largest residual, its time, the RMS and the verdict."""
-    if row["peak"] is None:
-        return ["", "", "", "not recorded"]
-    decimals = decimals_of(
-        [each[name] for each in rows for name in ("peak", "rms") if each["peak"] is not None]
-    )
-    verdict = {None: "", True: "within", False: "exceeded"}[row["within"]]
-    return [figure(row["peak"], decimals), figure(row["peak_time"], 6), figure(row["rms"], decimals), verdict]
-
-
-def _lag(seconds: float | None) -> str:
-    return "" if seconds is None else f"{1000.0 * seconds:.3f}"
-
-
-def _moves(rows: Sequence[Row], width: int, colour: bool, everything: bool) -> list[str]:
+def _moves(rows: Sequence[Row], everything: bool) -> Table:
     shown = list(rows)
     if len(rows) > MAX_MOVES and not everything:
         worst = sorted(rows, key=lambda row: (-abs(row["peak"] or 0.0), row["start_time"]))[:MAX_MOVES]
         shown = sorted(worst, key=lambda row: row["start_time"])
-    texts, styles = [], []
-    for row in shown:
-        texts.append(_move(row, shown))
-        styles.append("")
-        for k, phase in enumerate(row["phases"] if everything or len(rows) <= WITH_PHASES else []):
-            mark = "└" if k == len(row["phases"]) - 1 else "├"
-            peak, at, rms, verdict = _peaks(phase, shown)
-            texts.append(["", f"{mark} {phase['name']}", "", "", "", peak, at, rms, "", verdict])
-            styles.append(phase["name"])
-    lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
+    table = moves_table(with_phases(shown) if everything or len(rows) <= WITH_PHASES else shown)
     if len(shown) < len(rows):
-        lines.append(styled(f"the {len(shown)} worst of {len(rows)} moves; --all shows all", "dim", colour))
-    return lines
-
-
-def _move(row: Row, rows: Sequence[Row]) -> list[str]:
-    overshoot = row.get("overshoot")
-    peak, at, rms, verdict = _peaks(row, rows)
-    return [
-        row["signal"],
-        printable(row["command"] or "move"),
-        str(row["line"] or ""),
-        figure(row["start_time"], 6),
-        _lag(row["lag"]),
-        peak,
-        at,
-        rms,
-        "" if overshoot is None else figure(overshoot, 6),
-        verdict,
-    ]
+        table.notes.append(f"the {len(shown)} worst of {len(rows)} moves; --all shows all")
+    return table

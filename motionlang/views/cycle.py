@@ -2,58 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import fsum
 
+from motionlang.analysis.cycle.critical_path import About
 from motionlang.analysis.cycle.motions import MOVING
 from motionlang.analysis.cycle.profile import Share, TimeProfile
-from motionlang.views.grid import Column, grid
+from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time
 
 # The largest number of lines in the table.
 MAX_LINES = 20
 MAX_NAME = 40
-
-_KINDS = (
-    Column("cause", align="<", style="word"),
-    Column("seconds", "s"),
-    Column(""),
-    Column("", align="<"),
-)
-_LINES = (
-    Column("line"),
-    Column("sub", align="<", drop=3, style="word"),
-    Column("seconds", "s"),
-    Column(""),
-    Column("moving", "s"),
-    Column("dwell", "s", drop=2),
-    Column("waiting", "s"),
-    Column("computing", "s", drop=1),
-    Column("", align="<", drop=4),
-)
-_WAITS = (
-    Column("at line"),
-    Column("sub", align="<", drop=3, style="word"),
-    Column("waits", "s"),
-    Column(""),
-    Column("for", align="<"),
-    Column("", align="<", drop=4),
-)
-_SUBS = (
-    Column("sub", align="<", style="word"),
-    Column("self", "s"),
-    Column(""),
-    Column("total", "s"),
-    Column(""),
-)
-_TASKS = (
-    Column("task", align="<", style="word"),
-    Column("life", "s"),
-    Column("computing", "s"),
-    Column("ready", "s"),
-    Column("waiting for", align="<"),
-)
 
 
 def render_profile(
@@ -66,36 +27,175 @@ def render_profile(
     whole = made.seconds
     sections = [
         [styled(f"time profile of {clock_time(whole)}", "bold", colour)],
-        _kinds(made, whole, width, colour),
+        kinds_table(made).lines(width, colour=colour),
     ]
     slacks = made.slacks()
     if slacks:
         sections.append([_slack(row.axis, row.other, row.seconds) for row in slacks])
-    sections.append(_lines(made, whole, width, colour, everything))
-    waits = made.waited_lines()
-    if waits:
-        sections.append(_waits(made, waits, whole, width, colour, everything))
-    subs = made.subs()
-    if len(subs) > 1:
-        sections.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
+    sections.append(_lines(made, width, colour, everything))
+    waits = waits_table(made)
+    if waits.rows:
+        waits.rows = waits.rows if everything else waits.rows[:MAX_LINES]
+        sections.append(waits.lines(width, colour=colour))
+    subs = subs_table(made)
+    if len(subs.rows) > 1:
+        sections.append(subs.lines(width, colour=colour))
     if made.has_tasks and len(made.tasks) > 1:
-        sections.append(
-            grid(_TASKS, [_task(made, k) for k in range(len(made.tasks))], width=width, colour=colour)
-        )
+        sections.append(tasks_table(made).lines(width, colour=colour))
     if everything:
         sections.append(_listing(made, whole, colour))
     return "\n\n".join("\n".join(section) for section in sections) + "\n"
 
 
-def _kinds(made: TimeProfile, whole: float, width: int, colour: bool) -> list[str]:
+def profile_document(made: TimeProfile) -> Document:
+    """Return the profile as data."""
+    slack = (Column("axis"), Column("other"), Column("seconds"))
+    path = tuple(
+        map(Column, ("begin", "end", "cause", "line", "sub", "callers", "task", "axes", "wait_line"))
+    )
+    tables = (
+        lines_table(made),
+        kinds_table(made),
+        waits_table(made),
+        subs_table(made),
+        tasks_table(made),
+        *causes_tables(made),
+        Table("slack", slack, made.slacks()),
+        Table("critical_path", path, list(map(_link, made.spans()))),
+    )
+    return Document(tables, {"program": made.run.source.name, "time": made.run.time})
+
+
+def _link(span: tuple[float, float, About]) -> dict[str, object]:
+    """Return a link of the critical path as a row."""
+    begin, end, (cause, position, task, axes, waited) = span
+    return {
+        "begin": begin,
+        "end": end,
+        "cause": cause,
+        "line": position.line,
+        "sub": position.sub,
+        "callers": position.callers,
+        "task": task,
+        "axes": axes,
+        "wait_line": waited,
+    }
+
+
+def kinds_table(made: TimeProfile) -> Table:
+    """Return the time of a run by the kind of its cause."""
+    columns = (
+        Column("name", "cause", left=True, style="word"),
+        *_own(made),
+        Column("", get=lambda share: _phases(share.causes), left=True),
+    )
+    return Table("kinds", columns, made.kinds())
+
+
+def lines_table(made: TimeProfile) -> Table:
+    """Return the time of a run by line."""
+
+    def total(names: Sequence[str] = ()) -> Callable[[Share], float | None]:
+        """Return the seconds of a line for some causes; without names, for all that is a wait."""
+
+        def of(share: Share) -> float | None:
+            found = [share.causes[name] for name in names or _waiting(share.causes) if name in share.causes]
+            return fsum(found) if found else None
+
+        return of
+
+    columns = (
+        *_place(made),
+        *_own(made),
+        Column("moving", unit="s", get=total(MOVING), text=_seconds),
+        Column("dwell", unit="s", get=total(("dwell",)), text=_seconds, drop=2),
+        Column("waiting", unit="s", get=total(), text=_seconds),
+        Column("computing", unit="s", get=total(("computing",)), text=_seconds, drop=1),
+        _source(made),
+    )
+    return Table("lines", columns, [share for share in made.lines() if share.line])
+
+
+def waits_table(made: TimeProfile) -> Table:
+    """Return the lines at which the program waits, with what it waits for."""
+    line, sub = _place(made)
+    line.title = "at line"
+    seconds, share = _own(made)
+    seconds.title = "waits"
+    columns = (line, sub, seconds, share, Column("", "for", get=_awaited, left=True), _source(made))
+    return Table("waits", columns, made.waited_lines())
+
+
+def subs_table(made: TimeProfile) -> Table:
+    """Return the time of a run by sub, of its own and with that of what it calls."""
+    columns = (
+        Column("name", "sub", left=True, style="word"),
+        Column("seconds", "self", "s", text=_seconds),
+        Column("", get=lambda share: _percentage(share.seconds, made.seconds)),
+        Column("total", unit="s", text=_seconds),
+        Column("", get=lambda share: _percentage(share.total, made.seconds)),
+    )
+    return Table("subs", columns, made.subs())
+
+
+def tasks_table(made: TimeProfile) -> Table:
+    """Return the time of each task."""
+    columns = (
+        Column("name", "task", left=True, style="word"),
+        Column("begin", data=True),
+        Column("end", data=True),
+        Column("life", unit="s", text=_seconds),
+        Column("computing", unit="s", text=_seconds),
+        Column("ready", unit="s", text=_seconds),
+        Column("", "waiting for", get=lambda task: _waited(task.waiting), left=True),
+    )
+    return Table("tasks", columns, made.tasks)
+
+
+def causes_tables(made: TimeProfile) -> tuple[Table, Table]:
+    """Return the seconds of each cause at each line, and of each wait of a task, as data."""
     rows = [
-        [share.name, _seconds(share.seconds), _percentage(share.seconds, whole), _causes(share.causes)]
-        for share in made.kinds()
+        {"line": share.line, "cause": cause, "seconds": seconds}
+        for share in made.lines()
+        for cause, seconds in share.causes.items()
     ]
-    return grid(_KINDS, rows, width=width, colour=colour)
+    waits = [
+        {"task": task.name, "cause": cause, "seconds": seconds}
+        for task in made.tasks
+        for cause, seconds in task.waiting.items()
+    ]
+    by_line, by_task = (tuple(map(Column, (place, "cause", "seconds"))) for place in ("line", "task"))
+    return Table("causes", by_line, rows), Table("task_waits", by_task, waits)
 
 
-def _causes(causes: Mapping[str, float]) -> str:
+def _own(made: TimeProfile) -> tuple[Column, Column]:
+    """Return the columns of the seconds of a share, and of its percentage of the whole."""
+    return (
+        Column("seconds", unit="s", text=_seconds),
+        Column("", get=lambda share: _percentage(share.seconds, made.seconds)),
+    )
+
+
+def _place(made: TimeProfile) -> tuple[Column, Column]:
+    return (
+        Column("line"),
+        Column("sub", get=lambda share: made.sub(share.line), left=True, drop=3, style="word"),
+    )
+
+
+def _source(made: TimeProfile) -> Column:
+    def shortened(share: Share) -> str:
+        source = made.run.source.line(share.line).strip()
+        return printable(source if len(source) <= MAX_NAME else f"{source[: MAX_NAME - 1]}…")
+
+    return Column("", get=shortened, left=True, drop=4)
+
+
+def _waiting(causes: Mapping[str, float]) -> list[str]:
+    return [cause for cause in causes if cause not in (*MOVING, "dwell", "computing")]
+
+
+def _phases(causes: Mapping[str, float]) -> str:
     """Return the duration of each phase of a move."""
     if len(causes) < 2:
         return ""
@@ -106,53 +206,19 @@ def _slack(axis: int, other: int, seconds: float) -> str:
     return f"axis {axis} waits for axis {other}: {_seconds(seconds)} s"
 
 
-def _lines(made: TimeProfile, whole: float, width: int, colour: bool, everything: bool) -> list[str]:
-    shares = [share for share in made.lines() if share.line]
-    shown = shares if everything else shares[:MAX_LINES]
-    lines = grid(_LINES, [_line(made, share, whole) for share in shown], width=width, colour=colour)
-    if len(shown) < len(shares):
-        rest = fsum(share.seconds for share in shares[len(shown) :])
-        more = f"… and {len(shares) - len(shown)} more lines, {_seconds(rest)} s: --all shows all"
-        lines.append(styled(more, "dim", colour))
-    return lines
+def _lines(made: TimeProfile, width: int, colour: bool, everything: bool) -> list[str]:
+    table = lines_table(made)
+    if not everything and len(table.rows) > MAX_LINES:
+        rest = table.rows[MAX_LINES:]
+        table.rows = table.rows[:MAX_LINES]
+        seconds = _seconds(fsum(share.seconds for share in rest))
+        table.notes.append(f"… and {len(rest)} more lines, {seconds} s: --all shows all")
+    return table.lines(width, colour=colour)
 
 
-def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
-    causes = share.causes
-    waiting = [cause for cause in causes if cause not in (*MOVING, "dwell", "computing")]
-    return [
-        str(share.line),
-        made.sub(share.line),
-        _seconds(share.seconds),
-        _percentage(share.seconds, whole),
-        _sum(causes, MOVING),
-        _sum(causes, ("dwell",)),
-        _sum(causes, waiting),
-        _sum(causes, ("computing",)),
-        _source(made, share.line),
-    ]
-
-
-def _waits(
-    made: TimeProfile, shares: Sequence[Share], whole: float, width: int, colour: bool, everything: bool
-) -> list[str]:
-    """Return a table of the lines at which the program waits, with the causes."""
-    rows = [
-        [
-            str(share.line),
-            made.sub(share.line),
-            _seconds(share.seconds),
-            _percentage(share.seconds, whole),
-            _awaited(share.causes),
-            _source(made, share.line),
-        ]
-        for share in (shares if everything else shares[:MAX_LINES])
-    ]
-    return grid(_WAITS, rows, width=width, colour=colour)
-
-
-def _awaited(causes: Mapping[str, float]) -> str:
+def _awaited(share: Share) -> str:
     """Return the causes that a line waits for, with seconds if there are several."""
+    causes = share.causes
     names = sorted(causes, key=lambda name: (-causes[name], name))
     shown = [name.removeprefix("waiting for ").removeprefix("travel of ") for name in names]
     if len(names) < 2:
@@ -160,31 +226,9 @@ def _awaited(causes: Mapping[str, float]) -> str:
     return ", ".join(f"{word} {_seconds(causes[name])}" for word, name in zip(shown, names, strict=True))
 
 
-def _source(made: TimeProfile, line: int) -> str:
-    source = made.run.source.line(line).strip()
-    return printable(source if len(source) <= MAX_NAME else f"{source[: MAX_NAME - 1]}…")
-
-
-def _sum(causes: Mapping[str, float], names: Sequence[str]) -> str:
-    found = [causes[name] for name in names if name in causes]
-    return _seconds(fsum(found)) if found else ""
-
-
-def _sub(share: Share, whole: float) -> list[str]:
-    return [
-        share.name,
-        _seconds(share.seconds),
-        _percentage(share.seconds, whole),
-        _seconds(share.total),
-        _percentage(share.total, whole),
-    ]
-
-
-def _task(made: TimeProfile, number: int) -> list[str]:
-    task = made.tasks[number]
-    causes = sorted(task.waiting.items(), key=lambda item: -item[1])
-    waiting = ", ".join(f"{name} {_seconds(seconds)}" for name, seconds in causes if seconds)
-    return [task.name, _seconds(task.life), _seconds(task.computing), _seconds(task.ready), waiting]
+def _waited(waiting: Mapping[str, float]) -> str:
+    causes = sorted(waiting.items(), key=lambda item: -item[1])
+    return ", ".join(f"{name} {_seconds(seconds)}" for name, seconds in causes if seconds)
 
 
 def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:

@@ -18,6 +18,7 @@ from textwrap import wrap
 
 from motionlang.errors import Diagnostic, count_of
 from motionlang.source import Source
+from motionlang.views.table import Column, Table
 from motionlang.views.terminal import WIDTH, cells, printable, styled
 from motionlang.views.words import significant
 
@@ -84,6 +85,13 @@ def render_all(
     if len(found) > MAX_SHOWN:
         texts.append(f"and {tally(found[MAX_SHOWN:])} more in the JSON report\n")
     return "\n".join(texts)
+
+
+def diagnostics_table(found: Iterable[tuple[str, Diagnostic]]) -> Table:
+    """Return diagnostics as data, each with the file that it is about."""
+    names = ("file", "severity", "code", "message", "line", "column", "hint")
+    rows = [{"file": file, **diagnostic.as_dict()} for file, diagnostic in found]
+    return Table("diagnostics", [Column(name) for name in names], rows)
 
 
 def tally(diagnostics: Iterable[Diagnostic]) -> str:

@@ -15,6 +15,7 @@ from motionlang.analysis.diff.literals import ChangedLiteral
 from motionlang.analysis.diff.reports import Difference, LineChange
 from motionlang.analysis.diff.tolerance import FIELDS
 from motionlang.errors import count_of
+from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
@@ -26,6 +27,77 @@ MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
 # The largest number of entries of a kind that are listed, and of lines that a time difference is attributed
 # to.
 MAX_LINES, MAX_CHARGED = 12, 4
+
+
+def diff_document(
+    found: Difference,
+    diverged: Divergence | None,
+    charges: Sequence[Charge],
+    changed: Sequence[ChangedLiteral],
+    kept: Sequence[tuple[str, object, object]],
+) -> Document:
+    """Return the difference of two runs as data; a value that changed is `old` and `new`."""
+    pairs = {"status": found.status or (None, None), "time": found.time or (None, None)}
+    values = {
+        f"{side}_{name}": pair[k] for name, pair in pairs.items() for k, side in enumerate(("old", "new"))
+    }
+    figures = [
+        {"line": number, "figure": name, "old": was, "new": is_}
+        for number, each in enumerate(found.lines)
+        for name, (was, is_) in each.figures.items()
+    ]
+    moves = (
+        "axis",
+        "command",
+        "line",
+        "profile",
+        "start_time",
+        "duration",
+        "start",
+        "end",
+        "distance",
+        "peak_speed",
+    )
+    tables = (
+        _records(
+            "lines", ("old", "new", "axis", "command", "count", "first_time", "duration", "wait"), found.lines
+        ),
+        _records("literals", ("address", "old_address", "old", "new"), changed),
+        _pairs("quantities", ("name", "old", "new"), kept),
+        _records("time_by_line", ("old", "new", "seconds"), charges),
+        _records("figures", ("line", "figure", "old", "new"), figures),
+        _records("removed_moves", moves, found.removed),
+        _records("added_moves", moves, found.new),
+        _pairs("prints", ("old", "new", "old_text", "new_text"), found.prints),
+        _events_table(found.events),
+        _pairs("errors", ("change", "message"), found.errors),
+        _pairs("others", ("text",), [(text,) for text in found.others]),
+        _records(
+            "divergence",
+            ("time", "axis", "max_difference", "max_difference_at"),
+            [diverged] if diverged else [],
+        ),
+    )
+    return Document(tables, {"equal": found.same, **values})
+
+
+def _records(name: str, keys: Sequence[str], rows: Sequence[object]) -> Table:
+    return Table(name, list(map(Column, keys)), rows)
+
+
+def _pairs(name: str, keys: Sequence[str], rows: Sequence[Sequence[object]]) -> Table:
+    return _records(name, keys, [dict(zip(keys, row, strict=True)) for row in rows])
+
+
+def _events_table(events: Sequence[tuple[Any, Any, float]]) -> Table:
+    """Return the events that changed; the figures of one that is missing are None."""
+    names = ("time", "kind", "axis", "line", "value", "limit", "text")
+    rows = []
+    for was, is_, later in events:
+        row: dict[str, Any] = {f"old_{name}": (was or {}).get(name) for name in names}
+        rows.append(row | {f"new_{name}": (is_ or {}).get(name) for name in names} | {"shift": later})
+    keys = [f"{side}_{name}" for side in ("old", "new") for name in names]
+    return _records("events", [*keys, "shift"], rows)
 
 
 def diff_lines(

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from motionlang.assumptions.facts import of_word
 from motionlang.assumptions.keyword_facts import facts
 from motionlang.lang.keyword import Keyword
+from motionlang.views.table import Column, Table
 from motionlang.views.terminal import cells, styled
 from motionlang.views.words import dialect_name
 
@@ -51,7 +52,7 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
     return "\n".join(_page(row, dialect, width, colour) for row in rows)
 
 
-# Fields of a row with another name in JSON.
+# Fields of a row with another name in data.
 FIELDS = {
     "below": "excludes_high",
     "driven": "machine_section",
@@ -63,19 +64,37 @@ FIELDS = {
 }
 
 
-def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
-    """Return a row as JSON data."""
-    names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb"))
-    known = of_word(dialect, row)
-    evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
-    return {
-        "dialect": dialect,
-        **{FIELDS.get(name, name): getattr(row, name) for name in names},
-        "simulated": row.simulated,
-        "source": known["meaning"].source,
-        "strength": known["meaning"].strength,
-        "evidence": evidence,
-    }
+def keywords_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
+    """Return all facts about keywords, each with its language, as data."""
+    found = []
+    for dialect, row in rows:
+        names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb"))
+        meaning = of_word(dialect, row)["meaning"]
+        found.append({
+            "dialect": dialect,
+            **{FIELDS.get(name, name): getattr(row, name) for name in names},
+            "simulated": row.simulated,
+            "source": meaning.source,
+            "strength": meaning.strength,
+        })  # fmt: skip
+    return Table("keywords", list(map(Column, dict.fromkeys(name for row in found for name in row))), found)
+
+
+def evidence_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
+    """Return how well each fact about keywords is known, as data."""
+    found = [
+        {
+            "dialect": dialect,
+            "keyword": row.name,
+            "fact": fact,
+            "strength": each.strength,
+            "source": each.source,
+        }
+        for dialect, row in rows
+        for fact, each in of_word(dialect, row).items()
+    ]
+    columns = tuple(map(Column, ("dialect", "keyword", "fact", "strength", "source")))
+    return Table("evidence", columns, found)
 
 
 def _entry(row: Keyword, name_width: int, short_width: int, width: int, colour: bool) -> str:

@@ -5,10 +5,10 @@ They consist of text, tables and velocity curves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from motionlang.controller.controller import Controller
 from motionlang.library.moves import Move, Moves
@@ -19,7 +19,8 @@ from motionlang.views.diagnostics import render_all
 from motionlang.views.figure import Curve, Figure, Panel
 from motionlang.views.figure_files import svg
 from motionlang.views.quantities import COLOURS
-from motionlang.views.table import render
+from motionlang.views.report import moves_table, render
+from motionlang.views.table import Table
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
@@ -32,11 +33,6 @@ CURVE, COLUMNS = 560.0, 600
 MAX_LINES = 200
 # The largest number of moves in a table, and of points on the curve of one.
 MOST_MOVES, POINTS = 50, 300
-TITLES = {
-    "axis": "axis", "command": "command", "line": "line", "profile": "profile", "start_time": "start, s",
-    "duration": "time, s", "start": "from, uu", "end": "to, uu", "distance": "distance, uu",
-    "peak_speed": "peak, uu/s", "ended": "ended by",
-}  # fmt: skip
 
 
 def html(run: Run) -> str:
@@ -73,18 +69,16 @@ def move_html(move: Move, run: Run) -> str:
 
 def moves_html(moves: Moves, run: Run) -> str:
     """Return a table of moves and their curves; a remark states the number omitted."""
-    first = moves[:MOST_MOVES]
-    shown = _table(first.columns(), len(moves) - len(first))
-    return "\n".join([shown, *_curves(run.controller, run.time)])
+    columns = moves.columns()
+    rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    return "\n".join([_moves(rows), *_curves(run.controller, run.time)])
 
 
 def report_html(report: Report, run: Run | None) -> str:
     """Return a report's run, or its table of moves if it has no run."""
     if run is not None:
         return html(run)
-    rows = report["moves"][:MOST_MOVES]
-    columns = {name: [row.get(name, "") for row in rows] for name in TITLES}
-    return f"<pre>{escape(repr(report))}</pre>\n{_table(columns, len(report['moves']) - len(rows))}"
+    return f"<pre>{escape(repr(report))}</pre>\n{_moves(report['moves'])}"
 
 
 def _curves(controller: Controller, end: float) -> list[str]:
@@ -97,17 +91,18 @@ def _drawn(panel: Panel) -> str:
     return svg(Figure([[panel]], x_label="time (s)", width=CURVE))
 
 
-def _table(columns: dict[str, Sequence[object]] | dict[str, list[object]], omitted: int) -> str:
-    names = [name for name in TITLES if name in columns]
-    rows = zip(*(columns[name] for name in names), strict=True)
-    body = "".join(_row(map(_cell, row), "td") for row in rows)
-    more = f"<p>… {omitted} more move{'s'[: omitted != 1]}</p>" if omitted else ""
-    return f"<table>{_row((TITLES[name] for name in names), 'th')}{body}</table>{more}"
+def table_html(table: Table) -> str:
+    """Return a table as HTML, with all text escaped."""
+    heads, rows = table.cells()
+    return f"<table>{_row('th', heads)}{''.join(_row('td', row) for row in rows)}</table>"
 
 
-def _row(cells: Iterable[str], tag: str) -> str:
+def _moves(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Return the first moves as a table; a remark states the number omitted."""
+    omitted = len(rows) - MOST_MOVES
+    more = f"<p>… {omitted} more move{'s'[: omitted != 1]}</p>" if omitted > 0 else ""
+    return table_html(moves_table([dict(row) for row in rows[:MOST_MOVES]])) + more
+
+
+def _row(tag: str, cells: Iterable[str]) -> str:
     return f"<tr>{''.join(f'<{tag}>{escape(cell)}</{tag}>' for cell in cells)}</tr>"
-
-
-def _cell(value: object) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else "" if value is None else str(value)

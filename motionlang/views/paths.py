@@ -5,60 +5,33 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.views.grid import Column, decimals_of, grid
-from motionlang.views.terminal import styled
+from motionlang.views.table import Column, Table
 from motionlang.views.words import figure
 
 if TYPE_CHECKING:
     from motionlang.log.paths import PathRow
 
-MAX_ROWS = 60
 # Smaller angles, in degrees, are not corners.
 SMOOTH = 0.05
-_COLUMNS = (
-    Column("line"),
-    Column("command", align="<", style="word"),
-    Column("axes", align="<", drop=2),
-    Column("start", "s", drop=1),
-    Column("time", "s"),
-    Column("length", "uu"),
-    Column("entry", "uu/s", drop=3),
-    Column("peak", "uu/s"),
-    Column("exit", "uu/s"),
-    Column("corner", "°"),
-    Column("at its end", align="<"),
-)
 
 
-def render_paths(
-    rows: Sequence[PathRow], *, width: int = 100, colour: bool = False, everything: bool = False
-) -> str:
-    """Return the table as text that ends with a newline."""
-    if not rows:
-        return "no path was run: no axes begin and end together on one line\n"
-    shown = rows if everything else rows[:MAX_ROWS]
-    time = decimals_of([row.duration for row in shown], 6)
-    length = decimals_of([row.length for row in shown])
-    texts = [
-        [
-            str(row.line or ""),
-            row.command,
-            ", ".join(map(str, row.axes)),
-            f"{row.start_time:.6f}",
-            figure(row.duration, time),
-            figure(row.length, length),
-            figure(row.entry_speed),
-            figure(row.peak_speed),
-            figure(row.exit_speed),
-            "" if row.corner is None else f"{row.corner:.1f}",
-            at_its_end(row),
-        ]
-        for row in shown
-    ]
-    lines = grid(_COLUMNS, texts, width=width, colour=colour)
-    if len(shown) < len(rows):
-        lines.append(styled(f"… and {len(rows) - len(shown)} more paths: --all shows all", "dim", colour))
-    return "\n".join(lines) + "\n"
+def paths_table(rows: Sequence[PathRow]) -> Table:
+    """Return the table of paths; speeds are those along the path."""
+    columns = (
+        Column("line", text=lambda line: str(line or "")),
+        Column("command", left=True, style="word"),
+        Column("axes", left=True, drop=2),
+        Column("start_time", "start", "s", text="{:.6f}".format, drop=1),
+        Column("duration", "time", "s", decimals=6),
+        Column("length", unit="uu", decimals=4),
+        Column("entry_speed", "entry", "uu/s", text=figure, drop=3),
+        Column("peak_speed", "peak", "uu/s", text=figure),
+        Column("exit_speed", "exit", "uu/s", text=figure),
+        Column("corner", unit="°", text="{:.1f}".format),
+        Column("end", "at its end", get=at_its_end, left=True),
+    )
+    empty = "no path was run: no axes begin and end together on one line"
+    return Table("paths", columns, rows, most=60, empty=empty)
 
 
 def at_its_end(row: PathRow) -> str:

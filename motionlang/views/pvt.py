@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import itemgetter
+from typing import Any
 
 from motionlang.errors import count_of
 from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Knot, knots, segments
-from motionlang.views.grid import Column, decimals_of, grid, headed
+from motionlang.views.table import Column, Document, Table
+from motionlang.views.words import decimals_of
 
 WIDTH = 120
 MAX_ROWS = 40
@@ -16,33 +19,68 @@ NOISE = 1e-12
 """Largest jump, relative to the accelerations around it, that is a rounding error."""
 
 
-def segment_lines(profile: Profile) -> list[str]:
+def motion_document(name: str, profile: Profile) -> Document:
+    """Return the motion of a drive as data: its knots and segments."""
+    marks = [
+        {
+            "time": mark.time,
+            "position": mark.position,
+            "velocity": mark.velocity,
+            "acceleration_before": mark.acceleration,
+            "acceleration_after": mark.next_acceleration,
+            "jump": mark.jump,
+        }
+        for mark in knots(profile)
+    ]
+    columns = tuple(map(Column, marks[0]))
+    values = {"move": name, "duration": profile.duration}
+    return Document([segments_table(profile), Table("knots", columns, marks)], values)
+
+
+def segments_table(profile: Profile) -> Table:
     """Return each segment with its jerk, acceleration and initial acceleration jump."""
-    columns = headed(
-        "segment", "start, ms", "time, ms", "end, counts", "end velocity, counts/s", "acceleration, counts/s²",
-        "to, counts/s²", "jerk, counts/s³", "jump before, counts/s²"
-    )  # fmt: skip
     marks, found = knots(profile), segments(profile)
-    scale = max((abs(a) for s in found for a in (s.acceleration, s.end_acceleration)), default=0.0)
-    cells = [
-        (
-            each.start_time * 1000.0,
-            each.duration * 1000.0,
-            marks[i + 1].position,
-            marks[i + 1].velocity,
-            quiet(each.acceleration, scale),
-            quiet(each.end_acceleration, scale),
-            each.jerk,
-            quiet(marks[i].jump, scale),
-        )
+    scale = _scale(profile)
+    rows = [
+        {
+            "segment": i,
+            "start_time": each.start_time,
+            "duration": each.duration,
+            "end_position": marks[i + 1].position,
+            "end_velocity": marks[i + 1].velocity,
+            "acceleration": quiet(each.acceleration, scale),
+            "end_acceleration": quiet(each.end_acceleration, scale),
+            "jerk": each.jerk,
+            "jump_before": quiet(marks[i].jump, scale),
+        }
         for i, each in enumerate(found)
     ]
-    shown = _figures(cells)
-    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MAX_ROWS])], width=WIDTH)
-    if len(shown) > MAX_ROWS:
-        lines.append(f"… and {len(shown) - MAX_ROWS} more segments")
-    lines += ["", _summary(profile, marks, scale)]
-    return lines
+    columns = (
+        Column("segment"),
+        _fixed(rows, "start_time", "start", "ms"),
+        _fixed(rows, "duration", "time", "ms"),
+        _fixed(rows, "end_position", "end", "counts"),
+        _fixed(rows, "end_velocity", "end velocity", "counts/s"),
+        _fixed(rows, "acceleration", "acceleration", "counts/s²"),
+        _fixed(rows, "end_acceleration", "to", "counts/s²"),
+        _fixed(rows, "jerk", "jerk", "counts/s³"),
+        _fixed(rows, "jump_before", "jump before", "counts/s²"),
+    )
+    return Table("segments", columns, rows)
+
+
+def segment_lines(profile: Profile) -> list[str]:
+    """Return the first segments as lines of text, with a summary of the motion."""
+    table = segments_table(profile)
+    if len(table.rows) > MAX_ROWS:
+        table.notes.append(f"… and {len(table.rows) - MAX_ROWS} more segments")
+        table.rows = table.rows[:MAX_ROWS]
+    return [*table.lines(WIDTH), "", _summary(profile, knots(profile), _scale(profile))]
+
+
+def _scale(profile: Profile) -> float:
+    found = segments(profile)
+    return max((abs(a) for s in found for a in (s.acceleration, s.end_acceleration)), default=0.0)
 
 
 def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
@@ -55,22 +93,30 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
     return f"{text}; largest acceleration jump {figure(largest)} counts/s² between the ends"
 
 
-def comparison_lines(
+def methods_table(
     rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float]
-) -> list[str]:
-    """Compare the methods for velocities by their largest acceleration jump.
+) -> Table:
+    """Return the methods for velocities with their largest acceleration jump, counts/s².
 
-    For short moves the velocities are listed.
+    For short moves the velocities are shown; in JSON all of them are `values`.
     """
     scale = max(map(abs, accelerations), default=0.0)
+    methods: list[dict[str, object]] = [
+        {"velocities": name, "largest_jump": quiet(jump, scale), "values": velocities}
+        | {f"v{n}": velocity for n, velocity in enumerate(velocities)}
+        for name, velocities, jump in rows
+    ]
     inner = len(rows[0][1]) - 2
-    columns = [Column("velocities", align="<"), Column("largest jump", "counts/s²")]
-    count = inner if inner <= MAX_COLUMNS else 0
-    columns += [Column(f"v{n}", "counts/s", drop=n) for n in range(1, count + 1)]
-    jumps = _column([quiet(jump, scale) for _, _, jump in rows], 1)
-    speeds = [_column([v[n] for _, v, _ in rows], 2) for n in range(1, count + 1)]
-    cells = [[name, jumps[i], *(column[i] for column in speeds)] for i, (name, _, _) in enumerate(rows)]
-    return grid(columns, cells, width=WIDTH)
+    columns = [
+        Column("velocities", left=True),
+        _fixed(methods, "largest_jump", "largest jump", "counts/s²", most=1),
+        Column("values", data=True),
+    ]
+    for n in range(1, inner + 1 if inner <= MAX_COLUMNS else 1):
+        shown = _fixed(methods, f"v{n}", f"v{n}", "counts/s", most=2)
+        shown.get, shown.key, shown.drop = itemgetter(f"v{n}"), "", n
+        columns.append(shown)
+    return Table("methods", columns, methods)
 
 
 def quiet(value: float, scale: float) -> float:
@@ -89,12 +135,8 @@ def figure(value: float, most: int = 4) -> str:
     return f"{value:.{decimals_of([value], most)}f}"
 
 
-def _figures(rows: Sequence[Sequence[float]]) -> list[list[str]]:
-    columns = [_column(list(column)) for column in zip(*rows, strict=True)]
-    return [list(row) for row in zip(*columns, strict=True)]
-
-
-def _column(values: Sequence[float], most: int = 4) -> list[str]:
-    decimals = decimals_of(values, most)
-    texts = [f"{value:.{decimals}f}" for value in values]
-    return [text if float(text) else text.lstrip("-") for text in texts]
+def _fixed(rows: Sequence[dict[str, Any]], key: str, title: str, unit: str, most: int = 4) -> Column:
+    """Return a column of numbers with the same decimals, at most so many."""
+    factor = 1000.0 if unit == "ms" else 1.0
+    form = f"{{:z.{decimals_of((factor * row[key] for row in rows), most)}f}}"
+    return Column(key, title, unit, text=lambda value: form.format(factor * value))

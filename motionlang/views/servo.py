@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.notes.tn1069_servo import Row
 from motionlang.servo.plant import Drive, Motor
-from motionlang.views.grid import Cells, filled
+from motionlang.views.table import Column, Table
 
 if TYPE_CHECKING:
     from motionlang.servo.response import LoopFigures, StepFigures
@@ -46,24 +46,32 @@ def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
     return [f"axis {', '.join(axes)}: {line}" for line, axes in lines.items()]
 
 
-# Heads and cells of the profiles of `compare_lines`.
-_PROFILES: Cells = {
-    "<profile": lambda row: SHAPE_NAMES[row.shape],
-    "acceleration, counts/s²": lambda row: f"{row.accel:.0f}",
-    "time, s": lambda row: f"{row.time:.6f}",
-    "settle, s": lambda row: "never" if row.settle == inf else f"{row.settle:.5f}",
-    "peak error, counts": lambda row: f"{row.peak_error:.3f}",
-    "RMS torque, N m": lambda row: f"{row.rms_torque:.6f}",
-    "jerk demanded, counts/s³": lambda row: "∞" if row.jerk == inf else f"{row.jerk:.4g}",
-    "jerk of the motor, counts/s³": lambda row: f"{row.motor_jerk:.4g}",
-}
-
-
-def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
-    """Return the four profiles side by side."""
+def profiles_table(basis: str, rows: Sequence[Row], window: float) -> Table:
+    """Return the four profiles side by side; they settle within `window` counts."""
     title = "equal peak acceleration" if basis == "acceleration" else "equal time"
     head = f"{title}; settled: within {_counts(window)} of the demand for good"
-    return [head, *filled(_PROFILES, rows, width=WIDTH)]
+    columns = (
+        Column("shape", "profile", text=SHAPE_NAMES.__getitem__, left=True),
+        Column("accel", "acceleration", "counts/s²", text="{:.0f}".format),
+        Column("time", unit="s", text="{:.6f}".format),
+        Column("settle", unit="s", text=_settled),
+        Column("peak_error", unit="counts", text="{:.3f}".format),
+        Column("rms_torque", "RMS torque", "N m", text="{:.6f}".format),
+        Column("peak_torque", data=True),
+        Column("jerk", "jerk demanded", "counts/s³", text=lambda jerk: "∞" if jerk == inf else f"{jerk:.4g}"),
+        Column("motor_jerk", "jerk of the motor", "counts/s³", text="{:.4g}".format),
+    )
+    return Table(basis, columns, rows, head=head)
+
+
+def plants_table(plants: Mapping[int, Motor | Drive]) -> Table:
+    """Return the motors of a run by axis, with the value of each of their settings, as data."""
+    rows = [
+        {"axis": axis, "setting": each.name, "value": getattr(plant, each.name)}
+        for axis, plant in plants.items()
+        for each in fields(plant)
+    ]
+    return Table("plants", (Column("axis"), Column("setting"), Column("value")), rows)
 
 
 def step_lines(figures: StepFigures, linear: LoopFigures | None) -> list[str]:
@@ -121,35 +129,35 @@ def tune_lines(
     return [*lines, *(f"warning: {text}" for text in made.warnings)]
 
 
-def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, object]:
-    """Return one axis of a run as JSON data."""
-    return {
-        "axis": axis,
-        "peak_error": trace.peak_error,
-        "final_error": float(trace.error[-1]),
-        "settled_at": None if settled == inf else settled,
-        "rms_torque": trace.rms_torque,
-        "peak_torque": float(abs(trace.torque).max()),
-        "peak_output": trace.peak_output,
-    }
-
-
-# Heads and cells of the axes of `run_lines`.
-_AXES: Cells = {
-    "axis": lambda row: str(row[0]),
-    "peak error, counts": lambda row: f"{row[1].peak_error:.3f}",
-    "error at the end, counts": lambda row: f"{_quiet(float(row[1].error[-1])):.3f}",
-    "settled at, s": lambda row: "never" if row[2] == inf else f"{row[2]:.5f}",
-    "RMS torque, N m": lambda row: f"{row[1].rms_torque:.6f}",
-    "peak torque, N m": lambda row: f"{float(abs(row[1].torque).max()):.6f}",
-    "peak output, V": lambda row: f"{row[1].peak_output:.4f}",
-}
-
-
-def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> list[str]:
-    """Return the axes of a run: error, settling, torque and output."""
+def axes_table(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> Table:
+    """Return the axes of a run: error, settling within `window` counts, torque and output."""
     last = f"settled: within {_counts(window)} of the demand for good"
-    return [*filled(_AXES, rows, width=WIDTH), "", last]
+    columns = (
+        Column("axis"),
+        Column("peak_error", unit="counts", text="{:.3f}".format),
+        Column("final_error", "error at the end", "counts", text=lambda error: f"{_quiet(error):.3f}"),
+        Column("settled_at", unit="s", text=_settled),
+        Column("rms_torque", "RMS torque", "N m", text="{:.6f}".format),
+        Column("peak_torque", unit="N m", text="{:.6f}".format),
+        Column("peak_output", unit="V", text="{:.4f}".format),
+    )
+    found = [
+        {
+            "axis": axis,
+            "peak_error": trace.peak_error,
+            "final_error": float(trace.error[-1]),
+            "settled_at": settled,
+            "rms_torque": trace.rms_torque,
+            "peak_torque": float(abs(trace.torque).max()),
+            "peak_output": trace.peak_output,
+        }
+        for axis, trace, settled in rows
+    ]
+    return Table("axes", columns, found, empty="no axis was moved", notes=["", last] if found else [])
+
+
+def _settled(time: float) -> str:
+    return "never" if time == inf else f"{time:.5f}"
 
 
 def _counts(value: float) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.highlight import pieces
 from motionlang.lang.step_list import ListedStep, ListedUnit
+from motionlang.views.table import Column, Table
 from motionlang.views.terminal import printable, styled
 
 # The styles of the tokens of a program's line, by kind.
@@ -24,17 +25,25 @@ def render_steps(dialect: Dialect, units: Sequence[ListedUnit], *, colour: bool)
             yield from (f"{_step(each)}\n" for each in line.steps)
 
 
-def steps_as_dicts(units: Sequence[ListedUnit]) -> list[dict[str, object]]:
-    """Return the steps as plain data; those without a target or a cost have none."""
-    return [
+def steps_table(found: Sequence[tuple[str, Sequence[ListedUnit]]]) -> Table:
+    """Return the steps of files as data; those without a target or a cost have none."""
+    rows = [
         {
-            "name": unit.name,
-            "lines": [
-                {"line": line.line, "steps": [_as_dict(each) for each in line.steps]} for line in unit.lines
-            ],
+            "file": file,
+            "unit": unit.name,
+            "line": line.line,
+            "index": step.index,
+            "kind": step.kind,
+            "target": step.target if step.target >= 0 else None,
+            "cost": step.cost or None,
         }
+        for file, units in found
         for unit in units
+        for line in unit.lines
+        for step in line.steps
     ]
+    columns = tuple(map(Column, ("file", "unit", "line", "index", "kind", "target", "cost")))
+    return Table("steps", columns, rows)
 
 
 def _highlighted(dialect: Dialect, text: str, colour: bool) -> str:
@@ -46,12 +55,3 @@ def _step(step: ListedStep) -> str:
     does = f"{step.kind} to {step.target}" if step.target >= 0 else step.kind
     pays = f"{step.cost:g} statement{'' if step.cost == 1.0 else 's'}" if step.cost else ""
     return f"{step.index:>9}  {does:<18}{pays}".rstrip()
-
-
-def _as_dict(step: ListedStep) -> dict[str, object]:
-    found: dict[str, object] = {"index": step.index, "kind": step.kind}
-    if step.target >= 0:
-        found["target"] = step.target
-    if step.cost:
-        found["cost"] = step.cost
-    return found

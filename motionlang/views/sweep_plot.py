@@ -36,8 +36,8 @@ def line_figure(
 ) -> Figure:
     """Return a panel for each result over the varied name `x`.
 
-    A panel has a line for each combination of the other names; the first one names them. `curves` has the points of each line by result
-    and label; `best` has a point to mark, by result.
+    A panel has a line for each combination of the other names; the first one names them. `curves` has the points
+    of each line by result and label; `best` has a point to mark, by result.
     """
     panels: list[list[Panel]] = []
     for name, lines in curves.items():

@@ -147,7 +147,7 @@ _SCREEN = r"\x1b\[(?:2J|H|\d+;\d+H)"
 # Control characters of seven and eight bits, and all escape sequences except those that clear the screen or
 # position the cursor.
 _POWERS = r"\x1b(?!\[(?:2J|H|\d+;\d+H))|[\x00-\x06\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]"
-_ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2"})
+_ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2", "→": "->"})
 
 
 def _picture(character: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from motionlang.result import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
@@ -52,6 +54,26 @@ def figure(value: float, decimals: int = 3) -> str:
     if size >= 1e9 or 0.0 < size < 0.5 * 10.0**-decimals:
         return f"{value:.6g}"
     return f"{value + 0.0:.{decimals}f}"
+
+
+def decimals_of(values: Iterable[float], most: int = 4) -> int:
+    """Return the fewest decimals that show all of `values`, at most `most`.
+
+    The result may exceed `most` if all values are small.
+    """
+    values = list(values)
+    largest = max(map(abs, values), default=0.0)
+    while most < 12 and 0.0 < largest < 10.0 ** (2 - most):
+        most += 1
+    for decimals in range(most):
+        if all(abs(value - round(value, decimals)) <= 1e-9 * max(1.0, abs(value)) for value in values):
+            return decimals
+    return most
+
+
+def grouped(count: int) -> str:
+    """Format an integer in groups of three digits: 20 000."""
+    return f"{count:,}".replace(",", " ")
 
 
 def peak_of(value: float) -> str:

@@ -1,30 +1,29 @@
-"""The table of the program's writes to other devices, for the report.
-
-The devices are servers and remote nodes.
-"""
+"""The table of the program's writes to other devices: servers and remote nodes."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from motionlang.views.grid import Column, grid
-from motionlang.views.terminal import printable, styled
+from motionlang.views.table import Column, Table
 
 Row = dict[str, Any]
 
 # More rows than this are only in the JSON report.
 MAX_ROWS = 40
-_COLUMNS = (Column("written to", align="<", style="word"), Column("", align="<"), Column("value"))
 
 
-def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
-    """Return the lines of the table."""
-    texts = [[_device(row), _target(row), _value(row["value"])] for row in rows[:MAX_ROWS]]
-    lines = grid(_COLUMNS, texts, width=width, colour=colour)
+def writes_table(rows: Sequence[Row]) -> Table:
+    """Return the table of what was written into other devices, the first rows of many."""
+    columns = (
+        Column("", "written to", get=_device, left=True, style="word"),
+        Column("", get=_target, left=True),
+        Column("value"),
+    )
+    table = Table("writes", columns, rows[:MAX_ROWS])
     if len(rows) > MAX_ROWS:
-        lines.append(styled(f"… and {len(rows) - MAX_ROWS} more: --format json has all", "dim", colour))
-    return lines
+        table.notes.append(f"… and {len(rows) - MAX_ROWS} more: --format json has all")
+    return table
 
 
 def _device(row: Row) -> str:
@@ -36,7 +35,3 @@ def _target(row: Row) -> str:
         return f"object 0x{row['number']:04X}, {row['subindex']}"
     what = str(row["kind"]).replace("-", " ")
     return f"{what} {row['number']}" if "number" in row else what
-
-
-def _value(value: float | str) -> str:
-    return printable(value) if isinstance(value, str) else f"{value:.10g}"

@@ -18,7 +18,7 @@ from motionlang.execution import run
 from motionlang.log.extremes import Extreme, extremes, peak_speed
 from motionlang.result import Run
 from motionlang.source import Source
-from motionlang.views.certificate import _row
+from motionlang.views.certificate import limits_table
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
 SET = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 500 : "
@@ -102,7 +102,7 @@ def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
     assert [speed.line, speed.reached, speed.time] == pytest.approx([2, 100.0, 0.1], abs=1e-4)
     assert least_margin([low, high, speed, accel]) == pytest.approx(-1 / 3)
     # The margin of a position is a distance, any other one a share.
-    assert [_row(line)[-2].split()[1] for line in (low, high, accel)] == ["uu", "uu", "%"]
+    assert [row.split()[-1] for row in limits_table([low, accel]).lines(200)[-2:]] == ["uu", "%"]
 
 
 def test_what_prevents_signing_is_reported() -> None:

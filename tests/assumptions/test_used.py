@@ -76,6 +76,6 @@ def test_check_lists_them_with_their_strength(tmp_path: Path, capsys: pytest.Cap
     assert "mint.homespeed-default  choice\n" in shown
     assert "What HOMESPEED is until a program writes it: 4000" in shown
     assert main(["check", "--evidence", "--format", "json", str(path)]) == 0
-    (row,) = json.loads(capsys.readouterr().out)["files"]
-    assert [each["name"] for each in row["assumptions"]] == used("PRINT HOMESPEED(0)")
-    assert {each["strength"] for each in row["assumptions"]} >= {"choice", "memory medium"}
+    found = json.loads(capsys.readouterr().out)["assumptions"]
+    assert [each["name"] for each in found] == used("PRINT HOMESPEED(0)")
+    assert {each["strength"] for each in found} >= {"choice", "memory medium"}

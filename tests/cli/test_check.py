@@ -29,10 +29,10 @@ def test_nothing_is_wrong(cell: Cell) -> None:
 
 def test_json(cell: Cell) -> None:
     document = json.loads(cell("check", "wrong.mcl", "--format", "json").out)
-    assert document["schema"] == "motionlang.check/3"
+    assert document["schema"] == "motionlang/1"
     (file,) = document["files"]
-    assert (file["program"], file["dialect"]) == ("wrong.mcl", "mccl")
-    assert file["diagnostics"][0]["code"] == "unknown-word"
+    assert (file["file"], file["dialect"]) == ("wrong.mcl", "mccl")
+    assert document["diagnostics"][0]["code"] == "unknown-word"
 
 
 def test_warnings_are_no_mistakes_unless_strict(cell: Cell) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 
 import pytest
@@ -64,15 +63,21 @@ def test_every_kind_has_a_name() -> None:
     assert len(set(steps.NAMES.values())) == len(kinds)
 
 
-def test_json_has_the_steps_as_data(cell: Cell) -> None:
+def test_the_steps_are_a_table(cell: Cell) -> None:
     cell.write("a.mnt", "While INX(1)\nEnd While\n")
-    (row,) = json.loads(cell("check", "a.mnt", "--steps", "--format", "json").out)["files"]
-    (unit,) = row["steps"]
-    assert unit["name"] == "program"
-    found = {each["kind"]: each for line in unit["lines"] for each in line["steps"]}
-    assert found["back"] == {"index": found["back"]["index"], "kind": "back", "target": 2, "cost": 1.0}
-    assert unit["lines"][0]["line"] == 1
-    assert unit["lines"][-1] == {"line": 0, "steps": [found["end"]]}
+    assert (
+        cell("check", "a.mnt", "--steps", "--format", "csv").out
+        == """\
+file,unit,line,index,kind,target,cost
+a.mnt,program,1,0,jump,1,1.0
+a.mnt,program,1,1,note,,
+a.mnt,program,1,2,now,,
+a.mnt,program,1,3,branch,5,
+a.mnt,program,1,4,back,2,1.0
+a.mnt,program,1,5,note,,
+a.mnt,program,0,6,end,,
+"""
+    )
 
 
 def test_a_program_with_an_error_has_no_steps(cell: Cell) -> None:

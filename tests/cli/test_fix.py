@@ -126,14 +126,13 @@ def test_what_is_not_certain_stays(cell: Cell) -> None:
 def test_json_has_what_was_fixed(cell: Cell) -> None:
     cell.write("a.mnt", "MOVER(3) = 5\nGo3\nACCEL(3) = 9 : DECEL(3) = 9\nPAUSE IDLE(3)\n")
     ran = cell("check", "a.mnt", "--fix", "--format", "json")
-    (row,) = json.loads(ran.out)["files"]
-    assert row["diagnostics"] == []
-    (fixed,) = row["fixed"]
+    document = json.loads(ran.out)
+    assert document["diagnostics"] == []
+    (fixed,) = document["fixed"]
     assert (fixed["line"], fixed["column"], fixed["before"], fixed["after"]) == (2, 1, "Go3", "GO(3)")
-    (row,) = json.loads(cell("check", "a.mnt", "--fix", "--format", "json").out)["files"]
-    assert row["fixed"] == []
+    assert json.loads(cell("check", "a.mnt", "--fix", "--format", "json").out)["fixed"] == []
     assert cell("check", "a.mnt", "--fix").out == "a.mnt: no problems\n"
-    assert "fixed" not in json.loads(cell("check", "a.mnt", "--format", "json").out)["files"][0]
+    assert "fixed" not in json.loads(cell("check", "a.mnt", "--format", "json").out)
 
 
 def test_a_file_that_cannot_be_written_says_so(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:

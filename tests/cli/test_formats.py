@@ -72,7 +72,7 @@ def test_verify(form: str, cell: Cell) -> None:
     assert "no jog.golden.json next to it" in ran.out
     if form == "json":
         document = json.loads(ran.out)
-        assert [each["matches_golden"] for each in document["programs"]] == [True, False]
+        assert [each["matches_golden"] for each in document["verdicts"]] == [True, False]
 
 
 def test_many_at_once_are_reported_as_one_by_one(cell: Cell) -> None:

@@ -203,7 +203,6 @@ def test_what_no_program_settles_names_its_alternatives(capsys: pytest.CaptureFi
 
 def test_the_document_of_a_word_has_its_open_questions(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["help", "HOMESPEED", "--format", "json"]) == 0
-    (row,) = json.loads(capsys.readouterr().out)["keywords"]
-    found = {each["name"]: each for each in row["assumptions"]}
+    found = {each["name"]: each for each in json.loads(capsys.readouterr().out)["assumptions"]}
     assert found["mint.homespeed-default"]["alternatives"] == ["any other number"]
     assert found["mint.homespeed-scale"]["probe_by_name"] is True

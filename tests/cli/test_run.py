@@ -236,7 +236,7 @@ def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
     assert cell("pick.mnt").err.splitlines()[-1] == "  hint: motionlang run pick.mnt runs a program"
     report = cell("run", "x", "--format", "jsn").err
     assert report == (
-        "motionlang run: error: argument --format: 'jsn' is not one of text, json, none\n"
+        "motionlang run: error: argument --format: 'jsn' is not one of text, json, csv, none\n"
         "  hint: did you mean json?\n"
     )
     for option, suggestion in (

@@ -13,10 +13,13 @@ from tests.cli.programs import ALL, Cell
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.
 LINES: dict[str, str] = {
-    **dict.fromkeys(("run", "profile", "prove", "certify", "init", "check", "verify", "repl"), "a.mnt"),
+    **dict.fromkeys(
+        ("run", "profile", "prove", "certify", "init", "check", "cover", "verify", "repl"), "a.mnt"
+    ),
     "trace": "a.mnt out.csv",
     "plot": "a.mnt out.html",
     "diff": "a.mnt a.mnt",
+    "improve": "c.mnt",
     "compare": "a.mnt a.csv --map position.0=p",
     "sweep": "a.mnt --vary rate=1,2 --keep time --jobs 1",
     "plan": "--distance 20 --time 0.6 --rule third",
@@ -66,6 +69,8 @@ def program(cell: Cell) -> Cell:
     cell.write("a.mnt", "Dim rate = 1\nSPEED(0) = rate\n" + MOVE)
     cell.write("a.csv", "time,p\n" + "".join(f"{time},{min(time, 5)}\n" for time in range(8)))
     cell.write("a.log", "")
+    cell.write("c.mnt", "SPEED(0) = 50\n" + MOVE)
+    cell.write("c.machine.toml", "[axis.0.limits]\nspeed = 200.0\n")
     cell.write("wrong.toml", "[controller]\naxs = 2\n")
     return cell
 
@@ -107,7 +112,9 @@ def test_a_program_that_cannot_be_read_gets_one_answer(file: str, message: str, 
 def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> None:
     line = [*command.split(), *LINES[command].split()]
     # init has no document, and the forms of pvt export are those of drives
-    for form in ([],) if command in ("init", "pvt export") else ([], ["--format", "json"]):
+    for form in (
+        ([],) if command in ("init", "pvt export") else ([], ["--format", "json"], ["--format", "csv"])
+    ):
         printed = program(*line, *form)
         (program.folder / "a.machine.toml").unlink(missing_ok=True)  # which `init` writes
         written = program(*line, *form, "-o", "out.txt")
@@ -115,4 +122,4 @@ def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> No
         assert (written.status, written.out, written.err) == (printed.status, "", printed.err), command
         text = (program.folder / "out.txt").read_text(encoding="utf-8")
         assert text == printed.out, command
-        assert not form or json.loads(text)["schema"].startswith("motionlang."), command
+        assert form != ["--format", "json"] or json.loads(text)["schema"].startswith("motionlang"), command

@@ -200,7 +200,7 @@ def test_linear_and_relative_exports() -> None:
 
 def test_reports_as_json() -> None:
     plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--format", "json").out)
-    assert plot["schema"] == "motionlang.pvt/2"
+    assert plot["schema"] == "motionlang/1"
     assert [round(s["jerk"]) for s in plot["segments"]] == [500_000, -500_000, -500_000, 500_000]
     words = ["--positions", "0,5000,15000,20000", "--time", "10", "--format", "json"]
     refined = json.loads(pvt("refine", *words).out)

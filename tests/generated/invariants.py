@@ -17,7 +17,7 @@ from motionlang.controller.move import Move
 from motionlang.log.records import Looped, Waited
 from motionlang.log.track import WholeTrack
 from motionlang.result import Run
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
 # Seconds by which the time of an end may be rounded, and the relative error of a position.

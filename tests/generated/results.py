@@ -505,7 +505,7 @@ def main(arguments: list[str]) -> int:
             os.chdir(temporary)
             write_texts(folder, given.name or names())
             return 0
-        unpacked(given.commit, Path(temporary), "motionlang")
+        unpacked(given.commit, Path(temporary), "motionlang", "grammars")
         paths = os.pathsep.join((temporary, str(ROOT)))
         again = [sys.executable, "-m", "tests.generated.results", str(folder), *given.name]
         return subprocess.run(

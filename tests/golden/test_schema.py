@@ -101,7 +101,7 @@ def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
 
 
 def test_the_page_names_every_value() -> None:
-    found = {head: names for head, names in tables() if head != "field" and names}
+    found = {head: names for head, names in tables() if head not in ("field", "command") and names}
     assert found == {
         "`status`": SCHEMA["properties"]["status"]["enum"],
         "`ended`": SCHEMA["$defs"]["move"]["properties"]["ended"]["enum"],

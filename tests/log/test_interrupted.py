@@ -21,7 +21,7 @@ from motionlang.planners.packed import packed
 from motionlang.report import moves
 from motionlang.result import Run
 from motionlang.source import Source
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = """Dim i As Integer

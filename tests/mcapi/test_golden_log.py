@@ -44,8 +44,8 @@ def test_an_altered_log_fails_at_its_line(tmp_path: Path, capsys: pytest.Capture
         "0 of 1 logs match their golden files",
     ]
     assert main(["verify", str(log), "--format", "json"]) == 1
-    (row,) = json.loads(capsys.readouterr().out)["programs"]
-    assert (row["log"], row["matches_golden"]) == (str(log), False)
+    (row,) = json.loads(capsys.readouterr().out)["verdicts"]
+    assert (row["kind"], row["file"], row["matches_golden"]) == ("log", str(log), False)
 
 
 def test_the_machine_file_next_to_it_is_used(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,8 @@ EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5, "resistance": 1.0}
 
 def plant(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, object]:
     assert main(["servo", *words, "--format", "json"]) == 0
-    found: dict[str, object] = json.loads(capsys.readouterr().out)["plant"]
+    found: dict[str, object]
+    (found,) = json.loads(capsys.readouterr().out)["plant"]
     return found
 
 
@@ -44,7 +45,7 @@ def test_a_bandwidth_leaves_the_motor_of_the_machine_file_unchanged(
     (tmp_path / "slide.machine.toml").write_text("[axis.0.plant]\nresistance = 3.0\n")
     program = str(tmp_path / "slide.mnt")
     assert main(["servo", "run", program, "--bandwidth", "40", "--format", "json"]) == 0
-    motor = json.loads(capsys.readouterr().out)["plants"]["0"]
+    motor = {row["setting"]: row["value"] for row in json.loads(capsys.readouterr().out)["plants"]}
     assert (motor["resistance"], motor["load_inertia"]) == (3.0, 0.0)
     assert main(["servo", "run", program, "--bandwidth", "40"]) == 0
     assert capsys.readouterr().out.splitlines()[-1].startswith("axis 0: motor: resistance 3, the rest")

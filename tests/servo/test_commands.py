@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.cli import main
 
-SCHEMA = "motionlang.servo/1"
+SCHEMA = "motionlang/1"
 
 
 def run_command(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
@@ -154,4 +154,4 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_a_program_takes_settings(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ("run", str(program), "--set", "axis.0.plant.resistance=2", "--format", "json")
     status, out, _ = run_command(capsys, *words)
-    assert (status, json.loads(out)["plants"]) == (0, {})
+    assert (status, json.loads(out)["plants"]) == (0, [])

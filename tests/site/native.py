@@ -17,7 +17,7 @@ from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.lang.highlight import pieces
 from motionlang.source import Source
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 ROOT = Path(__file__).parents[2]
 # The kinds of tokens that have a colour, and those that have another name in the editor.

@@ -1,9 +1,10 @@
-"""Grids compared with the tables of rich: equal lines for any cells."""
+"""The text of a table compared with the tables of rich: equal lines for any cells."""
 
 from __future__ import annotations
 
 import random
 from io import StringIO
+from operator import itemgetter
 
 import pytest
 from rich.box import Box
@@ -12,9 +13,11 @@ from rich.table import Table
 from rich.text import Text
 from rich.theme import Theme
 
-from motionlang.views import table
-from motionlang.views.grid import GAP, Column, decimals_of, grid
+from motionlang.views import report
+from motionlang.views.table import GAP, Column
+from motionlang.views.table import Table as Ours
 from motionlang.views.terminal import STYLES, styled
+from motionlang.views.words import decimals_of
 
 # Only a rule below the head, which runs through the gaps: rich's notation of a box, line by line.
 BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"
@@ -43,10 +46,8 @@ def drawn_by_rich(columns: list[Column], rows: list[list[str]], styles: list[str
     table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
     units = any(column.unit for column in columns)
     for column in columns:
-        head = [(column.title, "bold"), *([("\n", ""), (column.unit, "dim")] if units else [])]
-        table.add_column(
-            Text.assemble(*head), justify="left" if column.align == "<" else "right", no_wrap=True
-        )
+        head = [(column.heading, "bold"), *([("\n", ""), (column.unit, "dim")] if units else [])]
+        table.add_column(Text.assemble(*head), justify="left" if column.left else "right", no_wrap=True)
     for i, row in enumerate(rows):
         style = styles[i] if styles else ""
         paints = [style or column.style for column in columns]
@@ -78,16 +79,21 @@ def test_a_grid_is_the_table_that_rich_draws(colour: bool) -> None:
         units = draw.random() < 0.5
         columns = [
             Column(
+                "",
                 draw.choice(WORDS[1:]),
                 draw.choice(["", "s", "uu/s²"]) if units else "",
-                align=draw.choice("<>"),
+                get=itemgetter(k),
+                text=str,
+                left=draw.random() < 0.5,
                 style=draw.choice(NAMES),
             )
-            for _ in range(draw.randint(1, 6))
+            for k in range(draw.randint(1, 6))
         ]
         rows = [[draw.choice(WORDS) for _ in columns] for _ in range(draw.randint(0, 5))]
         styles = [draw.choice(NAMES) for _ in rows] if draw.random() < 0.5 else []
-        lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
+        paints = {id(row): style for row, style in zip(rows, styles, strict=False)}
+        made = Ours("rows", columns, rows, style=lambda row: paints.get(id(row), ""))  # noqa: B023
+        lines = made.lines(1000, colour=colour)
         assert lines == drawn_by_rich(columns, rows, styles, colour)
 
 
@@ -105,20 +111,22 @@ def test_four_decimals_suffice_unless_all_values_are_below_a_hundredth(
 
 
 @pytest.mark.parametrize(
-    ("columns", "order"),
+    ("table", "order"),
     [
-        (table._EVENTS, ["line", "limit", "value", "motion of line", ""]),
-        (table._AXES, ["feedback", "counts", "scale"]),
-        (table._MOTORS, ["peak output", "line"]),
-        (table._TOTALS, ["of the run", "each"]),
+        (report.events_table([]), ["line", "limit", "value", "motion of line", ""]),
+        (report.axes_table([]), ["feedback", "counts", "scale"]),
+        (report.motors_table([], False), ["peak output", "line"]),
     ],
 )
-def test_a_narrow_table_drops_the_least_important_column_first(
-    columns: tuple[Column, ...], order: list[str]
-) -> None:
+def test_a_narrow_table_drops_the_least_important_column_first(table: Ours, order: list[str]) -> None:
+    for k, column in enumerate(table.columns):
+        column.get, column.text, column.decimals = (lambda row, k=k: f"{k}" * 30), str, None
+    table.rows = [{}]
     dropped: list[str] = []
     for width in range(200, 0, -1):
-        head = grid(columns, [[f"{k}" * 30 for k in range(len(columns))]], width=width * 2)[-1]
-        gone = [each.title for k, each in enumerate(columns) if f"{k}" * 30 not in head]
+        head = table.lines(width * 2)[-1]
+        gone = [
+            each.heading for k, each in enumerate(table.columns) if not each.data and f"{k}" * 30 not in head
+        ]
         dropped += [title for title in gone if title not in dropped]
     assert dropped == order

@@ -54,7 +54,6 @@ def test_output_of_many_lines_is_shortened_in_the_middle(count: int) -> None:
 @pytest.mark.parametrize(
     ("value", "text"),
     [
-        (None, ""),
         (True, "true"),
         (False, "false"),
         (12, "12"),
@@ -70,12 +69,13 @@ def test_a_cell_of_a_sweep(value: object, text: str) -> None:
 
 def test_a_narrow_sweep_drops_its_last_columns() -> None:
     """The first two are always shown; texts are on the left, numbers on the right."""
-    rows = [[1, "x", 2.5, 3], [10, "yy", 2, 4]]
-    names, units = ["n", "name", "time", "peak"], ["", "", "s", "uu/s"]
-    wide = sweep_table(names, units, rows, width=80)
+    units = {"n": "", "name": "", "time": "s", "peak": "uu/s"}
+    found = [[1, "x", 2.5, 3], [10, "yy", 2, 4]]
+    table = sweep_table(units, [dict(zip(units, row, strict=True)) for row in found])
+    wide = table.lines(80)
     assert [line.split() for line in wide[-2:]] == [["1", "x", "2.5", "3"], ["10", "yy", "2", "4"]]
     assert wide[-2].startswith(" 1  x ")
     assert wide[-1].startswith("10  yy")
     full = max(map(len, wide))
     for width, shown in ((full, 4), (full - 1, 3), (5, 2)):
-        assert len(sweep_table(names, units, rows, width=width)[-1].split()) == shown
+        assert len(table.lines(width)[-1].split()) == shown

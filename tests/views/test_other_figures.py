@@ -14,9 +14,9 @@ from motionlang.views import pvt_plot
 from motionlang.views.an00115_plot import plan_figure
 from motionlang.views.figure import AXIS, BLUE, FAINT, GREEN, INK, RED, VIOLET, Curve, Figure, Panel
 from motionlang.views.pvt_plot import pvt_figure
+from motionlang.views.report import motors_table
 from motionlang.views.servo_plot import comparison_figure, trace_figure
 from motionlang.views.sweep_plot import front_figure, line_figure, map_figure
-from motionlang.views.table import _motors
 
 LINES = plan_pvt((0.0, 100.0, 250.0), (), (1.0, 1.0))
 """100 counts in a second, and 150 in the next one, at constant velocities."""
@@ -225,6 +225,6 @@ def test_a_motor_that_never_settles_is_reported() -> None:
         {"axis": axis, "line": 1, "motor": {**figures, "settle_time": time}}
         for axis, time in ((0, None), (1, 0.25))
     ]
-    lines = _motors(rows, 100, False, False)
+    lines = motors_table(rows, False).lines(100)
     assert ["never" in line for line in lines if line.split()[0] in ("0", "1")] == [True, False]
     assert "0.25" in lines[-1]

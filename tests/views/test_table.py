@@ -8,9 +8,9 @@ from itertools import pairwise
 import pytest
 
 from motionlang.report import moves
-from motionlang.views.grid import Column, decimals_of, grid
-from motionlang.views.table import _Events, _Gathered, render
-from motionlang.views.words import clock_time, figure
+from motionlang.views.report import _Events, _Gathered, render
+from motionlang.views.table import Column, Table
+from motionlang.views.words import clock_time, decimals_of, figure
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 BALLSCREW = """\
@@ -132,7 +132,7 @@ def test_many_moves_are_summed_up_by_line() -> None:
 
 def test_of_very_many_figures_few_are_stored_that_add_up_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = render(shift())
-    monkeypatch.setattr("motionlang.views.table.MAX_TERMS", 7)
+    monkeypatch.setattr("motionlang.views.report.MAX_TERMS", 7)
     assert render(shift()) == whole
     gathered = _Gathered(moves(shift()), False)
     assert (gathered.count, gathered.by_axis) == (400, {0: 100, 1: 100, 2: 100, 3: 100})
@@ -264,8 +264,9 @@ def test_nothing_around_it_changes_a_table(monkeypatch: pytest.MonkeyPatch, name
 
 
 def test_a_cell_takes_the_room_that_a_terminal_gives_it() -> None:
-    columns = (Column("word", align="<", style="word"), Column("n"))
-    assert grid(columns, [["漢字[b]x[/b]", "1"], ["é", "20"]], width=80) == [
+    columns = (Column("word", left=True, style="word"), Column("n"))
+    rows = [{"word": "漢字[b]x[/b]", "n": 1}, {"word": "é", "n": 20}]
+    assert Table("words", columns, rows).lines(80) == [
         "word           n",
         "────────────────",
         "漢字[b]x[/b]   1",

@@ -10,7 +10,7 @@ from motionlang.views.lanes import Lane, lanes
 from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window
 from motionlang.views.words import clock_time, dialect_name, figure, peak_of, significant
-from motionlang.views.written import MAX_ROWS, written
+from motionlang.views.written import MAX_ROWS, writes_table
 
 
 @pytest.mark.parametrize(
@@ -161,12 +161,12 @@ def test_writes_to_other_devices() -> None:
         {"bus": 1, "node": 5, "kind": "object", "number": 0x6040, "subindex": 1, "value": 15.0},
         {"bus": 1, "node": 5, "kind": "state", "value": "ready"},
     ]
-    assert [line.split() for line in written(rows, 100, False)[2:]] == [
+    assert [line.split() for line in writes_table(rows).lines(100)[2:]] == [
         ["Modbus", "server", "2", "register", "7", "2"],
         ["node", "5", "of", "bus", "1", "analogue", "output", "3", "12.5"],
         ["node", "5", "of", "bus", "1", "object", "0x6040,", "1", "15"],
         ["node", "5", "of", "bus", "1", "state", "ready"],
     ]
-    many = written(rows[:1] * (MAX_ROWS + 2), 100, False)
+    many = writes_table(rows[:1] * (MAX_ROWS + 2)).lines(100)
     assert many[-1] == "… and 2 more: --format json has all"
-    assert len(written(rows[:1] * MAX_ROWS, 100, False)) == len(many) - 1
+    assert len(writes_table(rows[:1] * MAX_ROWS).lines(100)) == len(many) - 1

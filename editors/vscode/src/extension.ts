@@ -4,6 +4,7 @@ import { execFile } from "node:child_process";
 import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
+import { CoverageMarks } from "./coverage";
 import { findPython } from "./python";
 import { ScopePage } from "./scope";
 
@@ -28,12 +29,18 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     const file = fileOf(uri);
     return file && page.show(file);
   });
+  const marks = new CoverageMarks(coverage);
+  on("motionlang.cover", async (uri) => {
+    const file = await saved(uri);
+    return file && marks.show(vscode.Uri.file(file));
+  });
   on("motionlang.diff", (uri) => compareWithSaved(context, uri));
   on("motionlang.debug", debug);
   on("motionlang.restart", restart);
   const adapter: vscode.DebugAdapterDescriptorFactory = { createDebugAdapterDescriptor };
   const configurations: vscode.DebugConfigurationProvider = { resolveDebugConfiguration };
   context.subscriptions.push(
+    marks,
     vscode.debug.registerDebugAdapterDescriptorFactory("motionlang", adapter),
     vscode.debug.registerDebugConfigurationProvider("motionlang", configurations),
     vscode.debug.registerDebugAdapterTrackerFactory("motionlang", page),
@@ -135,6 +142,23 @@ async function compareWithSaved(context: vscode.ExtensionContext, uri?: string |
     differences ??= vscode.window.createOutputChannel("motionlang diff");
     differences.replace(output + errors);
     differences.show(true);
+  });
+}
+
+/** Returns what `motionlang cover` prints about a program; it says why if that is nothing. */
+async function coverage(program: vscode.Uri): Promise<string | undefined> {
+  python ??= await findPython();
+  if (!python) {
+    return undefined;
+  }
+  const command = ["-m", "motionlang", "cover", program.fsPath, "--format", "json"];
+  return new Promise((done) => {
+    execFile(python!, command, { cwd: path.dirname(program.fsPath), maxBuffer: 1 << 26 }, (error, output, errors) => {
+      if (error) {
+        void vscode.window.showWarningMessage(errors.split("\n")[0] || "the program has no coverage");
+      }
+      done(error ? undefined : output);
+    });
   });
 }
 

@@ -23,7 +23,6 @@ Array = NDArray[np.float64]
 
 Row = dict[str, Any]
 
-SCHEMA = "motionlang.compare/1"
 # A recorded motor's position is compared with its commanded position.
 QUANTITIES = (*UNITS, "actual")
 # A fitted scale this far from 1 indicates other units; seconds after an end in which a motor overshoots.
@@ -61,18 +60,6 @@ class Comparison(NamedTuple):
         """True if everything is within tolerance; None if no tolerance was given."""
         verdicts = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
         return all(verdicts) if verdicts else None
-
-    def report(self) -> Row:
-        """Return the comparison as plain data, schema `motionlang.compare/1`."""
-        return {
-            "schema": SCHEMA,
-            "program": self.run.source.name,
-            "delay": self.delay,
-            "within": self.is_within,
-            "signals": self.signals,
-            "moves": self.moves,
-            "diagnostics": [each.as_dict() for each in self.remarks],
-        }
 
 
 def compare(

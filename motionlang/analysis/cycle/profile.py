@@ -16,7 +16,6 @@ from motionlang.log.records import Waited
 from motionlang.planners.total import exact_terms
 from motionlang.result import Run
 
-SCHEMA = "motionlang.cycle/2"
 # The root of all calls, which contains the lines outside subs.
 PROGRAM = "the program"
 
@@ -108,25 +107,6 @@ class TimeProfile:
         """
         return slacks(self._chain.motions, self._waits)
 
-    def report(self) -> dict[str, Any]:
-        """Return the profile as plain data, schema `motionlang.cycle/2`."""
-        return {
-            "schema": SCHEMA,
-            "program": self.run.source.name,
-            "time": self.run.time,
-            "tasks": [
-                _row(task, "name", "begin", "end", "waiting", "computing", "ready") for task in self.tasks
-            ],
-            "kinds": list(map(_share, self.kinds())),
-            "lines": list(map(_share, self.lines())),
-            "subs": list(map(_share, self.subs())),
-            "waits": list(map(_share, self.waited_lines())),
-            "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
-            "critical_path": [
-                {"begin": begin, "end": end, **_about_link(about)} for begin, end, about in self.spans()
-            ],
-        }
-
     def sub(self, line: int) -> str:
         """Return the sub that contains a line, "" for none."""
         return self._positions.sub(line)
@@ -187,18 +167,3 @@ def _kind(link: Link) -> str:
         return link.cause
     axes = ", ".join(map(str, link.axes))
     return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
-
-
-def _share(share: Share) -> dict[str, Any]:
-    return _row(share, "name", "line", "seconds", "total", "causes")
-
-
-def _row(each: object, *names: str) -> dict[str, Any]:
-    return {name: getattr(each, name) for name in names}
-
-
-def _about_link(about: About) -> dict[str, Any]:
-    """Return all fields of a link in a report except its times."""
-    cause, position, task, axes, waited = about
-    where = {"line": position.line, "sub": position.sub, "callers": position.callers}
-    return {"cause": cause, **where, "task": task, "axes": axes, "wait_line": waited}

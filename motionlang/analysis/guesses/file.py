@@ -110,7 +110,9 @@ def _model(target: Target) -> str:
     if not target.model:
         return ""
     also = f"# {also_fitting(target)}\n" if target.others else ""
-    return f"controller.model = {_value(target.model)}    # {'; '.join(target.reasons[:MAX_LINES])}\n{also}"
+    return (
+        f"controller.model = {toml_value(target.model)}    # {'; '.join(target.reasons[:MAX_LINES])}\n{also}"
+    )
 
 
 def also_fitting(target: Target) -> str:
@@ -249,7 +251,7 @@ def _places(number: int, result: Run) -> int | None:
 
 
 def _switches(keys: dict[str, object]) -> str:
-    lines = [f"{key} = {_value(value)}\n" for key, value in keys.items()]
+    lines = [f"{key} = {toml_value(value)}\n" for key, value in keys.items()]
     return "".join([*lines, "guess = true    # the switches\n"])
 
 
@@ -261,12 +263,13 @@ def _figure(name: str, result: Run) -> float:
 
 def inline(entry: Entry) -> str:
     """Return an entry as an inline table of TOML."""
-    return f"{{ {', '.join(f'{key} = {_value(value)}' for key, value in entry.items())} }}"
+    return f"{{ {', '.join(f'{key} = {toml_value(value)}' for key, value in entry.items())} }}"
 
 
-def _value(value: object) -> str:
+def toml_value(value: object) -> str:
+    """Return a value as TOML has it."""
     if isinstance(value, list):
-        return f"[{', '.join(map(_value, value))}]"
+        return f"[{', '.join(map(toml_value, value))}]"
     text = json.dumps(value, ensure_ascii=False)  # the numbers, truth values and texts of TOML
     return text.replace("\x7f", "\\u007f")
 

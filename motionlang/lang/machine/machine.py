@@ -22,7 +22,7 @@ from motionlang.lang.statement_time import StatementTime
 from motionlang.log.log import Log
 
 if TYPE_CHECKING:
-    from motionlang.lang.debugging import Hook
+    from motionlang.lang.debugging import Hook, Observer
     from motionlang.lang.scheduler import Scheduler
 
 DEFAULT_AXES = 8
@@ -50,11 +50,13 @@ class Machine:
         show: Callable[[str], object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
         hook: Hook | None = None,
+        observer: Observer | None = None,
     ) -> None:
         self.settings = dict(settings or {})
         get = self.settings.get
         # Called before statements of a debug build.
         self.hook = hook
+        self.observer = observer
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         # The assumptions that this controller settles differently from the default, by name.

@@ -115,7 +115,7 @@ ROWS = (
          "Give the present position of the auxiliary encoder a new value.", "1AH100,1AT"),
     _row("AF", "command", "W", "axis", "uu", find_auxiliary_index,
          "Find the index of the auxiliary encoder: wait for its mark; there its position becomes this one. The machine "
-         "file turns it and says where marks are ([[encoder]]).", "1AF0,1AT"),
+         "file turns it and says where marks are ([[encoder]]).", "1AF0,1AT", waits="axis", topic="home"),
     _reports_row("AT", "reading", "R", "axes", "uu", tell_auxiliary,
                  "Tell the position of the auxiliary encoder, which the machine file turns.", "1AT"),
     _reports_row("AZ", "reading", "R", "axes", "uu", tell_auxiliary_index,

@@ -104,6 +104,9 @@ class Group:
         high: float | None = None,
         below: bool = False,
         tunes: str = "",
+        channel: str = "",
+        waits: str = "",
+        topic: str = "",
         meant: str = "",
         family: str = "",
     ) -> Keyword:
@@ -124,6 +127,9 @@ class Group:
             below=below,
             group=self.title,
             tunes=tunes,
+            channel=channel,
+            waits=waits,
+            topic=topic,
             meant=meant,
             family=family,
         )

@@ -35,6 +35,7 @@ class LineSteps(Steps):
         super().__init__()
         self.line = line
         self.starts: list[int] = []
+        self.name = str(line.offsets[0]) if line.offsets else ""
 
     @property
     def text(self) -> str:
@@ -74,6 +75,8 @@ class LineWriter:
         self.steps.add(RETURN, self._close_path, uses=None)
         for step, index in self._jumps:
             self.steps.set_target(step, self.steps.starts[min(index, self.end)])
+        if board.machine.observer is not None:
+            board.machine.observer.written(self.steps)
 
     @property
     def end(self) -> int:

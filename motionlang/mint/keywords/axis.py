@@ -126,5 +126,5 @@ ROWS = (
     Keyword("DRIVEENABLE", "DE", "setting", "RW", "axis", "bool", _ENABLED,
             "State of the drive of the axis, 1 if enabled; a move on a disabled axis is rejected.",
             "DRIVEENABLE(0) = _TRUE\nPRINT DRIVEENABLE(0)", default=1.0, low=0, high=1, group="axis", effect="switch",
-            meant="ENABLE DISABLE"),
+            meant="ENABLE DISABLE", topic="enable"),
 )  # fmt: skip

@@ -181,10 +181,17 @@ _CONSTANTS = tuple(
 
 
 def _trigger(
-    name: str, actions: Actions, unit: str, help: str, low: float, high: float, default: float
+    name: str,
+    actions: Actions,
+    unit: str,
+    help: str,
+    low: float,
+    high: float,
+    default: float,
+    selects: str = "",
 ) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, f"{name}(0) = 1\nPRINT {name}(0)",
-                   default=default, low=low, high=high, group="buffer")  # fmt: skip
+                   default=default, low=low, high=high, group="buffer", selects=selects)  # fmt: skip
 
 
 ROWS = (
@@ -212,7 +219,7 @@ ROWS = (
             "TRIGGERMODE(0) = _trAUTO\nMOVER(0) = 10\nPAUSE IDLE(0)\nPRINT POS(0)",
             default=1.0, low=0, high=3, group="buffer", effect="hands-over switch"),
     _trigger("TRIGGERINPUT", _TRIGGER, "integer", "The input that starts moves; -1 for none.", -1, 999,
-             -1.0),
+             -1.0, selects="input"),
     _trigger("TRIGGERSOURCE", _TRIGGER, "integer",
              "Type of TRIGGERCHANNEL: 0 an axis, 1 an encoder, 2 an auxiliary encoder.", 0, 2, 0.0),
     _trigger("TRIGGERCHANNEL", _TRIGGER, "integer", "The axis or encoder whose position starts moves.",
@@ -225,12 +232,14 @@ ROWS = (
             low=0, high=2147483647.0, group="motion", effect="entry"),
     Keyword("MOVEOUT", "", "move", "W", "axis, bank", "bits", Actions(load=loads(Environment, put_bank)),
             "Set a bank of outputs between two moves of the buffer.",
-            "MOVER(0) = 10\nMOVEOUT(0, 0) = 5\nGO(0)\nPAUSE IDLE(0)\nPRINT OUT(0)", group="motion", effect="entry"),
+            "MOVER(0) = 10\nMOVEOUT(0, 0) = 5\nGO(0)\nPAUSE IDLE(0)\nPRINT OUT(0)", group="motion", effect="entry",
+            channel="output bank"),
     Keyword("MOVEOUTX", "", "move", "W", "axis, channel", "bool", Actions(load=loads(Environment, put_bit)),
             "Set one output between two moves of the buffer.",
-            "MOVER(0) = 10\nMOVEOUTX(0, 3) = _ON\nGO(0)\nPAUSE IDLE(0)\nPRINT OUTX(3)", group="motion", effect="entry"),
+            "MOVER(0) = 10\nMOVEOUTX(0, 3) = _ON\nGO(0)\nPAUSE IDLE(0)\nPRINT OUTX(3)", group="motion", effect="entry",
+            channel="output"),
     Keyword("MOVEPULSEOUTX", "", "move", "W", "axis, channel", "ms", Actions(load=loads(Environment, put_pulse)),
             "Turn an output on for some milliseconds, between two moves of the buffer; they do not wait for its end.",
             "MOVER(0) = 10\nMOVEPULSEOUTX(0, 3) = 50\nGO(0)\nPAUSE IDLE(0)\nPRINT OUTX(3)\nWAIT = 50\nPRINT OUTX(3)",
-            low=0, high=2147483647.0, group="motion", effect="entry"),
+            low=0, high=2147483647.0, group="motion", effect="entry", channel="output"),
 )  # fmt: skip

@@ -180,7 +180,7 @@ ROWS = (
             _HOMED.format("HOMEPHASE"), default=0.0, group="homing"),
     Keyword("HOMEINPUT", "hi", "setting", "RW", "axis", "integer", SWITCH_INPUT,
             "The input that is the home switch of the axis; -1 for none.",
-            "HOMEINPUT(0) = 2\nPRINT HOMEINPUT(0)", default=-1.0, low=-1, high=999, group="homing"),
+            "HOMEINPUT(0) = 2\nPRINT HOMEINPUT(0)", default=-1.0, low=-1, high=999, group="homing", selects="input"),
     Keyword("HOMESWITCH", "hsw", "reading", "R", "axis", "bool", HOME_SWITCH,
             "1 while the axis is on its home switch.",
             "PRINT HOMESWITCH(0)", default=0.0, group="homing", driven="input"),

@@ -172,7 +172,7 @@ def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = 
 ROWS = (
     Keyword("OUT", "ot", "setting", "RW", "bank", "bits", Actions(read=read_bank, write=write_bank),
             "The digital outputs of a bank as bits, bank 0 when none is given.",
-            "OUT(0) = 5\nPRINT OUT(0)", default=0.0, group="io"),
+            "OUT(0) = 5\nPRINT OUT(0)", default=0.0, group="io", channel="output bank"),
     Keyword("OUTX", "otx", "setting", "RW", "output", "bool", Actions(read=read_bit, write=write_bit),
             "One digital output: 1 is on.",
             "OUTX(2) = _ON\nPRINT OUTX(2)", default=0.0, group="io", meant="DOUT SETOUT"),
@@ -189,5 +189,6 @@ ROWS = (
     _adc("ADCMODE", "am", "Range of an analogue input: 0 both signs, -100 to 100; 1 positive only.", 0, 1, "integer"),
     Keyword("DAC", "", "setting", "RW", "channel", "%", _DAC,
             "An analogue output in percent of its range.",
-            "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, group="io", meant="AOUT"),
+            "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, group="io", meant="AOUT",
+            channel="analogue output"),
 )  # fmt: skip

@@ -62,8 +62,8 @@ ROWS = (
     Keyword("DRIVEENABLEOUTPUT", "deo", "setting", "RW", "axis", "integer",
             Actions("enable_output", read=setting_reader(Signals), write=repeatable(setting_writer(Signals))),
             "The output that is on while the drive of the axis is enabled; -1 for none.",
-            "DRIVEENABLEOUTPUT(0) = 4\nPRINT OUTX(4)", default=-1.0, low=-1, high=999, group="io"),
+            "DRIVEENABLEOUTPUT(0) = 4\nPRINT OUTX(4)", default=-1.0, low=-1, high=999, group="io", selects="output"),
     Keyword("GLOBALERROROUTPUT", "geo", "setting", "RW", "none", "integer", _ERROR_OUTPUT,
             "The output that is on while any axis has an error; -1 for none.",
-            "GLOBALERROROUTPUT = 5\nPRINT OUTX(5)", default=-1.0, low=-1, high=999, group="io"),
+            "GLOBALERROROUTPUT = 5\nPRINT OUTX(5)", default=-1.0, low=-1, high=999, group="io", selects="output"),
 )  # fmt: skip

@@ -171,16 +171,20 @@ _PASSED = Actions(
 )
 
 
-def _compare(name: str, sets: str, help: str, low: float, high: float, default: float) -> Keyword:
+def _compare(
+    name: str, sets: str, help: str, low: float, high: float, default: float, selects: str = ""
+) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "integer", _setting_of(sets), help,
-                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, group="latches")  # fmt: skip
+                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, group="latches",
+                   selects=selects)  # fmt: skip
 
 
 ROWS = (
     _compare("COMPAREMODE", "mode",
              "0: the output comes on at position 0 and stays on; 1: it is on between positions 0 and 1.", 0, 1, 0.0),
     _compare("COMPAREOUTPUT", "output",
-             "The output that the position compare of the axis switches; -1 for none.", -1, 999, -1.0),
+             "The output that the position compare of the axis switches; -1 for none.", -1, 999, -1.0,
+             selects="output"),
     Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu",
             Actions(read=of(Compares, read_position), write=of(Compares, write_position)),
             "The positions with which the axis is compared: registers 0 and 1.",

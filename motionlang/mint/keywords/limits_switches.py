@@ -113,7 +113,8 @@ HOME_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.is_o
 
 def _input(name: str, short: str, help: str) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", "integer", SWITCH_INPUT, f"{help}; -1 for none.",
-                   f"{name}(0) = 3\nPRINT {name}(0)", default=-1.0, low=-1, high=999, group="limits")  # fmt: skip
+                   f"{name}(0) = 3\nPRINT {name}(0)", default=-1.0, low=-1, high=999, group="limits",
+                   selects="input")  # fmt: skip
 
 
 ROWS = (

@@ -37,9 +37,9 @@ _REAL = Actions(
 ROWS = (
     Keyword("NVLONG", "", "setting", "RW", "address", "integer", _WORD,
             "A whole number in non-volatile memory, addresses 0 to 1023; `run --nv FILE` keeps it from run to run.",
-            "NVLONG(5) = NVLONG(5) + 1\nPRINT NVLONG(5)", default=0.0, group="control"),
+            "NVLONG(5) = NVLONG(5) + 1\nPRINT NVLONG(5)", default=0.0, group="control", channel="nv word"),
     Keyword("NVFLOAT", "", "setting", "RW", "address", "number", _REAL,
             "NVLONG's memory as single-precision numbers: NVLONG and NVFLOAT of one address share their "
             "bits.",
-            "NVFLOAT(7) = 2.5\nPRINT NVFLOAT(7)", default=0.0, group="control"),
+            "NVFLOAT(7) = 2.5\nPRINT NVFLOAT(7)", default=0.0, group="control", channel="nv word"),
 )  # fmt: skip

@@ -129,9 +129,11 @@ def _path(name: str, unit: str, help: str, example: str, effect: str = "path") -
                    example + _END, group="motion", effect=effect)  # fmt: skip
 
 
-def _setting(name: str, unit: str, actions: str | Actions, help: str, example: str, high: float) -> Keyword:
+def _setting(
+    name: str, unit: str, actions: str | Actions, help: str, example: str, high: float, topic: str = ""
+) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, actions, help, _READY + example, default=0.0, low=0.0,
-                   high=high, group="paths")  # fmt: skip
+                   high=high, group="paths", topic=topic)  # fmt: skip
 
 
 _RULE = "SPEED, ACCEL and DECEL of the first axis are those along the path, and GO of it starts all"
@@ -166,7 +168,7 @@ ROWS = (
     _setting("BLENDDISTANCE", "number", "blend_distance",
              "Remaining length of a path when the next one begins, in user units; at most half of the "
              "path.",
-             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _MAX_VALUE),
+             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _MAX_VALUE, topic="speed"),
     Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
             "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"

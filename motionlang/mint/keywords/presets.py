@@ -182,9 +182,9 @@ _RUN = _TWO + "PRESETINDEX(0) = 1\n{}PRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRI
 
 
 def _row(name: str, index: str, unit: str, actions: Actions, help: str, example: str, low: float, high: float,
-         default: float = 0.0, group: str = "axis", effect: str = "") -> Keyword:  # fmt: skip
+         default: float = 0.0, group: str = "axis", effect: str = "", selects: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, "", "setting", "RW", index, unit, actions, help, example, default=default, low=low,
-                   high=high, group=group, effect=effect)  # fmt: skip
+                   high=high, group=group, effect=effect, selects=selects)  # fmt: skip
 
 
 def _entry(name: str, unit: str, help: str, low: float, high: float) -> Keyword:
@@ -200,10 +200,12 @@ def _format(
 
 
 def _setting(
-    name: str, help: str, low: float, high: float, default: float = 0.0, example: str = ""
+    name: str, help: str, low: float, high: float, default: float = 0.0, example: str = "", selects: str = ""
 ) -> Keyword:
     example = example or f"{name}(0) = 1\nPRINT {name}(0)"
-    return _row(name, "axis", "integer", _SETTING, help, example, low, high, default, "motion")
+    return _row(
+        name, "axis", "integer", _SETTING, help, example, low, high, default, "motion", selects=selects
+    )
 
 
 ROWS = (
@@ -235,13 +237,13 @@ ROWS = (
     _setting("PRESETDWELLTIME", "Milliseconds of rest between presets that follow each other by themselves.", 0,
              _MAX_TIME),
     _setting("PRESETSELECTORINPUT", "The first of the inputs that select a preset, the lowest bit of its number; -1 "
-                                    "for none.", -1, 999, -1.0),
+                                    "for none.", -1, 999, -1.0, selects="input"),
     _setting("PRESETINPUTSMAX", "Number of inputs that select a preset.", 0, 6, 4.0),
     Keyword("PRESETINPUTSTATE", "", "reading", "R", "axis", "integer", Actions(read=of(Presets, Presets.inputs)),
             "The preset that the inputs select now.", "PRESETSELECTORINPUT(0) = 4\nPRINT PRESETINPUTSTATE(0)",
             default=0.0, group="state"),
     _setting("PRESETTRIGGERINPUT", "The input whose becoming active starts the preset that is selected; -1 for none.",
-             -1, 999, -1.0),
+             -1, 999, -1.0, selects="input"),
     _row("PRESETMOVEENABLE", "axis", "bool", _SETTING,
          "Enables presets; without a trigger input, 1 starts the selected preset.", _RUN.format(""), 0, 1,
          group="motion", effect="hands-over"),

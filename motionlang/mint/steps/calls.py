@@ -29,7 +29,7 @@ def call(w: UnitWriter, node: nodes.Name, symbol: Symbol) -> Value:
             called[index] = get(values)
         return steps, called
 
-    w.add(CALL, enter, to=0)
+    w.steps.called[w.add(CALL, enter, to=0)] = steps, 0
     w.callee = callee
     if callee.result is None:
         return Value(lambda values: 0, FLOAT)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from motionlang.lang.steps import DO, END, NOW, RETURN, Steps
+from motionlang.lang.steps import CALL, DO, END, NOW, RETURN, Steps
 from motionlang.mint.resolve.handlers import handles, label_handlers
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.symbols import Function
@@ -55,12 +55,16 @@ class ProgramWriter:
         self.is_guarded = handles(names, "onerror")
         self.show_float = shows_float(environment.machine)
         self.steps = {function: environment.steps_of(function) for function in names.functions}
-        for steps in self.steps.values():
-            steps.origin = names
+        for function, steps in self.steps.items():
+            steps.origin, steps.name = names, function.qualified_name
         # The tasks and handlers, by names such as "task blink" and "event timer".
         self.blocks: dict[str, Unit] = {}
         for function in names.functions:
             self._write(function)
+        observer = environment.machine.observer
+        if observer is not None:
+            for steps in self.steps.values():
+                observer.written(steps)
 
     def unit(self, function: Function) -> Unit:
         """Return a function as a unit that can be started."""
@@ -77,6 +81,8 @@ class ProgramWriter:
         self._end(w)
         for index, name in w.jumps:
             w.steps.set_target(index, w.labels[name])
+            if w.steps[index].kind == CALL:
+                w.steps.called[index] = w.steps, w.labels[name]
         if function.kind in ("task", "event"):
             self.blocks[f"{function.kind} {function.name.lower()}"] = self.unit(function)
         if function.jumps:

@@ -17,7 +17,7 @@ from motionlang.errors import ProgramError
 from motionlang.execution import run
 from motionlang.result import Run
 from motionlang.source import Source
-from motionlang.views.comparison import render_comparison
+from motionlang.views.comparison import comparison_document, render_comparison
 
 PROGRAM = """\
 SPEED(0, 1) = 100, 50
@@ -218,22 +218,24 @@ def test_a_whole_report() -> None:
     ahead = [0.5 if k == 6 else 0.25 for k in range(10)]
     text = "\n".join(f"{k / 2},{x + e}" for k, (x, e) in enumerate(zip(POSITIONS, ahead, strict=True)))
     made = compare(slow(), Source("b.csv", "t,x\n" + text), (X,), delay=0.0, tolerances={"position": 0.3})
-    report = made.report()
+    report = json.loads(comparison_document(made, "b.csv").json())
     fit = {name: report["signals"][0].pop(name) for name in ("scale", "offset")}
     assert (fit["scale"], fit["offset"]) == pytest.approx((1.0, 0.25), abs=0.03)
-    within = {"rms": 0.25, "within": True}
+    within, first = {"rms": 0.25, "within": True}, {"signal": "position.0", "move": 0}
     assert rounded(report) == {
-        "schema": "motionlang.compare/1", "program": "a.mnt", "delay": 0.0, "within": False,
+        "schema": "motionlang/1", "program": "a.mnt", "delay": 0.0, "within": False,
         "signals": [
             {"signal": "position.0", "column": "x", "points": 10, "moves": True, "lag": -0.0625,
              "peak": 0.5, "peak_time": 3.0, "rms": round((0.8125 / 10.0) ** 0.5, 6), "within": False},
         ],
         "moves": [
             {"signal": "position.0", "axis": 0, "command": "MOVER", "line": 2, "start_time": 0.0, "duration": 2.5,
-             "peak": 0.25, "peak_time": 1.0, **within, "lag": -0.0625, "overshoot": 0.5,
-             "phases": [{"name": "accel", "peak": 0.25, "peak_time": 0.5, **within},
-                        {"name": "slew", "peak": 0.25, "peak_time": 1.0, **within},
-                        {"name": "decel", "peak": 0.25, "peak_time": 2.5, **within}]},
+             "peak": 0.25, "peak_time": 1.0, **within, "lag": -0.0625, "overshoot": 0.5},
+        ],
+        "phases": [
+            {**first, "name": "accel", "peak": 0.25, "peak_time": 0.5, **within},
+            {**first, "name": "slew", "peak": 0.25, "peak_time": 1.0, **within},
+            {**first, "name": "decel", "peak": 0.25, "peak_time": 2.5, **within},
         ],
         "diagnostics": [],
     }  # fmt: skip
@@ -353,7 +355,7 @@ def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[s
         == 0
     )
     report = json.loads(capsys.readouterr().out)
-    assert report["schema"] == "motionlang.compare/1"
+    assert report["schema"] == "motionlang/1"
     assert report["delay"] == pytest.approx(0.2, abs=1e-6)
     assert '"quantity":"position"' in (folder / "x.html").read_text(encoding="utf-8").replace(" ", "")
 

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.analysis.cycle.export import speedscope, write_profile
 from motionlang.analysis.cycle.profile import Share, TimeProfile
 from motionlang.analysis.cycle.tasks import TaskTime
 from motionlang.cli import main
 from motionlang.execution import run
 from motionlang.source import Source
-from motionlang.views.cycle import render_profile
+from motionlang.views.cycle import profile_document, render_profile
+from motionlang.views.speedscope import speedscope, write_profile
 
 ROOT = Path(__file__).parents[3]
 
@@ -220,7 +220,7 @@ def test_other_programs_read_it() -> None:
 def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
     made, path = profiled(text, machine=WORLD), tmp_path / "cycle.json"
     write_profile(made, str(path))
-    assert path.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n"
+    assert path.read_text(encoding="utf-8") == profile_document(made).json()
     write_profile(made, str(tmp_path / "Cycle.SpeedScope.json"))
     written = (tmp_path / "Cycle.SpeedScope.json").read_text(encoding="utf-8")
     assert written == json.dumps(speedscope(made), indent=1) + "\n"
@@ -245,8 +245,8 @@ def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert "time profile of 3.0" in capsys.readouterr().out
     assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
     assert main(["profile", "cycle.mnt", "--format", "json", "--to", "x.json"]) == 0
-    assert json.loads(capsys.readouterr().out)["schema"] == "motionlang.cycle/2"
-    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang.cycle/2"
+    assert json.loads(capsys.readouterr().out)["schema"] == "motionlang/1"
+    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang/1"
 
 
 def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ import pytest
 from motionlang.execution import run
 from motionlang.log.paths import PathRow, paths
 from motionlang.source import Source
-from motionlang.views.paths import at_its_end, render_paths
+from motionlang.views.paths import at_its_end, paths_table
 
 SETUP = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\n"
 
@@ -70,11 +70,11 @@ def test_what_cut_a_path_short_is_reported() -> None:
 
 def test_moves_of_single_axes_are_no_paths() -> None:
     assert rows_of("MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\n") == []
-    assert "no path was run" in render_paths([])
+    assert "no path was run" in paths_table([]).lines(100)[0]
 
 
 def test_the_table() -> None:
-    text = render_paths(rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"), width=160)
+    table = paths_table(rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"))
     cells = [
         "2",
         "VECTORR",
@@ -90,4 +90,4 @@ def test_the_table() -> None:
         "no",
         "next",
     ]
-    assert text.splitlines()[-1].split()[: len(cells)] == cells
+    assert table.lines(160)[-1].split()[: len(cells)] == cells

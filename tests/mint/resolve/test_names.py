@@ -21,11 +21,13 @@ from motionlang.source import Source
 PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
 # Lookups of names after the resolver, and how many; the numbers may only shrink. `model` looks up keywords of
 # other controllers, also in a program with errors. The check looks for a sub of the name that a
-# wrong Gosub or Call has, for its hint.
+# wrong Gosub or Call has, for its hint. The structure looks
+# for the row of what raises an event.
 LOOK_UPS = {
     "check/labels.py": 1,
     "check/unknown_words.py": 1,
     "lint/model.py": 4,
+    "steps/structure.py": 1,
 }
 
 

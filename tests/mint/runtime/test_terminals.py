@@ -6,7 +6,7 @@ import json
 
 from motionlang import report, run
 from motionlang.source import Source
-from motionlang.views.table import render
+from motionlang.views.report import render
 
 
 def ran(text: str, **machine: object) -> tuple[str, dict[str, list[str]], list[str]]:

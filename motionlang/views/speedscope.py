@@ -3,33 +3,26 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from itertools import chain
 from typing import Any
 
 from motionlang import __version__
 from motionlang.analysis.cycle.profile import PROGRAM, TimeProfile
 from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.files import replacing
+from motionlang.views.cycle import profile_document
 
 Row = dict[str, Any]
 
 # The suffixes of a profile's file, the longest first.
-FORMATS = (".speedscope.json", ".json")
+SUFFIXES = (".speedscope.json", ".json")
 
 
 def write_profile(made: TimeProfile, path: str) -> None:
     """Write the profile in the format of the suffix. Raises OSError."""
-    is_speedscope = path.lower().endswith(FORMATS[0])
+    is_speedscope = path.lower().endswith(SUFFIXES[0])
+    text = json.dumps(speedscope(made), indent=1) + "\n" if is_speedscope else profile_document(made).json()
     with replacing(path) as file:
-        file.writelines(
-            piece.encode() for piece in json_pieces(speedscope(made) if is_speedscope else made.report())
-        )
-
-
-def json_pieces(document: Row) -> Iterator[str]:
-    """Yield a document as JSON."""
-    return chain(json.JSONEncoder(indent=1).iterencode(document), "\n")
+        file.write(text.encode())
 
 
 def speedscope(made: TimeProfile) -> Row:
