@@ -10,7 +10,8 @@ from pathlib import Path
 
 from motionlang.execution import run
 from motionlang.source import Source
-from motionlang.views.servo_plot import drawing
+from motionlang.views.figure import AXIS, BLUE, RED, Curve, Figure, Panel
+from motionlang.views.figure_files import write_figure
 
 PICTURE = Path(__file__).parent.parent / "docs" / "images" / "backlash.png"
 PLAY = 24.0
@@ -44,19 +45,21 @@ def load(positions: list[float]) -> list[float]:
     return found
 
 
+def panel(mode: int, title: str) -> Panel:
+    """Return the motor and the load, and the ends of the moves."""
+    times, positions = motor(mode)
+    goals = [Curve([0.0, 700.0], [goal, goal], AXIS, width=0.8) for goal in (200.0, 400.0)]
+    curves = [
+        Curve(times, positions, BLUE, "motor (ENCODER)"),
+        Curve(times, load(positions), RED, "load", is_dashed=True),
+    ]
+    return Panel([*curves, *goals], "counts", title=title, height=220.0, x_limits=(0.0, 700.0))
+
+
 def main() -> None:
     """Draw the picture."""
-    with drawing(str(PICTURE), 9.0, 4.0) as figure:
-        panels = figure.subplots(1, 2, sharey=True)
-        for axes, mode, title in zip(panels, (0, 1), ("without compensation", "BACKLASHMODE 1"), strict=True):
-            times, positions = motor(mode)
-            axes.plot(times, positions, label="motor (ENCODER)")
-            axes.plot(times, load(positions), label="load", linestyle="--")
-            for goal in (200.0, 400.0):
-                axes.axhline(goal, color="0.7", linewidth=0.8, zorder=0)
-            axes.set(title=title, xlabel="ms", xlim=(0, 700))
-            axes.legend(frameon=False, loc="lower right")
-        panels[0].set_ylabel("counts")
+    panels = [panel(0, "without compensation"), panel(1, "BACKLASHMODE 1")]
+    write_figure(Figure([panels], x_label="ms", width=648.0, has_shared_y=True), str(PICTURE))
 
 
 if __name__ == "__main__":

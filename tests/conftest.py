@@ -25,7 +25,6 @@ from tests.built import distributions
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
-    from typing import IO
 
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -218,21 +217,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture
 def unrendered(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let figures write their size instead of an image, which takes matplotlib half a second.
+    """Let figures write no image, which takes matplotlib half a second.
 
     It is for tests of a command that also draws. The tests of each picture render it.
     """
-    pytest.importorskip("matplotlib")
-    from matplotlib.figure import Figure
-
-    def save(figure: Figure, file: str | IO[bytes], **options: object) -> None:
-        size = str(figure.get_size_inches()).encode()
-        if isinstance(file, str):
-            Path(file).write_bytes(size)
-        else:
-            file.write(size)
-
-    monkeypatch.setattr(Figure, "savefig", save)
+    monkeypatch.setattr("motionlang.views.figure_files.svg", lambda figure: "")
+    monkeypatch.setattr("motionlang.views.figure_files._png", lambda figure: b"")
 
 
 @pytest.fixture(scope="session")

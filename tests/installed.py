@@ -46,7 +46,7 @@ trace move.mnt move.parquet [parquet]
 trace move.mnt move.mcap [mcap]
 trace move.mnt move.vcd [vcd]
 plot move.mnt move.html
-plot move.mnt move.svg [plot]
+plot move.mnt move.png [plot]
 check move.mnt
 repl move.mnt
 plan --distance 10 --time 1 --rule third
@@ -54,16 +54,16 @@ help SPEED
 verify move.mnt --update
 verify move.mnt --jobs 1
 pvt plot --positions 0,10,20 --time 10
-pvt plot --positions 0,10,20 --time 10 --plot pvt.svg [plot]
+pvt plot --positions 0,10,20 --time 10 --plot pvt.png [plot]
 pvt refine --positions 0,10,20 --time 10
 pvt export --positions 0,10,20 --time 10 --format pdo
 pvt stream --positions 0,10,20 --time 10 [can]
 servo step
-servo step --plot step.svg [plot]
+servo step --plot step.png [plot]
 diff move.mnt move.mnt
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.csv
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.parquet [parquet]
-sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.svg [plot]
+sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.png [plot]
 compare move.mnt recorded.csv
 probe mint
 serve move.mnt --modbus 127.0.0.1:0

@@ -25,7 +25,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "lark": ("lang/syntax", "mccl/syntax", "mint/syntax"),
     "rich": ("views",),
     "prompt_toolkit": ("repl",),
-    "matplotlib": ("views",),
+    "matplotlib": ("views/figure_matplotlib.py",),
     "pyarrow": ("views",),
     "polars": ("library",),
     "pandas": ("library",),

@@ -156,17 +156,6 @@ def test_a_notebook_shows_the_curve() -> None:
         assert ">100</text>" in page  # the speed
 
 
-def test_a_curve_passes_through_its_speed() -> None:
-    """50 uu/s is at the top, -50 uu/s at the bottom, and 0 at half the height.
-
-    The 2 s take the width of 650 pixels, from 70 to 720.
-    """
-    from motionlang.views.curve import HEIGHT, curve
-
-    drawn = curve([(0.0, 0.0), (1.0, 50.0), (2.0, -50.0)], 0.0, 2.0, "v")
-    assert f'points="70.0,{HEIGHT / 2:.1f} 395.0,0.0 720.0,{HEIGHT:.1f}"' in drawn
-
-
 def test_a_report_is_data() -> None:
     report = motionlang.run(FEED).report
     assert report["moves"][0]["duration"] == pytest.approx(2.1)

@@ -141,7 +141,7 @@ class Coverage:
         for one in self.conditions:
             if bool(one.true) is not bool(one.false):
                 found.setdefault(one.line, f"never {'false' if one.true else 'true'}: {one.text}")
-        return found
+        return dict(sorted(found.items()))
 
     @property
     def statements_reached(self) -> int:

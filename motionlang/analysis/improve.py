@@ -28,13 +28,15 @@ from itertools import combinations
 from math import ceil, floor, inf, log10
 from typing import Any
 
-from motionlang.analysis.certificate import Limit, certificate
+from motionlang.analysis.certificate import MOTOR, Limit, certificate
 from motionlang.analysis.cycle.motions import MOVING
 from motionlang.analysis.cycle.periods import cycle_of
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.scenarios import Entry, Scenario, scenario_files, unmet
+from motionlang.errors import ProgramError
 from motionlang.execution import Checked, checked_settings, dialect_for, run, settings_next_to
 from motionlang.lang.dialect import Dialect
+from motionlang.lang.keyword import Keyword
 from motionlang.lang.literals import Literal, constants, literals, number_text, replaced
 from motionlang.log.records import GRAVE
 from motionlang.result import Run
@@ -50,8 +52,11 @@ ENOUGH, SATED = 1e-4, "more gains nothing"
 FURTHER = 1.05
 # The largest factor by which a number is changed, and the steps of the bisection between two factors.
 MAX_FACTOR, STEPS = 16.0, 7
+UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
 # Of more edits than this not all sets are tried, but those of the best ones.
 MAX_EDITS = 8
+# A wait that ends less than this after the motion is not too long, s.
+SHORT = 1e-3
 # Positions are equal within this, user units.
 SAME = 1e-6
 _FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -131,6 +136,8 @@ class Improver:
         self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
         self.before = self._cost(self._base)
         fails = self._base.status == "fault"
+        if fails and self._base.diagnostics:
+            raise ProgramError([each for each in self._base.diagnostics if each.severity == "error"])
         if fails or (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
             raise NotPossible(
                 f"the program has no cycle to improve: {'it ends with an error' if fails else 'nothing repeats'}",
@@ -173,7 +180,8 @@ class Improver:
             for literal in candidates:
                 values = {each.literal.address: each.value for each in edits.values()}
                 cost, edit = self._search(literal, values, best)
-                if edit is not None and best - cost > WORTH * self.before:
+                worth = ENOUGH if literal.address in edits else WORTH
+                if edit is not None and best - cost > worth * best:
                     found.append((cost, edit))
             if not found:
                 return list(edits.values())
@@ -228,6 +236,7 @@ class Improver:
                 "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000",
             )
         self.skipped = [f"axis {axis} has no limits, so its speeds stay" for axis in sorted(axes - limited)]
+        bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
         structure = self.language.structure(self.source, self.world.settings)
         starts = sorted(structure.statements)
         uses = [
@@ -237,6 +246,7 @@ class Improver:
             if use.row.topic == "speed" and use.row.unit not in CHOICES
             if use.axis is None or use.axis in axes & limited
         ]
+        free: dict[tuple[int, str], None] = {}
         found = []
         for literal in self.literals:
             at = starts[bisect_right(starts, literal.offset) - 1]
@@ -246,8 +256,21 @@ class Improver:
                 for use in uses
                 if (use.at == at and literal.text in use.value) or named.search(use.value) is not None
             ]
-            if mine and literal.is_write:
+            of_all = sorted(axes & limited)
+            needed = [
+                (axis, _quantity(use.row))
+                for use in mine
+                for axis in (of_all if use.axis is None else [use.axis])
+            ]
+            without = [
+                (axis, name)
+                for axis, name in needed
+                if not {(axis, each) for each in (name, *MOTOR)} & bounded
+            ]
+            free.update(dict.fromkeys(without))
+            if mine and literal.is_write and not without:
                 found.append(literal)
+        self.skipped += [f"axis {axis} has no limit of its {name}, so that stays" for axis, name in free]
         return found
 
     # -------------------------------------------------------------------------------------------------- searching
@@ -284,7 +307,7 @@ class Improver:
                 break
             slower, low, cost, high = low, high, made, 2.0 * high
         else:
-            bound = f"more than {MAX_FACTOR:.0f} times was not tried"
+            bound = UNTRIED
         for _ in range(STEPS if high <= MAX_FACTOR else 0):
             middle = 0.5 * (low + high)
             made, reason = judged(middle)
@@ -294,12 +317,12 @@ class Improver:
                 high, bound = middle, reason or bound
         if low == 1.0:
             return best, None
-        if bound == SATED:
+        if bound in (SATED, UNTRIED):
             # It may be more than enough.
             for _ in range(STEPS):
                 middle = 0.5 * (slower + low)
                 made, reason = judged(middle)
-                if not reason and made <= cost + ENOUGH * self.before:
+                if not reason and made <= cost * (1.0 + ENOUGH):
                     low = middle
                 else:
                     slower = middle
@@ -307,7 +330,7 @@ class Improver:
         value, beyond = (was * each if grows else was / each for each in (low, high))
         round_ = _roundest(value, beyond)
         made, reason = self._judge({**values, literal.address: round_})
-        if reason or made > cost + ENOUGH * self.before:
+        if reason or made > cost * (1.0 + ENOUGH):
             round_ = _rounded(value, grows)
             cost, _ = self._judge({**values, literal.address: round_})
         else:
@@ -361,7 +384,8 @@ class Improver:
 def improver_of(program: str | Source, machine: Mapping[str, object] | None = None, **given: Any) -> Improver:
     """Return the improver of a program in its own world and its scenarios; `given` is as for `Improver`.
 
-    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError for a wrong one, and NotPossible.
+    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError
+    for a wrong one, and NotPossible.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     settings = settings_next_to(program) if machine is None else checked_settings(machine)
@@ -370,6 +394,13 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
     worlds = [World(each.name, each.settings, each.expected) for each in others]
     return Improver(source, dialect_for(source, None), World("", settings, expected), worlds, **given)
+
+
+def _quantity(row: Keyword) -> str:
+    """Return the limit that bounds what a keyword sets."""
+    if row.unit == "uu/s3" or "jerk" in row.gives:
+        return "jerk"
+    return "speed" if row.unit == "uu/s" else "acceleration"
 
 
 class _Seen:
@@ -463,7 +494,7 @@ def _waits(run: Run) -> Iterator[str]:
             for move in run.moves
             if move.start_time < wait.until and wait.since < move.start_time + move.duration < wait.until
         ]
-        if wait.cause == "time" and ends:
+        if wait.cause == "time" and ends and wait.until - max(ends)[0] > SHORT:
             end, axis = max(ends)
             line = run.dialect.locate(run.source, wait.at)[0]
             left = min(wait.until - end, found.get(line, (inf,))[0])

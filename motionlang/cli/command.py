@@ -28,7 +28,7 @@ from motionlang.files import unwritable
 from motionlang.source import Source
 
 # The optional library that writes a format.
-WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap", ".vcd": "vcd"}
+WRITERS = {".png": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap", ".vcd": "vcd"}
 
 
 def option(

@@ -25,7 +25,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.errors import Diagnostic, ProgramError, Terminated, count_of
 from motionlang.execution import language_of
 from motionlang.files import create, replacing
-from motionlang.source import Source
+from motionlang.source import STDIN, Source
 from motionlang.views.coverage import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
@@ -50,7 +50,7 @@ examples:
   motionlang cover pick.mnt --all
   motionlang cover programs --fail-under 90 --lcov coverage.info
 """
-    files: list[str] = argument("FILE", PATHS, many=True, default=["."])
+    files: list[str] = argument("FILE", f"{PATHS}; - reads standard input", many=True, default=["."])
     all: bool = flag("list each program with the count of every line")
     fail_under: float | None = option(
         "PERCENT",
@@ -161,7 +161,7 @@ def _covered(options: Cover, file: str) -> Coverage | list[Diagnostic]:
     if language is None:
         return [no_dialect(file)]
     try:
-        return covered(file, dialect=language, until=options.until)
+        return covered(read(file) if file == STDIN else file, dialect=language, until=options.until)
     except OSError as error:
         return [unreadable(str(error.filename or file), error)]
     except ProgramError as error:

@@ -20,6 +20,7 @@ from motionlang.lang.dialect import dialects
 from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies
 from motionlang.planners.solve import NAMES, RULES, Underdetermined
+from motionlang.views.an00115_plot import plan_figure
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import styled, wants_colour
 from motionlang.views.words import dialect_name
@@ -97,7 +98,7 @@ examples:
             raise WrongOption(f"{problem}{hint}") from None
         stated = (set(given) - set(wanted)) | assumed
         behind = formulas(move, stated, self.rule)
-        status = self.drawn(lambda path: _draw(move, path))
+        status = self.drawn(lambda: plan_figure(move))
         if status:
             return status
         if backwards:
@@ -116,12 +117,6 @@ examples:
         lines = [*table.lines(1000, colour=colour), *_remarks(notes, programs, colour)]
         self.show(Document(tables, {"scale": scale, "notes": notes}), "\n".join(lines) + "\n")
         return 0
-
-
-def _draw(move: dict[str, float], path: str) -> None:
-    from motionlang.views.an00115_plot import draw_plan
-
-    draw_plan(move, path)
 
 
 def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:

@@ -10,6 +10,7 @@ from motionlang.cli.drawn import Drawn
 from motionlang.cli.readers import axes, machine_time, path
 from motionlang.errors import need
 from motionlang.result import Run as Result
+from motionlang.views.figure_files import write_figure
 from motionlang.views.scope import write_scope
 from motionlang.views.window import Window
 
@@ -56,9 +57,9 @@ examples:
         if self.out.lower().endswith(".html"):
             write_scope(result, self.out, servos, window)
         else:
-            from motionlang.views.plot import write_plot
+            from motionlang.views.plot import run_figure
 
-            write_plot(result, self.out, servos, window)
+            write_figure(run_figure(result, servos, window), self.out)
 
 
 def _motors(result: Result) -> dict[int, ServoTrace]:

@@ -32,6 +32,7 @@ from motionlang.planners.pvt.points import (
 from motionlang.planners.pvt.scurve import limited_scurve, scurve
 from motionlang.planners.pvt.velocities import METHODS, pvt_velocities
 from motionlang.source import Source
+from motionlang.views.figure import Figure
 
 GRID = 0.001
 MAX_REPORTED = 20
@@ -168,12 +169,12 @@ class Points(Fitted, Picture):
     def draw(self, profiles: Sequence[Profile], titles: Sequence[str]) -> int:
         """Draw motions, if wished; return the exit status."""
 
-        def draw(path: str) -> None:
-            from motionlang.views.pvt_plot import write_pvt_plot
+        def figure() -> Figure:
+            from motionlang.views.pvt_plot import pvt_figure
 
-            write_pvt_plot(profiles, titles, path)
+            return pvt_figure(profiles, titles)
 
-        return self.drawn(draw)
+        return self.drawn(figure)
 
     @property
     def _is_program(self) -> bool:

@@ -21,6 +21,7 @@ from motionlang.servo.gains import mccl_values, mint_values
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.settings import SERVO, make_loop
 from motionlang.views import servo as view
+from motionlang.views.figure import Figure
 from motionlang.views.table import Column, Document, Table, records_table
 
 if TYPE_CHECKING:  # which needs numpy
@@ -47,12 +48,12 @@ class ServoCommand(Output, Picture):
     def draw(self, trace: ServoTrace, title: str) -> int:
         """Draw a trace, if wished; return the exit status."""
 
-        def draw(path: str) -> None:
-            from motionlang.views.servo_plot import plot_trace
+        def figure() -> Figure:
+            from motionlang.views.servo_plot import trace_figure
 
-            plot_trace(trace, title, path)
+            return trace_figure(trace, title)
 
-        return self.drawn(draw)
+        return self.drawn(figure)
 
 
 @dataclass
@@ -83,12 +84,12 @@ class ServoCompare(OneAxis, Gains, ServoCommand):
         document = Document([*shown, records_table("plant", [plant])])
         self.show(document, "\n".join([*texts, f"{view.plant_line(plant)}\n"]))
 
-        def draw(path: str) -> None:
-            from motionlang.views.servo_plot import plot_comparison
+        def figure() -> Figure:
+            from motionlang.views.servo_plot import comparison_figure
 
-            plot_comparison(tables, path)
+            return comparison_figure(tables)
 
-        return self.drawn(draw)
+        return self.drawn(figure)
 
 
 @dataclass

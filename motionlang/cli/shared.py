@@ -21,6 +21,8 @@ from motionlang.lang.literals import canonical
 from motionlang.lang.machine.entries import WrongEntry, with_entries
 from motionlang.lang.machine.file import check_setting, read_machine, read_value
 from motionlang.source import STDIN, STDIN_NAME, Source
+from motionlang.views.figure import Figure
+from motionlang.views.figure_files import write_figure
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, plain
 
@@ -182,10 +184,10 @@ class Picture(Command):
     title: ClassVar[str] = "picture"
     plot: str | None = option("FILE", "draw the result into a file", suffixes=(".png", ".svg"))
 
-    def drawn(self, draw: Callable[[str], None]) -> int:
-        """Draw into the file, if wished; return the exit status."""
+    def drawn(self, figure: Callable[[], Figure]) -> int:
+        """Write a figure into the file, if wished; return the exit status."""
         path = self.plot
-        return 0 if path is None else written(path, lambda: draw(path))
+        return 0 if path is None else written(path, lambda: write_figure(figure(), path))
 
 
 @dataclass

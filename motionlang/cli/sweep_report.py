@@ -15,6 +15,9 @@ from motionlang.analysis.sweeps.job import Problem, Result
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of
+from motionlang.views.figure import Figure
+from motionlang.views.figure_files import write_figure
+from motionlang.views.sweep_plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.views.sweep_table import Row, cell, sweep_table
 from motionlang.views.table import Document, Table
 from motionlang.views.terminal import styled, table_width, wants_colour
@@ -171,19 +174,20 @@ class SweepReport:
     # --------------------------------------------------------------------------------------------- the picture
 
     def _draw(self, path: str, program: str, good: Good, best: int | None, front: list[int]) -> int:
+        figure = self._figure(good, best, front)
+        if figure is None:
+            problem = "no recorded quantity or no varied name is a number"
+            complain([Diagnostic("file", f"{path} was not drawn: {problem}")], None, program)
+            return 1
         try:
-            problem = self._picture(path, good, best, front)
+            write_figure(figure, path)
         except OSError as error:
             complain([unwritten(path, error)], None, program)
             return 1
-        if problem is not None:
-            complain([Diagnostic("file", f"{path} was not drawn: {problem}")], None, program)
-        return 0 if problem is None else 1
+        return 0
 
-    def _picture(self, path: str, good: Good, best: int | None, front: list[int]) -> str | None:
-        """Draw a picture that suits the varied names; return the reason if there is none."""
-        from motionlang.views.sweep_plot import MAX_LINES, plot_front, plot_lines, plot_map
-
+    def _figure(self, good: Good, best: int | None, front: list[int]) -> Figure | None:
+        """Return a figure that suits the varied names, or None if there are no numbers to draw."""
         units = {name: unit_of(name) for name in self.keep}
         if len(self._costs) == 2:
             by = {
@@ -191,14 +195,13 @@ class SweepReport:
             }
             points = {n: (cost[0], cost[1]) for n, cost in by.items() if len(cost) == 2}
             x, y = (each.text.strip() for each in self._costs)
-            plot_front(path, (x, y), list(points.values()), [points[n] for n in front], units)
-            return None
+            return front_figure((x, y), list(points.values()), [points[n] for n in front], units)
         figures = [name for name in self.keep if any(_is_number(values[name]) for values in good.values())]
         varied = [
             name for name in self.names if len({v[name] for v in good.values() if _is_number(v[name])}) > 1
         ]
         if not figures or not varied:
-            return "no recorded quantity or no varied name is a number"
+            return None
         others = [name for name in self.names if name != varied[0]]
         kinds = {tuple(str(values[name]) for name in others) for values in good.values()}
         if len(varied) == 1 or len(kinds) <= MAX_LINES:
@@ -215,15 +218,13 @@ class SweepReport:
             marks = (
                 {name: (at[varied[0]], at[name]) for name in figures if _is_number(at[name])} if at else None
             )
-            plot_lines(path, varied[0], curves, units, marks)
-            return None
+            return line_figure(varied[0], curves, units, marks)
         x, y, z = varied[0], varied[1], figures[0]
         samples = [
             (v[x], v[y], v[z]) for v in good.values() if all(_is_number(v[name]) for name in (x, y, z))
         ]
         at = None if best is None else good[best]
-        plot_map(path, (x, y, z), samples, units, (at[x], at[y]) if at else None)
-        return None
+        return map_figure((x, y, z), samples, units, (at[x], at[y]) if at else None)
 
 
 def _is_number(value: object) -> bool:

@@ -233,9 +233,9 @@ def improve(
 ) -> Improvement:
     """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
 
-    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how many edits there may be.
-    `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or no limit, and the errors
-    of `run`.
+    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how
+    many edits there may be. `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or
+    no limit, and the errors of `run`.
     """
     from motionlang.analysis.improve import improver_of
 

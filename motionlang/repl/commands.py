@@ -25,6 +25,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
+from motionlang.views.figure_files import write_figure
 from motionlang.views.improvement import improvement_lines
 from motionlang.views.keywords import listing, page
 from motionlang.views.program_map.text import render as render_map
@@ -224,10 +225,10 @@ def _chart(session: Session) -> None:
 
 
 def _picture(session: Session, path: str) -> None:
-    from motionlang.views.plot import write_plot
+    from motionlang.views.plot import run_figure
 
     try:
-        write_plot(_so_far(session), path)
+        write_figure(run_figure(_so_far(session)), path)
     except OSError as error:
         _wrong(session, "file", f"{path} cannot be written: {reason(error)}")
 

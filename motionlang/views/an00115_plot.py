@@ -1,77 +1,94 @@
-"""Drawings of note AN00115 for any move: the trapezoid and its rectangle.
+"""Figures of note AN00115 for any move: the trapezoid and its rectangle.
 
 Both have the same area.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
 
 from motionlang.notes.an00115 import Move, cut_triangle, moved_triangle, rectangle, trapezoid
-from motionlang.views.servo_plot import BLUE, GREY, RED, WIDTH, drawing, dress
+from motionlang.views.figure import AXIS, BLUE, FAINT, INK, RED, Area, Curve, Figure, Note, Panel
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+Point = tuple[float, float]
 
-
-def draw_plan(move: Move, path: str) -> None:
-    """Draw a move into a .png or .svg file.
-
-    The rectangle is drawn only if acceleration and deceleration are equal.
-    """
-    equal = move["accel_time"] == move["decel_time"]
-    with drawing(path, WIDTH, 6.4 if equal else 3.4) as figure:
-        panels = figure.subplots(2 if equal else 1, 1, sharex=True, squeeze=False)[:, 0]
-        _trapezoid(panels[0], move)
-        if equal:
-            _rectangle(panels[1], move)
-        panels[-1].set_xlabel("time (s)")
+WIDTH, HEIGHT = 720.0, 185.0
 
 
-def _trapezoid(axes: Axes, move: Move) -> None:
-    """Draw the speed over time with T, Ta, Ts, Td and Sp."""
+def plan_figure(move: Move) -> Figure:
+    """Return the figure of a move, with the rectangle if acceleration and deceleration are equal."""
+    is_equal = move["accel_time"] == move["decel_time"]
+    panels = [_trapezoid(move), _rectangle(move)] if is_equal else [_trapezoid(move)]
+    return Figure([[panel] for panel in panels], x_label="time (s)", width=WIDTH)
+
+
+def _trapezoid(move: Move) -> Panel:
+    """Return the speed over time with T, Ta, Ts, Td and Sp."""
     speed, up, slew, down = (move[name] for name in ("speed", "accel_time", "slew_time", "decel_time"))
-    axes.plot(*zip(*trapezoid(move), strict=True), color=BLUE, linewidth=1.6)
-    axes.fill(*zip(*trapezoid(move), strict=True), color=BLUE, alpha=0.08, linewidth=0)
-    for at in (up, up + slew):
-        axes.plot([at, at], [0.0, speed], color=GREY, linewidth=0.8, linestyle="--")
+    spans: list[tuple[Curve, Note]] = []
     begin = 0.0
     for name, length in (("Ta", up), ("Ts", slew), ("Td", down)):
         if length > 0.0:
-            _span(axes, begin, begin + length, -0.1 * speed, f"{name} = {length:.6g} s")
+            spans.append(_span(begin, begin + length, -0.14 * speed, f"{name} = {length:.6g} s"))
         begin += length
-    _span(axes, 0.0, move["time"], -0.24 * speed, f"T = {move['time']:.6g} s")
-    axes.annotate(
-        f"Sp = {speed:.6g}", (up + 0.5 * slew, speed), (0, 4), textcoords="offset points", ha="center"
+    spans.append(_span(0.0, move["time"], -0.32 * speed, f"T = {move['time']:.6g} s"))
+    sides = [Curve([at, at], [0.0, speed], AXIS, width=0.8, is_dashed=True) for at in (up, up + slew)]
+    return Panel(
+        [_line(trapezoid(move), BLUE), *sides, *(curve for curve, _ in spans)],
+        "speed",
+        "uu/s",
+        height=HEIGHT,
+        areas=[_area(trapezoid(move), "#eef3f8")],
+        notes=[
+            *(note for _, note in spans),
+            Note(up + 0.5 * slew, speed, f"Sp = {speed:.6g}", size=9.0),
+            Note(0.62 * up, 0.22 * speed, "Accel = Sp / Ta"),
+            Note(move["time"] - 0.62 * down, 0.22 * speed, "Decel = Sp / Td"),
+        ],
+        y_limits=(-0.4 * speed, 1.2 * speed),
     )
-    axes.text(0.62 * up, 0.25 * speed, "Accel = Sp / Ta", ha="center", fontsize=8)
-    axes.text(move["time"] - 0.62 * down, 0.25 * speed, "Decel = Sp / Td", ha="center", fontsize=8)
-    axes.set_ylim(-0.36 * speed, 1.18 * speed)
-    dress(axes, "speed", "uu/s")
 
 
-def _rectangle(axes: Axes, move: Move) -> None:
-    """Draw the rectangle, the triangle cut off the trapezoid and its new position."""
+def _rectangle(move: Move) -> Panel:
+    """Return the rectangle, the triangle cut off the trapezoid and its new position."""
     speed, end = move["speed"], move["accel_time"] + move["slew_time"]
-    axes.plot(*zip(*trapezoid(move), strict=True), color=BLUE, linewidth=1.6)
-    axes.fill(*zip(*cut_triangle(move), strict=True), color=GREY, alpha=0.3, linewidth=0)
-    axes.fill(*zip(*moved_triangle(move), strict=True), color=RED, alpha=0.2, linewidth=0)
-    corners = [*rectangle(move), (0.0, 0.0)]
-    axes.plot(*zip(*corners, strict=True), color=RED, linewidth=1.6)
-    axes.annotate(
-        "", (0.35 * move["accel_time"], 0.7 * speed), (move["time"] - 0.65 * move["decel_time"], 0.35 * speed),
-        arrowprops={"arrowstyle": "->", "color": GREY, "connectionstyle": "arc3,rad=0.25"},
-    )  # fmt: skip
-    _span(axes, 0.0, end, -0.1 * speed, "Ta + Ts")
+    length, note = _span(0.0, end, -0.14 * speed, "Ta + Ts")
     text = f"Distance = Sp (Ta + Ts) = {speed:.6g} · {end:.6g} = {abs(move['distance']):.6g}"
-    axes.text(0.5 * end, 1.05 * speed, text, ha="center", color=RED, fontsize=8)
-    axes.set_ylim(-0.22 * speed, 1.18 * speed)
-    dress(axes, "speed", "uu/s")
-
-
-def _span(axes: Axes, begin: float, end: float, height: float, text: str) -> None:
-    """Draw an arrow between two times, with a text above it."""
-    axes.annotate("", (end, height), (begin, height), arrowprops={"arrowstyle": "<->", "color": GREY})
-    axes.annotate(
-        text, (0.5 * (begin + end), height), (0, 2), textcoords="offset points", ha="center", fontsize=8
+    tail = move["time"] - 0.65 * move["decel_time"], 0.35 * speed
+    tip = 0.35 * move["accel_time"], 0.7 * speed
+    return Panel(
+        [
+            _line(trapezoid(move), BLUE),
+            _line([*rectangle(move), (0.0, 0.0)], RED),
+            _line(list(_arc(tail, tip, 0.3 * speed)), FAINT, width=0.8, marker="arrow"),
+            length,
+        ],
+        "speed",
+        "uu/s",
+        height=HEIGHT,
+        areas=[_area(cut_triangle(move), "#e1e5e8"), _area(moved_triangle(move), "#f0dad1")],
+        notes=[note, Note(0.5 * end, 1.02 * speed, text, RED)],
+        y_limits=(-0.26 * speed, 1.22 * speed),
     )
+
+
+def _line(points: Sequence[Sequence[float]], colour: str, **style: object) -> Curve:
+    return Curve([p[0] for p in points], [p[1] for p in points], colour, **style)  # type: ignore[arg-type]
+
+
+def _arc(tail: Point, tip: Point, height: float) -> Iterator[Point]:
+    """Yield the points of an arc between two points, `height` above the middle of their line."""
+    for n in range(21):
+        share = n / 20
+        x, y = (a + (b - a) * share for a, b in zip(tail, tip, strict=True))
+        yield x, y + 4.0 * height * share * (1.0 - share)
+
+
+def _area(points: Sequence[Sequence[float]], colour: str) -> Area:
+    return Area([p[0] for p in points], [p[1] for p in points], colour)
+
+
+def _span(begin: float, end: float, height: float, text: str) -> tuple[Curve, Note]:
+    """Return an arrow between two times, and a text above it."""
+    arrow = Curve([begin, end], [height, height], FAINT, width=0.8, marker="arrows")
+    return arrow, Note(0.5 * (begin + end), height, text, INK)

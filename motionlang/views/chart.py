@@ -1,4 +1,4 @@
-"""A chart of an axis's velocity over time in braille dots, for a terminal.
+"""Panels in braille dots, for a terminal, and the velocity of an axis as a panel.
 
 A character has two columns of four dots. Every column of dots spans the range between the lowest and the highest
 velocity in its interval. This range is computed from the pieces of the motion, so a short move in a long run
@@ -14,27 +14,50 @@ from math import inf
 from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
 from motionlang.planners import Profile
+from motionlang.views.figure import Curve, Panel
+from motionlang.views.quantities import COLOURS
 from motionlang.views.terminal import styled
 from motionlang.views.words import clock_time
 
 Span = tuple[float, float]
 
+# The width of the values at the left, in characters.
+LABEL = 10
 # The bits of the dots in U+2800…28FF, left and right column, from the top.
 _DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 
 
-def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: bool = False) -> list[str]:
-    """Return the lines of a chart of `axis` from 0 to `end` seconds.
-
-    `width` is the total width in characters, `height` the number of rows of dots.
-    """
+def velocity_panel(axis: Axis, end: float, count: int) -> Panel:
+    """Return the velocity of `axis` from 0 to `end` seconds, with the extremes of `count` equal intervals."""
     scale = axis.scale.counts or 1.0
-    label = 10
-    across = max(10, width - label - 2)
-    spans = [
-        (min(a / scale, b / scale), max(a / scale, b / scale))
-        for a, b in velocity_spans(axis, end, 2 * across)
-    ]
+    step = (end or 1.0) / count
+    x: list[float] = []
+    y: list[float] = []
+    for number, (low, high) in enumerate(velocity_spans(axis, end, count)):
+        extremes = sorted((low / scale, high / scale))
+        # Rising and falling by turns, so that one line passes through all extremes.
+        y += extremes if number % 2 else extremes[::-1]
+        x += [(number + 0.5) * step] * 2
+    curve = Curve(x, y, COLOURS["velocity"], width=1.2)
+    return Panel(
+        [curve], "velocity", "uu/s", f"axis {axis.index}", height=90.0, x_limits=(0.0, end), has_zero=True
+    )
+
+
+def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: bool = False) -> list[str]:
+    """Return the lines of a chart of the velocity of `axis` from 0 to `end` seconds."""
+    return chart(velocity_panel(axis, end, 2 * _across(width)), width=width, height=height, colour=colour)
+
+
+def chart(panel: Panel, *, width: int, height: int, colour: bool = False) -> list[str]:
+    """Return the lines of a chart of the curve of `panel` over time.
+
+    `width` is the total width in characters, `height` the number of rows of dots. There are no lines if all values are
+    0.
+    """
+    (curve,) = panel.curves
+    across, (begin, end) = _across(width), panel.x_limits or (0.0, curve.x[-1])
+    spans = _spans(curve, begin, end, 2 * across)
     low = min(0.0, *(span[0] for span in spans))
     high = max(0.0, *(span[1] for span in spans))
     if low == high:
@@ -48,12 +71,30 @@ def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: b
         name = "" if value is None else f"{value:.6g}"
         mark = "│" if value is None else "┼" if row == zero else "┤"
         lines.append(
-            f"{name:>{label}} {styled(mark, 'dim', colour)}{styled(text.rstrip(chr(0x2800)), 'chart', colour)}"
+            f"{name:>{LABEL}} {styled(mark, 'dim', colour)}{styled(text.rstrip(chr(0x2800)), 'chart', colour)}"
         )
-    begin, finish = "0", clock_time(end)
-    gap = max(1, across - len(begin) - len(finish))
-    lines.append(" " * (label + 2) + styled(begin + " " * gap + finish, "dim", colour))
+    first, last = clock_time(begin) if begin else "0", clock_time(end)
+    gap = max(1, across - len(first) - len(last))
+    lines.append(" " * (LABEL + 2) + styled(first + " " * gap + last, "dim", colour))
     return lines
+
+
+def _across(width: int) -> int:
+    return max(10, width - LABEL - 2)
+
+
+def _spans(curve: Curve, begin: float, end: float, count: int) -> list[Span]:
+    """Return the lowest and the highest value of a curve in each of `count` columns."""
+    found: list[list[float]] = [[] for _ in range(count)]
+    factor = count / ((end - begin) or 1.0)
+    at, last = 0, 0.0
+    for x, y in zip(curve.x, curve.y, strict=True):
+        here = min(max(int((x - begin) * factor), 0), count - 1)
+        for column in range(at + 1, here):  # a line passes through the columns between two points
+            found[column].append(last + (y - last) * (column - at) / (here - at))
+        found[here].append(y)
+        at, last = here, y
+    return [(min(values), max(values)) if values else (0.0, 0.0) for values in found]
 
 
 def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:

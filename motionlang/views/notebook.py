@@ -7,14 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from motionlang.controller.controller import Controller
 from motionlang.library.moves import Move, Moves
 from motionlang.library.report_types import Report
 from motionlang.result import Run
-from motionlang.views.curve import curve, velocity_curve
+from motionlang.views.chart import velocity_panel
 from motionlang.views.diagnostics import render_all
+from motionlang.views.figure import Curve, Figure, Panel
+from motionlang.views.figure_files import svg
+from motionlang.views.quantities import COLOURS
 from motionlang.views.report import moves_table, render
 from motionlang.views.table import Table
 from motionlang.views.terminal import printable
@@ -23,6 +27,8 @@ if TYPE_CHECKING:
     from motionlang.log.trace import Trace
 
 WIDTH = 110
+# The width of a curve in points, and the intervals over it; each shows its lowest and its highest velocity.
+CURVE, COLUMNS = 560.0, 600
 # The largest number of output lines; of more, the first and the last half of these are shown.
 MAX_LINES = 200
 # The largest number of moves in a table, and of points on the curve of one.
@@ -56,9 +62,9 @@ def move_html(move: Move, run: Run) -> str:
     begin, end = move.start_time, move.start_time + move.duration
     times = np.linspace(begin, end, POINTS)
     values = run.trace.at(move.axis, "velocity", times)
-    title = f"axis {move.axis}: velocity, uu/s"
-    drawn = curve(list(zip(times.tolist(), values.tolist(), strict=True)), begin, end, title)
-    return f"<pre>{escape(repr(move))}</pre>\n{drawn}"
+    curve = Curve(times.tolist(), values.tolist(), COLOURS["velocity"])
+    panel = Panel([curve], "velocity", "uu/s", f"axis {move.axis}", height=90.0, x_limits=(begin, end))
+    return f"<pre>{escape(repr(move))}</pre>\n{_drawn(panel)}"
 
 
 def moves_html(moves: Moves, run: Run) -> str:
@@ -77,7 +83,12 @@ def report_html(report: Report, run: Run | None) -> str:
 
 def _curves(controller: Controller, end: float) -> list[str]:
     moved = [axis for axis in controller.axes.values() if len(axis.starts) > 1]
-    return [drawn for axis in moved if (drawn := velocity_curve(axis, end))]
+    panels = [velocity_panel(axis, end, COLUMNS) for axis in moved]
+    return [_drawn(panel) for panel in panels if 0.0 < max(map(abs, panel.curves[0].y)) < inf]
+
+
+def _drawn(panel: Panel) -> str:
+    return svg(Figure([[panel]], x_label="time (s)", width=CURVE))
 
 
 def table_html(table: Table) -> str:

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.log.trace import Trace
 from motionlang.servo.trace import ServoTrace
+from motionlang.views.figure import Curve, Panel
 from motionlang.views.outline import outline, thinned
-from motionlang.views.quantities import UNITS
+from motionlang.views.quantities import COLOURS, UNITS
+from motionlang.views.words import peak_of
 
 Array = NDArray[np.float64]
 
-COLOURS = {
-    "position": "#1f5fae",
-    "velocity": "#0b7a5b",
-    "acceleration": "#b4490f",
-    "jerk": "#8a3b76",
-    "following error": "#b3261e",
-    "output": "#6b4fa0",
-    "motor": "#e08a1e",
-}
-# The height of each quantity's panel, relative to the usual one.
+# The usual height of a panel in points, and that of each quantity's panel relative to it.
+HEIGHT = 137.0
 HEIGHTS = {
     "position": 1.0,
     "velocity": 1.0,
@@ -33,28 +27,6 @@ HEIGHTS = {
     "following error": 0.8,
     "output": 0.8,
 }
-
-
-class Curve(NamedTuple):
-    """Times (s) and values; `name` is empty if the panel has only one curve."""
-
-    times: Array
-    values: Array
-    colour: str
-    name: str = ""
-
-
-class Panel(NamedTuple):
-    """One quantity of one axis; the last of the curves is the main one."""
-
-    quantity: str
-    unit: str
-    curves: tuple[Curve, ...]
-
-    @property
-    def peak(self) -> float:
-        """The largest absolute value of the last curve."""
-        return float(np.abs(self.curves[-1].values).max())
 
 
 def panels(
@@ -66,16 +38,25 @@ def panels(
     panels cover the whole run, or a `span` of it (s).
     """
     span = span or (0.0, trace.end)
-    made = [
-        Panel(quantity, unit, (Curve(*outline(trace, axis, quantity, span), COLOURS[quantity]),))
-        for quantity, unit in UNITS.items()
-    ]
-    if not made[-1].peak:
-        made.pop()
+    made = [_panel(name, unit, *outline(trace, axis, name, span)) for name, unit in UNITS.items()]
+    if not any(made[-1].curves[0].y):
+        made.pop()  # the acceleration changes only in jumps
     if servo is not None and len(servo):
         made[0] = _with_motor(made[0], trace, axis, servo, span)
         made += _servo_panels(trace, axis, servo, span)
     return made
+
+
+def _panel(quantity: str, unit: str, times: Array, values: Array) -> Panel:
+    is_position = quantity == "position"
+    return Panel(
+        [Curve(times.tolist(), values.tolist(), COLOURS[quantity])],
+        label=quantity,
+        unit=unit,
+        remark="" if is_position else f"peak {peak_of(float(np.abs(values).max()))} {unit}",
+        height=HEIGHT * HEIGHTS[quantity],
+        has_zero=not is_position,
+    )
 
 
 def _with_motor(
@@ -84,15 +65,14 @@ def _with_motor(
     (demand,) = position.curves
     times, values = thinned(servo.time, servo.position, span)
     trace.to_user(axis, "position", values)
-    motor = Curve(times, values, COLOURS["motor"], "motor")
-    return position._replace(curves=(motor, demand._replace(name="demand")))
+    motor = Curve(times.tolist(), values.tolist(), COLOURS["motor"], "motor")
+    return replace(position, curves=[motor, replace(demand, name="demand")])
 
 
 def _servo_panels(trace: Trace, axis: int, servo: ServoTrace, span: tuple[float, float]) -> Iterator[Panel]:
     times, error = thinned(servo.time, servo.error, span)
     trace.to_user(axis, "velocity", error)  # a difference of positions: the zero does not apply
-    yield Panel("following error", "uu", (Curve(times, error, COLOURS["following error"]),))
+    yield _panel("following error", "uu", times, error)
     has_dac = servo.loop.dac_bits > 0
     output = servo.dac_steps if has_dac else servo.output
-    curve = Curve(*thinned(servo.time, output, span), COLOURS["output"])
-    yield Panel("output", "DAC steps" if has_dac else "V", (curve,))
+    yield _panel("output", "DAC steps" if has_dac else "V", *thinned(servo.time, output, span))

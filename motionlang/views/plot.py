@@ -1,232 +1,181 @@
-"""The run as a picture: position, velocity and acceleration over time.
+"""The run as a figure: position, velocity and acceleration over time.
 
-Phases are shaded, and moves are labelled with their program lines. matplotlib draws it without pyplot and without a
-display. The same run gives the same bytes: there are no dates and no random names. Long runs are drawn from
-their outline, which preserves every peak.
+Phases are shaded, and moves are labelled with their program lines. Long runs are drawn from their outline, which
+preserves every peak.
 """
 
 from __future__ import annotations
 
-import os
-import warnings
 from collections.abc import Mapping, Sequence
-from math import fsum
+from dataclasses import replace
 from types import MappingProxyType
-from typing import IO, TYPE_CHECKING, Any
+from typing import Any
 
-from motionlang import __version__
-from motionlang.errors import need
-from motionlang.files import replacing
 from motionlang.log.records import GRAVE
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.result import Run
 from motionlang.servo.trace import ServoTrace
+from motionlang.views.figure import Band, Curve, Event, Figure, Label, Lane, Panel
+from motionlang.views.lanes import Lane as Channel
 from motionlang.views.lanes import lanes
-from motionlang.views.panels import HEIGHTS, panels
+from motionlang.views.panels import panels
 from motionlang.views.path_plot import path_figure
-from motionlang.views.plot_panel import (
-    FAINT,
-    INK,
-    PHASES,
-    draw_analogue,
-    draw_lanes,
-    draw_panel,
-    is_shaded,
-    mark_events,
-    name_moves,
-)
+from motionlang.views.quantities import PHASES
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE, Window
 from motionlang.views.words import dialect_name, outcome
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+Rows = Sequence[dict[str, Any]]
 
 MAX_AXES, MAX_LANES, MAX_ANALOGUE = 8, 24, 4
-# In inches: the width of the picture; the heights of a panel of one axis, of several axes and of a lane; the
-# margins above and below, and the gap between groups of panels.
-WIDTH, DPI = 11.0, 120
-PANEL, LANE = (1.9, 1.3), 0.26
-TOP, BOTTOM, BETWEEN, WITHIN = (0.95, 1.12), 0.5, 0.6, 0.24
-LEFT, RIGHT = 0.095, 0.985
-# "Any", because every release of matplotlib types its keys differently.
-STYLE: Any = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9.0,
-    "text.color": INK,
-    "axes.edgecolor": "#b8c2cc",
-    "axes.labelcolor": INK,
-    "axes.linewidth": 0.8,
-    "xtick.color": FAINT,
-    "ytick.color": FAINT,
-    "svg.hashsalt": "motionlang",
-    "svg.fonttype": "path",
-    "path.simplify": True,
-}
+# With more than these, shading is noise and labels overlap.
+MAX_SHADED, MAX_NAMED, MAX_EVENTS = 60, 40, 12
+# The height of a panel of several axes, relative to that of one; and of an analogue channel.
+SEVERAL, ANALOGUE = 0.68, 66.0
 
 
-def write_plot(
-    run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
-) -> None:
-    """Draw a window of `run` into a .png or .svg file.
+def run_figure(
+    run: Run, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
+) -> Figure:
+    """Return the figure of a window of `run`, with as many axes and channels as fit.
 
-    `servos` has the simulated motion of the motors, by axis. Raises OSError, MissingExtra without matplotlib,
-    and ValueError if the window is empty.
+    `servos` has the simulated motion of the motors, by axis. Raises ValueError if the window is empty.
     """
-
-    need("a picture", "matplotlib")
-    from matplotlib import rc_context
-
-    kind = os.path.splitext(path)[1].lower()[1:]
-    with rc_context(STYLE), replacing(path) as file, warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # a letter that the font lacks is drawn as a box
-        if window.path is None:
-            figure = _figure(run, servos, window)
-        else:
-            figure = path_figure(run, window.path, window)
-        _save(figure, file, kind)
-
-
-def _save(figure: Figure, file: IO[bytes], kind: str) -> None:
-    creator = f"motionlang {__version__}"
-    metadata = {"Creator": creator, "Date": None} if kind == "svg" else {"Software": creator}
-    figure.savefig(file, format=kind, dpi=DPI, metadata=metadata)
-
-
-class _Picture:
-    """The content of a picture: as many axes and channels of the run as fit."""
-
-    def __init__(self, run: Run, servos: Mapping[int, ServoTrace], window: Window) -> None:
-        trace, channels = run.trace, lanes(run.controller)
-        chosen = window.of(trace.axes)
-        self.span = begin, end = window.span(trace.end)
-        moves: list[dict[str, Any]] = list(moves_of(run))
-        rows = [
-            row for row in moves if row["start_time"] <= end and row["start_time"] + row["duration"] >= begin
-        ]
-        self.axes = chosen[:MAX_AXES]
-        happened: list[dict[str, Any]] = list(events_of(run))
-        self.events = [row for row in happened if row["kind"] in GRAVE and begin <= row["time"] <= end]
-        self.moves = {axis: [row for row in rows if row["axis"] == axis] for axis in self.axes}
-        self.panels = {axis: panels(trace, axis, servos.get(axis), self.span) for axis in self.axes}
-        self.digital = [lane for lane in channels if lane.is_digital][:MAX_LANES]
-        self.analogue = [lane for lane in channels if not lane.is_digital][:MAX_ANALOGUE]
-        self.hidden_axes = len(chosen) - len(self.axes)
-        self.hidden_channels = len(channels) - len(self.digital) - len(self.analogue)
-
-    @property
-    def heights(self) -> list[list[float]]:
-        """The heights of all panels in inches: one group per axis, and the channels."""
-        high = PANEL[len(self.axes) > 1]
-        groups = [[high * HEIGHTS[panel.quantity] for panel in self.panels[axis]] for axis in self.axes]
-        channels = [0.5 * high] * len(self.analogue)
-        if self.digital:
-            channels.append(LANE * len(self.digital) + 0.1)
-        return [*groups, channels] if channels else groups
-
-
-def _figure(run: Run, servos: Mapping[int, ServoTrace], window: Window) -> Figure:
-    picture = _Picture(run, servos, window)
-    several = len(picture.axes) > 1
-    figure, groups = _layout(picture.heights, TOP[several])
-    begin, end = picture.span
-    unit, second = _time_unit(end - begin)
-    for axis, group in zip(picture.axes, groups, strict=False):
-        _draw_axis(group, picture, axis, second)
-        if several:
-            group[0].set_title(f"axis {axis}", loc="left", fontsize=10, fontweight="bold", pad=15)
-    if len(groups) > len(picture.axes):
-        _draw_channels(groups[-1], picture, second)
-    _title(figure, run, picture.hidden_axes, picture.hidden_channels)
-    _legend(figure, [row for rows in picture.moves.values() if is_shaded(rows) for row in rows])
-    last = groups[-1][-1]
-    last.set_xlabel(f"time ({unit})")
-    last.set_xlim(begin / second, (end or 1.0) / second)
-    figure.align_ylabels([axes for group in groups for axes in group])
-    return figure
-
-
-def _draw_axis(group: Sequence[Axes], picture: _Picture, axis: int, second: float) -> None:
-    rows = picture.moves[axis]
-    for axes, panel in zip(group, picture.panels[axis], strict=True):
-        draw_panel(axes, panel, rows, picture.span, second)
-    name_moves(group[0], rows, picture.span, second)
-    mark_events(group, [row for row in picture.events if row.get("axis") == axis], picture.span, second)
-
-
-def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> None:
-    group[0].set_title("channels", loc="left", fontsize=10, fontweight="bold", pad=5)
-    for axes, lane in zip(group, picture.analogue, strict=False):
-        draw_analogue(axes, lane, picture.span[1], second)
-    if picture.digital:
-        draw_lanes(group[-1], picture.digital, picture.span, second)
-
-
-def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, list[list[Axes]]]:
-    """Return a figure with groups of panels and a common time scale.
-
-    Heights are in inches. Only the last panel has labels of the time scale.
-    """
-    from matplotlib.figure import Figure
-
-    total = (
-        head
-        + BOTTOM
-        + fsum(height for group in heights for height in group)
-        + WITHIN * sum(len(group) - 1 for group in heights)
-    )
-    total += BETWEEN * (len(heights) - 1)
-    figure = Figure(figsize=(WIDTH, total), facecolor="white")
-    groups: list[list[Axes]] = []
-    top, first = total - head, None
-    for group in heights:
-        groups.append([])
-        for height in group:
-            box = (LEFT, (top - height) / total, RIGHT - LEFT, height / total)
-            axes = figure.add_axes(box, sharex=first)
-            first = first or axes
-            axes.tick_params(labelbottom=False)
-            groups[-1].append(axes)
-            top -= height + WITHIN
-        top += WITHIN - BETWEEN
-    groups[-1][-1].tick_params(labelbottom=True)
-    return figure, groups
-
-
-def _title(figure: Figure, run: Run, hidden: int, unseen: int) -> None:
-    height = figure.get_figheight()
-    what = f"{dialect_name(run.dialect.name)}  ·  {outcome(run)}"
-    if hidden:
-        what += f"  ·  {hidden} more axes moved but are not drawn"
-    if unseen:
-        what += f"  ·  {unseen} more channels changed but are not drawn"
-    name = printable(run.source.name)
-    figure.text(LEFT, 1 - 0.3 / height, name, fontsize=14, fontweight="bold", va="center", parse_math=False)
-    figure.text(LEFT, 1 - 0.54 / height, what, fontsize=9, color=FAINT, va="center", parse_math=False)
-
-
-def _legend(figure: Figure, rows: Sequence[dict[str, Any]]) -> None:
-    """Add a legend of the shades at the top right."""
-    from matplotlib.patches import Patch
-
-    names = {phase["name"] for row in rows for phase in row["phases"]}
-    patches = [Patch(facecolor=_darker(PHASES[name]), label=name) for name in PHASES if name in names]
-    if patches:
-        figure.legend(
-            handles=patches,
-            loc="center right",
-            bbox_to_anchor=(RIGHT + 0.008, 1 - 0.3 / figure.get_figheight()),
-            ncols=len(patches),
-            frameon=False,
-            fontsize=8.5,
-            labelcolor=FAINT,
-            handlelength=1.1,
-            handleheight=1.1,
-            handletextpad=0.5,
-            columnspacing=1.4,
+    if window.path is not None:
+        return path_figure(run, window.path, window)
+    trace, channels = run.trace, lanes(run.controller)
+    moved, span = window.of(trace.axes), window.span(trace.end)
+    chosen = moved[:MAX_AXES]
+    unit, second = _time_unit(span[1] - span[0])
+    moves = _visible_moves(run, span)
+    by_axis = {axis: [row for row in moves if row["axis"] == axis] for axis in chosen}
+    happened: list[dict[str, Any]] = list(events_of(run))
+    events = [row for row in happened if row["kind"] in GRAVE and span[0] <= row["time"] <= span[1]]
+    made: list[Panel] = []
+    for axis in chosen:
+        group = _of_axis(
+            panels(trace, axis, servos.get(axis), span),
+            by_axis[axis],
+            [row for row in events if row.get("axis") == axis],
         )
+        if len(chosen) > 1:
+            group = [replace(panel, height=SEVERAL * panel.height) for panel in group]
+            group[0] = replace(group[0], title=f"axis {axis}")
+        made += group
+    of_channels = _of_channels(channels, span[1])
+    made += of_channels
+    shown = [lane for panel in of_channels for lane in panel.lanes or panel.curves]
+    hidden = len(moved) - len(chosen), len(channels) - len(shown)
+    shaded = [row for rows in by_axis.values() if is_shaded(rows) for row in rows]
+    names = {phase["name"] for row in shaded for phase in row["phases"]}
+    limits = span[0] / second, (span[1] or 1.0) / second
+    return Figure(
+        [[replace(_scaled(panel, second), x_limits=limits)] for panel in made],
+        x_label=f"time ({unit})",
+        title=printable(run.source.name),
+        subtitle=_subtitle(run, *hidden),
+        legend=[(_darker(PHASES[name]), name) for name in PHASES if name in names],
+    )
+
+
+def _visible_moves(run: Run, span: tuple[float, float]) -> list[dict[str, Any]]:
+    rows: list[dict[str, Any]] = list(moves_of(run))
+    return [r for r in rows if r["start_time"] <= span[1] and r["start_time"] + r["duration"] >= span[0]]
+
+
+def is_shaded(rows: Rows) -> bool:
+    """True if the phases of these moves are long enough to be distinguished."""
+    return 0 < sum(len(row["phases"]) for row in rows) <= MAX_SHADED
+
+
+def _of_axis(group: Sequence[Panel], rows: Rows, events: Rows) -> list[Panel]:
+    """Return the panels of an axis with its moves and its events; the first has their names."""
+    bands = list(_bands(rows)) if is_shaded(rows) else []
+    labels = [
+        Label(row["start_time"], row["start_time"] + row["duration"], move_names(row)) for row in rows
+    ] if len(rows) <= MAX_NAMED else []  # fmt: skip
+    kinds: dict[float, list[str]] = {}
+    for row in events[:MAX_EVENTS]:
+        kinds.setdefault(row["time"], []).append(row["kind"])
+    named = [Event(time, ", ".join(dict.fromkeys(each))) for time, each in kinds.items()]
+    lines = [Event(time, "") for time in kinds]
+    made = []
+    for n, panel in enumerate(group):
+        curves = panel.curves
+        if len(rows) > MAX_SHADED:
+            curves = [replace(curve, width=0.6, opacity=0.7) for curve in curves]
+        made.append(
+            replace(
+                panel,
+                curves=curves,
+                bands=bands,
+                labels=() if n else labels,
+                events=lines if n else named,
+            )
+        )
+    return made
+
+
+def _bands(rows: Rows) -> list[Band]:
+    made = []
+    for row in rows:
+        begin = row["start_time"]
+        for phase in row["phases"]:
+            end = begin + phase["duration"]
+            made.append(Band(begin, end, PHASES.get(phase["name"], PHASES["hold"])))
+            begin = end
+    return made
+
+
+def move_names(row: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Return the possible labels of a move, the longest first."""
+    command, line = row["command"] or "move", row["line"]
+    return f"{command} · line {line}", f"{command} {line}", str(line)
+
+
+def _of_channels(channels: Sequence[Channel], end: float) -> list[Panel]:
+    """Return a panel for each analogue channel and one for the digital ones."""
+    made = [
+        Panel(
+            [Curve([*lane.times, end], [*lane.values, lane.values[-1]], "#3f6d9e", width=1.3, is_stepped=True)],
+            label=lane.name,
+            unit="%",
+            height=ANALOGUE,
+        )
+        for lane in [lane for lane in channels if not lane.is_digital][:MAX_ANALOGUE]
+    ]  # fmt: skip
+    digital = [lane for lane in channels if lane.is_digital][:MAX_LANES]
+    if digital:
+        made.append(Panel(lanes=[Lane(lane.name, lane.spans(end)) for lane in digital]))
+    return [replace(made[0], title="channels"), *made[1:]] if made else []
+
+
+def _scaled(panel: Panel, second: float) -> Panel:
+    """Return a panel over time in units of so many seconds."""
+    if second == 1.0:
+        return panel
+
+    def spans(rows: Sequence[Any]) -> list[Any]:
+        return [replace(each, begin=each.begin / second, end=each.end / second) for each in rows]
+
+    return replace(
+        panel,
+        curves=[replace(curve, x=[x / second for x in curve.x]) for curve in panel.curves],
+        bands=spans(panel.bands),
+        labels=spans(panel.labels),
+        events=[replace(event, x=event.x / second) for event in panel.events],
+        lanes=[replace(e, spans=[(a / second, b / second) for a, b in e.spans]) for e in panel.lanes],
+    )
+
+
+def _subtitle(run: Run, hidden_axes: int, hidden_channels: int) -> str:
+    what = f"{dialect_name(run.dialect.name)} · {outcome(run)}"
+    if hidden_axes:
+        what += f" · {hidden_axes} more axes moved but are not drawn"
+    if hidden_channels:
+        what += f" · {hidden_channels} more channels changed but are not drawn"
+    return what
 
 
 def _darker(colour: str) -> str:

@@ -11,7 +11,8 @@ import pytest
 from motionlang.copley.table import read_points
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.source import Source
-from motionlang.views.pvt_plot import write_pvt_plot
+from motionlang.views.figure_files import write_figure
+from motionlang.views.pvt_plot import pvt_figure
 from tests.copley.command import pvt
 
 BAD = """position,velocity,time
@@ -220,7 +221,7 @@ POINTS = ["--positions", "0,5000,15000,20000", "--time", "10"]
 
 @pytest.mark.parametrize(
     ("command", "name", "head"),
-    [("plot", "move.svg", b"<?xml"), ("refine", "move.png", b"\x89PNG")],
+    [("plot", "move.svg", b"<svg"), ("refine", "move.png", b"\x89PNG")],
 )
 def test_a_picture_has_the_format_of_its_file(command: str, name: str, head: bytes, tmp_path: Path) -> None:
     assert pvt(command, *POINTS, "--plot", str(tmp_path / name)).status == 0
@@ -232,7 +233,7 @@ def test_the_same_points_give_the_same_picture(name: str, tmp_path: Path) -> Non
     file = tmp_path / name
     pictures = []
     for _ in range(2):
-        write_pvt_plot([plan_pvt((0.0, 5000.0), (), (0.01,))], ["a move"], str(file))
+        write_figure(pvt_figure([plan_pvt((0.0, 5000.0), (), (0.01,))], ["a move"]), str(file))
         pictures.append(file.read_bytes())
     assert pictures[0] == pictures[1]
 

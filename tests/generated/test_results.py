@@ -77,8 +77,6 @@ def test_what_users_see_of_programs_has_not_changed(
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / ".cache"))
     for name in ("NO_COLOR", "FORCE_COLOR", "COLUMNS", "TERM"):
         monkeypatch.delenv(name, raising=False)
-    if batch.startswith(("pictures", "figures")):
-        pytest.importorskip("matplotlib")
     of_batch = batches()[batch]
     if request.config.getoption("--update"):
         rewrite({name: digests(name) for name in of_batch})

@@ -71,7 +71,7 @@ def test_a_program_runs_through_the_servo(program: Path, capsys: pytest.CaptureF
 def test_a_program_that_ran_through_the_servo_is_drawn(
     program: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The picture is that of a run, which `tests/views/test_plot.py` renders with a servo."""
+    """The picture is that of a run, which `tests/views/test_run_figure.py` makes with a servo."""
     file = tmp_path / "move.svg"
     assert run_command(capsys, "run", str(program), "-q", "--plot", str(file)) == (0, "", "")
     assert file.exists()
@@ -92,7 +92,7 @@ def test_every_picture_is_drawn(
     status, out, err = run_command(capsys, *words, "--format", "none", "--plot", str(path))
     assert (status, out, err) == (0, "", "")
     drawn = path.read_bytes()
-    assert drawn.startswith(b"<?xml")
+    assert drawn.startswith(b"<svg")
     assert len(drawn) > 4000
     if words == ("step",):
         run_command(capsys, *words, "--format", "none", "--plot", str(path))

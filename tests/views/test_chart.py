@@ -6,9 +6,8 @@ import pytest
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.controller import Controller
-from motionlang.views import curve as curves
-from motionlang.views.chart import dots, velocity_chart, velocity_spans
-from motionlang.views.curve import velocity_curve
+from motionlang.views.chart import chart, dots, velocity_chart, velocity_panel, velocity_spans
+from motionlang.views.figure import Curve, Panel
 from tests.views.runs import ballscrew, pick
 
 TRAPEZOID = """\
@@ -130,16 +129,24 @@ def test_dots_join_their_neighbours(
     assert dots(spans, low, 3, height) == drawn
 
 
-def test_the_curve_of_a_velocity_passes_through_all_extremes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An interval of 1 s is 130 pixels wide; 50 uu/s are at the top.
-
-    Its extremes are in its middle. The line rises in the second interval and falls in the last one.
-    """
-    monkeypatch.setattr(curves, "COLUMNS", 5)
+def test_the_panel_of_a_velocity_passes_through_all_extremes() -> None:
+    """The line rises in the second interval of 1 s and falls in the last one."""
     axis = moved(None)
     axis.scale.set(2.0, 1.0, 0.0)
-    drawn = velocity_curve(axis, 5.0)
-    points = "135.0,90.0 135.0,90.0 265.0,90.0 265.0,0.0 395.0,0.0 395.0,0.0 525.0,0.0 525.0,0.0 655.0,0.0 655.0,90.0"
-    assert f'points="{points}"' in drawn
-    assert 'text-anchor="end">50<' in drawn
-    assert "<title>axis 0: velocity, uu/s</title>" in drawn
+    panel = velocity_panel(axis, 5.0, 5)
+    (curve,) = panel.curves
+    assert [float(x) for x in curve.x] == [0.5, 0.5, 1.5, 1.5, 2.5, 2.5, 3.5, 3.5, 4.5, 4.5]
+    assert [float(y) for y in curve.y] == pytest.approx(
+        [0.0, 0.0, 0.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 0.0]
+    )
+    assert (panel.title, panel.unit, panel.x_limits) == ("axis 0", "uu/s", (0.0, 5.0))
+
+
+def test_a_chart_draws_the_line_between_distant_points() -> None:
+    """From 0 to 10 over ten characters, of two columns and of four dots each."""
+    panel = Panel([Curve([2.0, 4.0], [0.0, 10.0], "#000000")], x_limits=(2.0, 4.0))
+    assert chart(panel, width=22, height=2) == [
+        "        10 ┤⠀⠀⠀⠀⠀⣀⣠⠴⠒⠋",
+        "         0 ┼⣀⡤⠴⠚⠉⠁",
+        "            2 s    4 s",
+    ]

@@ -8,47 +8,8 @@ import pytest
 
 from motionlang.execution import run
 from motionlang.source import Source
-from motionlang.views.curve import BELOW, HEIGHT, LEFT, WIDTH, curve
 from motionlang.views.notebook import MAX_LINES, MOST_MOVES, html
 from motionlang.views.sweep_table import cell, sweep_table
-
-
-def polyline(drawing: str) -> list[tuple[float, float]]:
-    (points,) = re.findall(r'polyline points="([^"]*)"', drawing)
-    return [(float(x), float(y)) for x, y in (each.split(",") for each in points.split())]
-
-
-def texts(drawing: str) -> dict[str, tuple[float, float]]:
-    found = re.findall(r'<text x="([^"]*)" y="([^"]*)"[^>]*>([^<]*)</text>', drawing)
-    return {text: (float(x), float(y)) for x, y, text in found}
-
-
-def test_a_curve_fills_its_frame() -> None:
-    """From 2 s to 4 s and from -10 to 30: 0 is at three quarters of the height."""
-    drawing = curve([(2.0, 0.0), (3.0, 30.0), (4.0, -10.0)], 2.0, 4.0, "a < b")
-    middle = LEFT + (WIDTH - LEFT) / 2
-    zero = 0.75 * HEIGHT
-    assert polyline(drawing) == [(LEFT, zero), (middle, 0.0), (WIDTH, HEIGHT)]
-    assert f"M{LEFT} {zero:.1f}H{WIDTH}" in drawing
-    assert "<title>a &lt; b</title>" in drawing
-    assert texts(drawing) == {
-        "30": (LEFT - 4, 9.0),
-        "-10": (LEFT - 4, HEIGHT),
-        "2 s": (LEFT, HEIGHT + BELOW - 5),
-        "4 s": (WIDTH, HEIGHT + BELOW - 5),
-    }
-
-
-def test_the_frame_of_a_curve_has_0() -> None:
-    """A scale end at 0 has no text; the time 0 is "0"."""
-    above, below = (curve([(0.0, sign), (1.0, 2.0 * sign)], 0.0, 1.0, "") for sign in (5.0, -5.0))
-    assert list(texts(above)) == ["10", "0", "1 s"]
-    assert list(texts(below)) == ["-10", "0", "1 s"]
-    assert polyline(above) == [(LEFT, HEIGHT / 2), (WIDTH, 0.0)]
-    assert polyline(below) == [(LEFT, HEIGHT / 2), (WIDTH, HEIGHT)]
-    assert curve([(0.0, 0.0)], 0.0, 1.0, "") == ""
-    assert curve([(0.0, float("inf"))], 0.0, 1.0, "") == ""
-    assert polyline(curve([(0.0, 5.0)], 0.0, 0.0, "")) == [(LEFT, 0.0)]
 
 
 def test_a_move_of_a_notebook_has_its_own_times() -> None:
@@ -60,10 +21,9 @@ def test_a_move_of_a_notebook_has_its_own_times() -> None:
     )
     (move,) = made.moves
     drawing = move._repr_html_()
-    points = polyline(drawing)
-    assert (points[0][0], points[-1][0]) == (LEFT, WIDTH)
-    assert (points[0][1], points[len(points) // 2][1], points[-1][1]) == (HEIGHT, 0.0, HEIGHT)
-    assert "axis 0: velocity, uu/s" in drawing
+    texts = re.findall(r"<text[^>]*>([^<]*)</text>", drawing)
+    assert texts[0] == "axis 0"
+    assert {"velocity", "(uu/s)", "time (s)", "50"} <= set(texts)
 
 
 def test_a_table_of_moves_has_a_largest_length() -> None:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeVar
+
+Host = TypeVar("Host")
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,3 +25,11 @@ class Limits:
     outbox: int = 65536
     linger: float = 10.0
     idle: float = 60.0
+
+    def to_drop(self, silent: Iterable[tuple[float, Host]], now: float) -> Host | None:
+        """Return the host to drop in favour of another: the one that was heard of the longest ago, if that is idle.
+
+        `silent` are the hosts that nothing is under way for, each with the time when it was last heard of.
+        """
+        found = [each for each in silent if now - each[0] >= self.idle]
+        return min(found, key=lambda each: each[0])[1] if found else None

@@ -158,18 +158,12 @@ class ModbusServer:
 
     def _make_room(self) -> bool:
         """Disconnect the longest-silent client if it is idle; it may reconnect."""
-        now = monotonic()
-        silent = [
-            (connection.last_received, task)
-            for task, connection in self._connections.items()
-            if not connection.busy and now - connection.last_received >= self._limits.idle
-        ]
-        if not silent:
-            return False
-        _, task = min(silent, key=lambda each: each[0])
-        del self._connections[task]
-        task.cancel()
-        return True
+        silent = [(each.last_received, task) for task, each in self._connections.items() if not each.busy]
+        task = self._limits.to_drop(silent, monotonic())
+        if task is not None:
+            del self._connections[task]
+            task.cancel()
+        return task is not None
 
     def _refuse(self, text: str) -> None:
         scheduled = self._refusals.left is not None

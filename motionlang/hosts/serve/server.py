@@ -195,14 +195,11 @@ class Server:
 
     def _make_room(self) -> bool:
         """Disconnect the longest-silent host if it is idle; it may reconnect."""
-        now = time.monotonic()
-        silent = [
-            host for host in self.hosts if host.is_silent and now - host.last_received >= self.limits.idle
-        ]
-        if not silent:
-            return False
-        self._leave(min(silent, key=lambda host: host.last_received), "was silent, and made room for another")
-        return True
+        silent = [(host.last_received, host) for host in self.hosts if host.is_silent]
+        host = self.limits.to_drop(silent, time.monotonic())
+        if host is not None:
+            self._leave(host, "was silent, and made room for another")
+        return host is not None
 
     def _reject(self, connection: socket.socket, name: str) -> None:
         self._refusals.add(f"{name} was turned away: {self.limits.hosts} hosts are connected already")

@@ -33,9 +33,9 @@ from motionlang.report import events as events_of
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
 from motionlang.result import Run
+from motionlang.views.figure import Curve, Panel
 from motionlang.views.lanes import lanes
-from motionlang.views.plot_panel import PHASES
-from motionlang.views.quantities import UNITS
+from motionlang.views.quantities import PHASES, UNITS
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE, Window
 from motionlang.views.words import dialect_name, figure, outcome
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     from motionlang.analysis.compare.comparison import Comparison
     from motionlang.log.trace import Array
     from motionlang.servo.trace import ServoTrace
-    from motionlang.views.panels import Curve, Panel
 
 Row = dict[str, Any]
 
@@ -253,9 +252,9 @@ def _axis(run: Run, axis: int, rows: Sequence[Row], servo: ServoTrace | None) ->
     if drawn:
         made["motor"] = _series(drawn[0].curves[0])
     made["servo"] = [
-        {"quantity": panel.quantity, "unit": panel.unit, **_series(panel.curves[0])}
+        {"quantity": panel.label, "unit": panel.unit, **_series(panel.curves[0])}
         for panel in drawn
-        if panel.quantity not in UNITS
+        if panel.label not in UNITS
     ]
     return made
 
@@ -325,7 +324,7 @@ def _kind(row: Row) -> Row:
 
 
 def _series(curve: Curve) -> Row:
-    return {"times": _numbers(curve.times.tolist()), "values": _numbers(curve.values.tolist())}
+    return {"times": _numbers(curve.x), "values": _numbers(curve.y)}
 
 
 def _packed(values: Sequence[float]) -> Row | list[float | int]:
