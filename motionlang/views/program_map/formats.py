@@ -6,10 +6,12 @@ from collections.abc import Callable
 from io import StringIO
 
 from motionlang.analysis.program_map.program_map import ProgramMap
+from motionlang.views.figure_files import svg
 from motionlang.views.program_map import tables
 from motionlang.views.program_map.mermaid import dot, mermaid
 from motionlang.views.program_map.page import page
 from motionlang.views.program_map.text import headline, markdown, render
+from motionlang.views.program_map.timing import timing
 from motionlang.views.table import Document
 
 # The form that a file extension stands for.
@@ -42,6 +44,12 @@ def document(made: ProgramMap) -> Document:
     return Document(tables.tables(made), values)
 
 
+def _timing(made: ProgramMap) -> str:
+    """Return the timing diagram of a cycle as SVG, "" if there is none."""
+    figure = timing(made)
+    return "" if figure is None else svg(figure)
+
+
 _FORMS: dict[str, Callable[[ProgramMap], str]] = {
     "text": lambda made: render(made, width=80),
     "markdown": markdown,
@@ -49,6 +57,6 @@ _FORMS: dict[str, Callable[[ProgramMap], str]] = {
     "dot": dot,
     "json": lambda made: document(made).json(),
     "csv": _csv,
-    "html": page,
+    "html": lambda made: page(made, _timing(made)),
 }
 FORMS = tuple(_FORMS)
