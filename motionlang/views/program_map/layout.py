@@ -5,7 +5,7 @@ Sugiyama's four steps, each in its simplest form:
 2. An edge becomes a chain through a bend in each layer between; the bend in the middle carries the label, with its
    size, so that labels never overlap nodes.
 3. Nodes of a layer are ordered by the mean place of their neighbours, in sweeps down and up.
-4. Each node moves towards the mean of its neighbours as far as its own neighbours in the layer allow.
+4. Each node moves towards the median of its neighbours in the layer before, as far as those beside it allow.
 
 Crossings of dense graphs remain, since the order is only as good as its sweeps.
 """
@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from statistics import median
 
 from motionlang.analysis.program_map.paths import ordered
 
@@ -50,7 +51,7 @@ class _Layered:
         for a, b, (width, height) in self.given:
             if a == b:  # room for a loop and its label
                 own = self.sizes[a]
-                self.sizes[a] = own[0] + 2 * (width + GAP_X), max(own[1], height)
+                self.sizes[a] = max(own[0], sizes[self.names[a]][0] + 2 * (width + GAP_X)), own[1] + height
         self.turned = self._turned(len(self.names))
         self.layer = self._layers(len(self.names))
         # The bends of each edge from its upper end to its lower one; the middle one has the label.
@@ -116,8 +117,9 @@ class _Layered:
                 x[node] = at + self.sizes[node][0] / 2
                 at += self.sizes[node][0] + GAP_X
         for sweep in range(2 * SWEEPS):
-            for row in self.rows if sweep % 2 == 0 else self.rows[::-1]:
-                self._align(row, x)
+            rows, near = (self.rows[::-1], self.below) if sweep % 2 == 0 else (self.rows, self.above)
+            for row in rows:
+                self._align(row, x, near)
         left = min((x[n] - self.sizes[n][0] / 2 for n in range(len(x))), default=0.0)
         heights = [max((self.sizes[n][1] for n in row), default=0.0) for row in self.rows]
         tops = [sum(heights[:k]) + GAP_Y * k for k in range(len(heights))]
@@ -131,12 +133,9 @@ class _Layered:
             found.edges.append((bends, places[middle]))
         return found
 
-    def _align(self, row: list[int], x: list[float]) -> None:
-        """Move the nodes of a row towards their neighbours, without changing their order."""
-        wanted = []
-        for node in row:
-            near = self.above[node] + self.below[node]
-            wanted.append(sum(x[m] for m in near) / len(near) if near else x[node])
+    def _align(self, row: list[int], x: list[float], near: list[list[int]]) -> None:
+        """Move the nodes of a row towards those in the row before, without changing their order."""
+        wanted = [median(x[m] for m in near[node]) if near[node] else x[node] for node in row]
         # From the left each node is at least beside the one before it; then from the right at most; the mean of both.
         right, left = list(wanted), list(wanted)
         for k in range(1, len(row)):

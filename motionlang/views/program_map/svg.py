@@ -12,6 +12,7 @@ from motionlang.analysis.program_map.program_map import ProgramMap
 from motionlang.analysis.program_map.states import Diagram, State
 from motionlang.views.program_map.layout import Layout, layout
 from motionlang.views.program_map.mermaid import dot, edge_label, label
+from motionlang.views.program_map.words import does, when
 
 # Sizes of text in pixels: the width of a character is that of the widest common font at this size.
 FONT, SMALL = 12.0, 11.0
@@ -69,10 +70,13 @@ def _own(made: ProgramMap, diagram: Diagram) -> str:
         '<defs><marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" '
         'orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs>',
     ]
+    below = _below(diagram, labels)
     for k, (each, lines) in enumerate(zip(diagram.transitions, labels, strict=True)):
         taken = made.taken(each)
         style = " taken" if taken is not None else " untaken" if made.observed is not None else ""
-        found += _edge(placed, k, each.source.id, each.target.id, sizes, lines, style)
+        drawn = _edge(placed, k, each.source.id, each.target.id, sizes, lines, style, below.get(k, 0.0))
+        whole = escape(f"{when(each)}: {does(each.actions)}".removeprefix(": "))
+        found += ["<g>", f"<title>{whole}</title>", *drawn, "</g>"]
     for state in diagram.states:
         found += _node(state, placed, sizes[state.id], nodes[state.id])
     return "\n".join([*found, "</svg>"])
@@ -92,18 +96,13 @@ def _edge(
     sizes: dict[str, tuple[float, float]],
     lines: list[str],
     style: str,
+    below: float,
 ) -> list[str]:
-    """Return the line of an edge with its label."""
+    """Return the line of an edge with its label; that of a state to itself is `below` the middle of the state."""
     bends, middle = placed.edges[number]
     (x, y), (to_x, to_y) = placed.nodes[source], placed.nodes[target]
     if source == target:
-        right, height = x + sizes[source][0] / 2, sizes[source][1] / 2
-        width = _size(lines, SMALL, 4.0)[0]
-        path = f"M{right:.0f} {y - height / 2:.0f}h14v{height:.0f}h-14"
-        return [
-            f'<path class="path{style}" d="{path}"/>',
-            *_texts(lines, right + 20 + width / 2, y, SMALL, "label"),
-        ]
+        return _loop(lines, style, x + sizes[source][0] / 2, y, below)
     down = (bends[0][1] if bends else to_y) > y
     start = x, y + (1 if down else -1) * sizes[source][1] / 2
     end = to_x, to_y - (1 if down else -1) * sizes[target][1] / 2
@@ -117,6 +116,28 @@ def _edge(
         width, height = _size(lines, SMALL, 4.0)
         back = f'<rect class="back" x="{middle[0] - width / 2:.0f}" y="{middle[1] - height / 2:.0f}" '
         shown.insert(0, back + f'width="{width:.0f}" height="{height:.0f}"/>')
+    return [f'<path class="path{style}" d="{path}"/>', *shown]
+
+
+def _below(diagram: Diagram, labels: list[list[str]]) -> dict[int, float]:
+    """Return how far below the middle of its state the label of each edge to itself is, by number."""
+    loops: dict[str, list[int]] = {}
+    for k, each in enumerate(diagram.transitions):
+        if each.source is each.target:
+            loops.setdefault(each.source.id, []).append(k)
+    found = {}
+    for numbers in loops.values():
+        heights = [_size(labels[k], SMALL, 4.0)[1] for k in numbers]
+        for n, k in enumerate(numbers):
+            found[k] = sum(heights[:n]) + heights[n] / 2 - sum(heights) / 2
+    return found
+
+
+def _loop(lines: list[str], style: str, right: float, y: float, below: float) -> list[str]:
+    """Return the line of an edge from a state to itself, at the right of it."""
+    width = _size(lines, SMALL, 4.0)[0]
+    path = f"M{right:.0f} {y - 5:.0f}L{right + 16:.0f} {y + below - 4:.0f}v8L{right:.0f} {y + 5:.0f}"
+    shown = _texts(lines, right + 22 + width / 2, y + below, SMALL, "label")
     return [f'<path class="path{style}" d="{path}"/>', *shown]
 
 
