@@ -6,6 +6,7 @@ It shows the error of each signal, and each move with its lag and overshoot.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -89,7 +90,6 @@ def moves_table(rows: Sequence[Row]) -> Table:
     """Return the table of the moves; a row without a command is a phase."""
     six = partial(figure, decimals=6)
     largest, at, rms = _peaks([row for row in rows if "phase" not in row])
-    at.drop = 1
     columns = (
         Column("signal", left=True, style="word"),
         Column("axis", data=True),
@@ -99,7 +99,7 @@ def moves_table(rows: Sequence[Row]) -> Table:
         Column("duration", data=True),
         _LAG,
         largest,
-        at,
+        replace(at, drop=1),
         rms,
         Column("overshoot", unit="uu", text=six),
         *_VERDICT,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from math import fsum
 
 from motionlang.analysis.cycle.critical_path import About
@@ -119,10 +120,15 @@ def lines_table(made: TimeProfile) -> Table:
 def waits_table(made: TimeProfile) -> Table:
     """Return the lines at which the program waits, with what it waits for."""
     line, sub = _place(made)
-    line.title = "at line"
     seconds, share = _own(made)
-    seconds.title = "waits"
-    columns = (line, sub, seconds, share, Column("", "for", get=_awaited, left=True), _source(made))
+    columns = (
+        replace(line, title="at line"),
+        sub,
+        replace(seconds, title="waits"),
+        share,
+        Column("", "for", get=_awaited, left=True),
+        _source(made),
+    )
     return Table("waits", columns, made.waited_lines())
 
 

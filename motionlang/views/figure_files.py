@@ -6,7 +6,6 @@ import os
 from collections.abc import Sequence
 from html import escape
 
-from motionlang import __version__
 from motionlang.errors import need
 from motionlang.files import replacing
 from motionlang.views.figure import Figure
@@ -43,7 +42,7 @@ def svg(figure: Figure) -> str:
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}pt" height="{_number(height)}pt" '
             f'viewBox="0 0 {_number(width)} {_number(height)}" font-family="{FONT}" stroke-linejoin="round">',
-            f"<desc>motionlang {__version__}</desc>",
+            "<desc>motionlang</desc>",
             f'<rect width="{_number(width)}" height="{_number(height)}" fill="#ffffff"/>',
             *lines,
             "</svg>\n",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from operator import itemgetter
 from typing import Any
 
@@ -114,8 +115,7 @@ def methods_table(
     ]
     for n in range(1, inner + 1 if inner <= MAX_COLUMNS else 1):
         shown = _fixed(methods, f"v{n}", f"v{n}", "counts/s", most=2)
-        shown.get, shown.key, shown.drop = itemgetter(f"v{n}"), "", n
-        columns.append(shown)
+        columns.append(replace(shown, key="", get=itemgetter(f"v{n}"), drop=n))
     return Table("methods", columns, methods)
 
 

@@ -23,7 +23,7 @@ SCHEMA = "motionlang/1"
 GAP = 2
 
 
-@dataclass
+@dataclass(frozen=True)
 class Column:
     """A column with `title` over `unit` in text, and `key` in JSON and CSV.
 

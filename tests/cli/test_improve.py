@@ -102,7 +102,7 @@ def test_what_cannot_be_improved(cell: Cell) -> None:
         1, "error[beyond-limit]: nothing bounds a faster cycle: the machine file has no limits"
     )  # fmt: skip
     cell.write("wrong.mnt", "n = 0\nPRINT 1 / n\n")
-    assert "it ends with an error" in cell("improve", "wrong.mnt").err
+    assert "error[division-by-zero]" in cell("improve", "wrong.mnt").err
     cell.write("still.mnt", "Loop\nWAIT(100)\nEnd Loop\n")
     assert "nothing repeats" in cell("improve", "still.mnt", "--until", "1").err
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from io import StringIO
 from operator import itemgetter
 
@@ -119,8 +120,10 @@ def test_four_decimals_suffice_unless_all_values_are_below_a_hundredth(
     ],
 )
 def test_a_narrow_table_drops_the_least_important_column_first(table: Ours, order: list[str]) -> None:
-    for k, column in enumerate(table.columns):
-        column.get, column.text, column.decimals = (lambda row, k=k: f"{k}" * 30), str, None
+    table.columns = [
+        replace(column, get=lambda row, k=k: f"{k}" * 30, text=str, decimals=None)  # type: ignore[misc]
+        for k, column in enumerate(table.columns)
+    ]
     table.rows = [{}]
     dropped: list[str] = []
     for width in range(200, 0, -1):
