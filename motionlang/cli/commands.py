@@ -25,6 +25,7 @@ GROUPS = {
     "write and check one": {
         "init": ("init:Init", "write a first machine file for a program, and run it"),
         "check": ("check:Check", "find the errors and warnings of programs without running them"),
+        "map": ("map:Map", "show what a program does: channels, axes, structure, states"),
         "plan": ("plan:Plan", "work out the figures of a move and write a program for it"),
         "pvt": ("pvt:Pvt", "work with position-velocity-time moves for Copley drives"),
         "servo": ("servo:Servo", "simulate and tune the servo loop behind the profile"),

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from motionlang.analysis.program_map.program_map import channels_of
 from motionlang.assumptions.keyword_facts import facts
 from motionlang.editor.page import Page
+from motionlang.errors import ProgramError
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.names import Definition, Span
 
@@ -31,7 +33,21 @@ def hover(page: Page, offset: int) -> Hover | None:
     if named is not None:
         return Hover(definition_page(page, named[0]), named[1])
     word = page.keyword(offset)
-    return None if word is None else Hover(keyword_page(word[0], page.language.name), word[1])
+    if word is None:
+        return None
+    row, span = word
+    uses = channel_uses(page, span[0]) if row.channel or row.selects else ""
+    return Hover(uses + keyword_page(row, page.language.name), span)
+
+
+def channel_uses(page: Page, at: int) -> str:
+    """Return a paragraph about each channel that the keyword at an offset uses; "" for a text with errors."""
+    try:
+        channels = channels_of(page.source, page.language, page.settings)
+    except ProgramError:
+        return ""
+    found = ["; ".join(each.sentences()).translate(_SIGNS) for each in channels if at in each.names_at]
+    return "".join(f"{each}\n\n" for each in found)
 
 
 def definition_page(page: Page, definition: Definition) -> str:

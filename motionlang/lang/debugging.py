@@ -97,7 +97,7 @@ class Observer(Protocol):
         """Count what was counted between two moments, `first` and `end`, so many more times."""
 
     def failed(self, task: StepTask) -> None:
-        """Take note that a statement of a task has failed, after which the program goes on elsewhere."""
+        """Take note that a statement of a task has failed, and that the task is now where it goes on."""
 
 
 @dataclass(eq=False, slots=True)

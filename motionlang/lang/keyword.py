@@ -25,7 +25,7 @@ _INDEXED = {"input": "input", "output": "output", "relay": "relay", "coil": "Mod
             "register": "Modbus register", "element": "comms element", "auxchannel": "encoder"}  # fmt: skip
 # What a statement does to an axis, in the order of a map of a program.
 TOPICS = ("enable", "home", "move", "speed", "limit", "master", "scale", "servo", "stop")
-_TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move", "go": "move",
+_TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move",
                    "stop": "stop", "scale": "scale", "zero": "home"}  # fmt: skip
 _TOPICS_BY_GROUP = {"limits": "limit", "homing": "home", "following": "master", "trajectory": "speed",
                     "user units": "scale", "servo": "servo", "servo filter": "servo", "contour": "move"}  # fmt: skip
@@ -103,8 +103,10 @@ class Keyword:
                language
     `driven`   the section of the machine file that sets the value read, such as "input"
     `channel`  the device, one of `CHANNELS`, that the brackets number, or the parameter of a command without an axis
-    `selects`  the device that the value numbers, such as the input of a home switch
+    `selects`  the device that the value numbers, such as the input of a home switch; without a value the axis
+               numbers it
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
+    `tests`    the condition of a command that goes on if it holds, or waits for it, with {} for the parameter
     `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
     """
 
@@ -135,6 +137,7 @@ class Keyword:
         channel: str = "",
         selects: str = "",
         waits: str = "",
+        tests: str = "",
         topic: str = "",
         meant: str = "",
         family: str = "",
@@ -150,7 +153,7 @@ class Keyword:
         self.tunes, self.meant, self.family = tunes, meant, family
         self.every, self.optional = every, optional
         self.channel, self.selects, self.waits = channel or self._device(), selects, waits
-        self.topic = topic or self._default_topic()
+        self.topic, self.tests = topic or self._default_topic(), tests
 
     @property
     def is_whole(self) -> bool:

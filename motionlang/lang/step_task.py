@@ -319,9 +319,9 @@ class StepTask(Task):
                         return t, None
             except BaseException as error:
                 self.failed(error, pc, t)
+                gives_way = self.recover(error)
                 if self.machine.observer is not None:
                     self.machine.observer.failed(self)
-                gives_way = self.recover(error)
                 t = time.count
                 if gives_way or self.others_ready():
                     break

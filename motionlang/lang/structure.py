@@ -48,7 +48,7 @@ class ChannelUse:
 
     `channel` is one of `keyword.CHANNELS`. `number` is the text of its number, such as "3" or "1, 5" for several
     indices, "?" if it is known only at run time. `alias` is the name that the program has for it, "" if none. `value`
-    is what is written, as in the program.
+    is what is written, as in the program. `name_at` is the offset of the keyword, -1 if it has none.
     """
 
     channel: str
@@ -57,6 +57,7 @@ class ChannelUse:
     at: int
     alias: str = ""
     value: str = ""
+    name_at: int = -1
 
 
 @dataclass(eq=False, slots=True)
@@ -79,8 +80,9 @@ class Statement:
     """A statement, or the head of a block.
 
     `condition` is the text of what it tests, "" if it tests nothing. `waits` is one of `record.records.CAUSES` if a
-    task waits at it. `is_silent` is True for a declaration and the like. `starts` and `ends` are the tasks that it
-    starts and ends.
+    task waits at it, and `what` has the numbers of the axes that it waits for. `is_silent` is True for a declaration
+    and the like, `polls` for one of a loop that tests a reading until it changes. `starts` and `ends` are the tasks
+    that it starts and ends.
     """
 
     at: int
@@ -88,7 +90,9 @@ class Statement:
     text: str
     condition: str = ""
     waits: str = ""
+    what: tuple[int, ...] = ()
     is_silent: bool = False
+    polls: bool = False
     channels: list[ChannelUse] = field(default_factory=list)
     axes: list[AxisUse] = field(default_factory=list)
     starts: list[str] = field(default_factory=list)
@@ -123,8 +127,8 @@ class Point(NamedTuple):
 class Unit:
     """A part of a program that is started or called by itself.
 
-    `kind` is "program", "sub", "function", "task", "event", "label" or "macro". `trigger` is the channel that starts a
-    handler, None for anything else. `line` is 0 for the program.
+    `kind` is "program", "sub", "function", "task", "event", "subroutine" (a label that a Gosub calls) or "macro".
+    `trigger` is the channel that starts a handler, None for anything else. `line` is 0 for the program.
     """
 
     name: str
@@ -144,7 +148,8 @@ class Structure:
     """The structure of a program.
 
     `writes` are the offsets of the names of variables that a statement assigns to. `polls` maps the offset of a loop to
-    the readings that it waits for, None if it waits for none.
+    the readings that it waits for, None if it waits for none. `has_one_series` is True if inputs and outputs have one
+    series of numbers, so that an output can be read as an input is.
     """
 
     source: Source
@@ -153,6 +158,7 @@ class Structure:
     units: Sequence[Unit]
     writes: frozenset[int]
     polls: Callable[[int], LoopDependencies | None]
+    has_one_series: bool = False
 
     def line(self, at: int) -> int:
         """Return the line of an offset."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang import execution
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import checked_settings, dialect_for, settings_next_to
+from motionlang.execution import Checked, checked_settings, dialect_for, settings_next_to
 from motionlang.lang.dialect import unknown_model
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from motionlang.analysis.cycle.profile import TimeProfile
     from motionlang.analysis.diff.reports import Difference
     from motionlang.analysis.improve import Improvement
+    from motionlang.analysis.program_map.program_map import ProgramMap
     from motionlang.analysis.proof.checker import Proof
 
 Program = str | os.PathLike[str] | Source
@@ -124,6 +125,28 @@ def profile(program: Program | Run) -> TimeProfile:
     from motionlang.analysis.cycle.profile import TimeProfile
 
     return TimeProfile(_run_of(program))
+
+
+def map(
+    program: Program,
+    *,
+    machine: Mapping[str, object] | None = None,
+    run: bool = False,
+    until: float | None = None,
+) -> ProgramMap:
+    """Return what a program does: its channels, axes, units, variables and diagrams of states.
+
+    With `run` the program also runs, and the map has which transitions it takes; `until` ends the run. `machine` is as
+    in the function `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError
+    for a program with errors.
+    """
+    from motionlang.analysis.program_map.program_map import map_of_run, mapped
+
+    source = program if isinstance(program, Source) else Source.read(program)
+    settings = Checked(checked_settings(machine) if machine is not None else settings_next_to(program))
+    if run:
+        return map_of_run(source, dialect_for(source, None), settings, until=until)
+    return mapped(source, settings)
 
 
 def cover(program: Program, *, until: float | None = None) -> Coverage:

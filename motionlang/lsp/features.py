@@ -39,7 +39,12 @@ LENSES = {
     "motionlang.profile": "profile",
     "motionlang.scope": "scope",
     "motionlang.debug": "debug",
+    "motionlang.map": "map",
 }
+
+
+# The command whose lens each sub has, too.
+MAP = "motionlang.map"
 
 
 def register(server: Server) -> None:
@@ -385,14 +390,24 @@ class _Display(_Feature):
         found = self.known(params)
         if found is None:
             return []
+        known, page = found
         start = types.Position(0, 0)
-        return [
+        lenses = [
             types.CodeLens(
-                types.Range(start, start),
-                types.Command(LENSES[name], name, arguments=[found[0].document.uri]),
+                types.Range(start, start), types.Command(LENSES[name], name, arguments=[known.document.uri])
             )
             for name in self._lenses
         ]
+        if MAP in self._lenses:
+            lenses += [
+                types.CodeLens(
+                    known.document.range(block.at),
+                    types.Command(LENSES[MAP], MAP, arguments=[known.document.uri, block.name]),
+                )
+                for block in page.names.blocks
+                if block.name
+            ]
+        return lenses
 
     def files_changed(self, params: types.DidChangeWatchedFilesParams) -> None:
         """Check the programs again with the machine files on disk."""

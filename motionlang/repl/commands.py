@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from motionlang.analysis.coverage import covered
 from motionlang.analysis.improve import NotPossible, improver_of
+from motionlang.analysis.program_map.program_map import mapped
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
@@ -27,6 +28,7 @@ from motionlang.views.chart import velocity_chart
 from motionlang.views.figure_files import write_figure
 from motionlang.views.improvement import improvement_lines
 from motionlang.views.keywords import listing, page
+from motionlang.views.program_map.text import render as render_map
 from motionlang.views.report import render
 
 if TYPE_CHECKING:
@@ -312,6 +314,12 @@ def _cover(session: Session, path: str) -> None:
     session.write("\n".join(lines) + "\n")
 
 
+def _map(session: Session, path: str) -> None:
+    found = _of_file(session, path, mapped)
+    if found is not None:
+        session.write(render_map(found, width=session.width, colour=session.colour))
+
+
 def _quit(session: Session, _: str) -> None:
     session.over = True
 
@@ -350,6 +358,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
         ),
+        Command("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
         Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
         Command(
             "improve", "FILE", "Find a shorter cycle of a program within the machine's limits.", _improve

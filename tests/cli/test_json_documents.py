@@ -24,6 +24,7 @@ COMMANDS = {
     "check": "check a.mnt",
     "compare": "compare b.mnt b.csv --map position.0=p",
     "cover": "cover a.mnt",
+    "map": "map a.mnt",
     "diff": "diff a.mnt b.mnt",
     "help": "help HOMESPEED",
     "improve": "improve c.mnt",

@@ -51,6 +51,39 @@ def test_hover_of_a_macro_shows_its_line() -> None:
     assert "MD3,1MR100,1WS" in shown.markdown
 
 
+CHANNELS = "' IN 3 door   OUT 2 lamp\nPAUSE INX(3)\nOUTX(2) = INX(3)\nEvent IN3\nSTOP(0)\nEnd Event\n"
+
+
+@cases(
+    "line, wanted",
+    [
+        (
+            "PAUSE I|NX(3)",
+            "input 3 (door); waited for at line 2; read at line 3; starts event IN3\n\n**INX",
+        ),
+        ("|OUTX(2) = INX(3)", "output 2 (lamp); written at line 3\n\n**OUTX"),
+        ("OUTX(2) = INX|(3)", "input 3 (door); waited for at line 2"),
+        ("ST|OP(0)", "**STOP"),
+    ],
+)
+def test_hover_of_a_channel_lists_its_uses(line: str, wanted: str) -> None:
+    shown = hover(*at_cursor(CHANNELS.replace(line.replace("|", ""), line, 1)))
+    assert shown is not None
+    assert shown.markdown.startswith(wanted)
+
+
+def test_hover_of_a_channel_in_mccl() -> None:
+    shown = hover(*at_cursor("; in 3 press open\nW|N3,CN9\nIF3,CF9\n", "mccl"))
+    assert shown is not None
+    assert shown.markdown.startswith("input 3 (press open); waited for at line 2; read at line 3\n\n**WN**")
+
+
+def test_hover_in_a_text_with_errors_has_only_the_keyword() -> None:
+    shown = hover(*at_cursor("PAUSE I|NX(3)\nPAUSE (\n"))
+    assert shown is not None
+    assert shown.markdown.startswith("**INX**")
+
+
 def test_nothing_is_known_of_a_number() -> None:
     assert hover(*at_cursor("x = 1|2\nPrint x\n")) is None
 

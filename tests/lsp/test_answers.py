@@ -384,6 +384,17 @@ def test_lenses_of_the_commands_that_an_editor_has(options: object, titles: list
     assert all(each["command"]["arguments"] == [URI] for each in found)
 
 
+def test_each_sub_has_a_lens_for_its_map() -> None:
+    text = "Go1\nSub Go1\n  While 1\n    WAIT(5)\n  End While\nEnd Sub\nTask Lamp\nEnd Task\n"
+    found = ask(text, "codeLens", initialization={"commands": ["motionlang.map"]})
+    assert [(each["range"]["start"]["line"], each["command"]["arguments"]) for each in found] == [
+        (0, [URI]),
+        (1, [URI, "Go1"]),
+        (6, [URI, "Lamp"]),
+    ]
+    assert {each["command"]["title"] for each in found} == {"map"}
+
+
 @pytest.mark.parametrize(
     ("name", "language", "count"),
     [

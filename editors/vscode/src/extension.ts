@@ -10,16 +10,17 @@ import { ScopePage } from "./scope";
 
 // Tasks with equal definitions are the same one, and may not run twice at a time.
 let tasks = 0;
-const COMMANDS = ["motionlang.run", "motionlang.profile", "motionlang.scope", "motionlang.debug"];
+const COMMANDS = ["motionlang.run", "motionlang.profile", "motionlang.scope", "motionlang.debug", "motionlang.map"];
 let client: LanguageClient | undefined;
 let differences: vscode.OutputChannel | undefined;
 let python: string | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  const on = (name: string, action: (uri?: string | vscode.Uri) => unknown): void => {
+  const on = (name: string, action: (uri?: string | vscode.Uri, unit?: string) => unknown): void => {
     context.subscriptions.push(vscode.commands.registerCommand(name, action));
   };
   on("motionlang.run", (uri) => inTerminal(uri, (file) => ["run", file]));
+  on("motionlang.map", (uri, unit) => inTerminal(uri, (file) => ["map", file, ...(unit ? ["--unit", unit] : [])]));
   on("motionlang.profile", (uri) => inTerminal(uri, (file) => ["profile", file]));
   const page = new ScopePage(
     () => storage(context, "scope.html"),

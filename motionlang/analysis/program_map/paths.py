@@ -56,16 +56,16 @@ def postdominators(
     reached, _ = ordered([ends], lambda node: comes_from.get(node, ()))
     ending = set(reached)
     place = {node: k for k, node in enumerate(order)}
-    for node, _ in sorted(back, key=lambda edge: (place[edge[1]], -place[edge[0]])):  # outer loops first
-        if node not in ending:
+    for head in sorted({head for _, head in back}, key=place.__getitem__):  # outer loops first
+        stack = [node for node, to in back if to == head and node not in ending]
+        for node in stack:
             leads_to[node].append(ends)
             comes_from[ends].append(node)
-            stack = [node]
-            while stack:
-                each = stack.pop()
-                if each not in ending:
-                    ending.add(each)
-                    stack += comes_from.get(each, ())
+        while stack:
+            each = stack.pop()
+            if each not in ending:
+                ending.add(each)
+                stack += comes_from.get(each, ())
     reached, _ = ordered([ends], lambda node: comes_from.get(node, ()))
     number = {node: k for k, node in enumerate(reached)}
     found: dict[int, int] = {ends: ends}

@@ -20,14 +20,15 @@ Rules, in this order:
 3. A branch whose sides meet again, with no state between, is one action with its conditions (`_fold`). A loop
    without a state is one action if it computes, and a state if it waits for a reading: it polls.
 4. A loop that is left over has no state and no end; its first step is a state.
-5. A step that more than `MAX_PATHS` paths lead to is a state ("meet"), so that the paths after it are counted anew.
+5. A step that more than `MAX_PATHS` paths lead to is a state ("meet"), and so is a branch behind `MAX_BRANCHES` others
+   ("branch"), so that the paths after it are counted again from one.
 6. A step belongs to the diagram of one unit. A jump into the steps of another one is a state of its own.
 
 Invariants. Every path of the program passes the same states in the same order; a transition is identified by its source
 and the branches on its way (`Transition.branches`), which lead to one target. `observed.py` follows a run by these.
 
-Cost. Every step is on at most `MAX_PATHS` paths, so states, transitions and actions together are linear in the number
-of steps. Folding visits a step once for each branch around it that cannot be folded.
+Cost. Rule 5 bounds the paths to a step and the branches of a path, so states, transitions and actions together are
+linear in the number of steps. Folding visits a step once for each branch around it that cannot be folded.
 """
 
 from __future__ import annotations
@@ -42,6 +43,8 @@ from motionlang.lang.structure import Statement, Structure, Unit
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4
+# The number of branches on a path.
+MAX_BRANCHES = 6
 # The kinds of states, with what a reader sees of each.
 KINDS_OF_STATES = {
     "start": "the unit begins",
@@ -50,10 +53,14 @@ KINDS_OF_STATES = {
     "call": "another unit runs",
     "loop": "a loop without a wait and without an end",
     "meet": "many paths meet",
+    "branch": "a path goes on that has many branches before it",
     "return": "the unit returns to its caller",
     "end": "the task ends",
     "jump": "another unit goes on",
 }
+# Those at which the program does not stop: what their step does is an action behind them.
+_PASSED = ("loop", "meet", "branch")
+_LEAVING = ("return", "end", "jump")
 # The branches on a path: the key of each point, and which of its successors follows.
 Branches = tuple[tuple[tuple[str, int], int], ...]
 
@@ -128,13 +135,13 @@ class Diagram:
 class Diagrams:
     """All diagrams of a program, and where a run is seen.
 
-    `states` has the state of each point at which one is entered, `branches` the points whose choice matters, and
-    `owners` the number of the diagram of each point.
+    `states` has the state of each point at which one is entered, `owners` the number of the diagram of each point.
+    `branches` maps each point whose choice matters to the steps to which it may lead.
     """
 
     diagrams: list[Diagram]
     states: dict[tuple[str, int], State]
-    branches: set[tuple[str, int]]
+    branches: dict[tuple[str, int], list[int]]
     owners: dict[tuple[str, int], int]
 
 
@@ -153,17 +160,21 @@ class _Builder:
         self.entries = [self.next_point(unit.entry) for unit in structure.units]
         self.owner: dict[int, int] = {}
         self._claim()
-        self.by_entry = {entry: k for k, entry in reversed(list(enumerate(self.entries)))}
+        # The points of each unit, in the order of their lists.
+        self.owned: list[list[int]] = [[] for _ in structure.units]
+        for p, number in sorted(self.owner.items()):
+            self.owned[number].append(p)
         self.waiting = self._waiting_units()
 
     def built(self) -> Diagrams:
-        found = Diagrams([], {}, set(), {self.points[p].key: k for p, k in self.owner.items()})
+        found = Diagrams([], {}, {}, {self.points[p].key: k for p, k in self.owner.items()})
         targets = {q for p in self.owner for q in self.following(p) if self.owner[q] != self.owner[p]}
         for number, unit in enumerate(self.structure.units):
             made = _DiagramBuilder(self, number, unit, targets)
             found.diagrams.append(made.diagram)
             found.states |= {self.points[p].key: state for p, state in made.states.items()}
-            found.branches |= {self.points[p].key for p in made.branches}
+            for p in made.branches:
+                found.branches[self.points[p].key] = [self.points[q].key[1] for q in self.points[p].next]
         return found
 
     def next_point(self, p: int) -> int:
@@ -177,9 +188,10 @@ class _Builder:
             self._next_of[each] = p
         return p
 
-    def silent(self, p: int, to: int) -> Iterator[int]:
-        """Yield the silent points between a point and one that may follow it."""
-        while p != to and self.points[p].is_silent and self.points[p].next:
+    def silent(self, p: int) -> Iterator[int]:
+        """Yield the silent points from `p` on, up to the next one at which something happens."""
+        end = self.next_point(p)
+        while p != end:
             yield p
             p = self.points[p].next[0]
 
@@ -216,7 +228,7 @@ class _Builder:
             statement = self.statement(p)
             ats = {
                 self.points[p].at,
-                *(self.points[q].at for n in self.points[p].next for q in self.silent(n, -1)),
+                *(self.points[q].at for n in self.points[p].next for q in self.silent(n)),
             }
             if (statement is not None and statement.waits) or any(self.polled([at]) for at in ats if at >= 0):
                 found.add(number)
@@ -250,6 +262,9 @@ class _DiagramBuilder:
         self._targets = targets
         # The first point of each statement at which a task waits; and the points of its other steps.
         self._merged = self._merge()
+        self._members: dict[int, list[int]] = {}
+        for q, first in self._merged.items():
+            self._members.setdefault(first, []).append(q)
         self._after: dict[int, list[int]] = {}
         # What is folded into one action at a point.
         self._folded: dict[int, list[Action]] = {}
@@ -264,7 +279,8 @@ class _DiagramBuilder:
         order, back = ordered([self.entry], self.after)
         self._mark(order)
         self._dominators = postdominators(order, back, self.after)
-        for p in reversed(order):
+        regions = [(p, region) for p in order if (region := self._region(p)) is not None]
+        for p, _ in sorted(regions, key=lambda each: len(each[1])):  # inner ones first
             self._fold(p, set(back))
         self._cut_loops()
         self._cut_paths()
@@ -275,16 +291,15 @@ class _DiagramBuilder:
                 self._walk(self.states[p], self.after(p), p)
         self.diagram.states += self._jumps.values()
         reached = {id(each.target) for each in self.diagram.transitions}
-        self.diagram.states = [
-            each for each in self.diagram.states if each.kind == "start" or id(each) in reached
-        ]
+        shown = [each for each in self.diagram.states[1:] if id(each) in reached]
+        self.diagram.states[1:] = sorted(shown, key=lambda each: (each.kind in _LEAVING, each.at))
 
     # ------------------------------------------------------------------------------------------------ the graph
 
     def _merge(self) -> dict[int, int]:
         firsts: dict[int, int] = {}
         merged: dict[int, int] = {}
-        for p in sorted(p for p, owner in self.program.owner.items() if owner == self.number):
+        for p in self.program.owned[self.number]:
             statement = self.program.statement(p)
             if statement is not None and statement.waits:
                 merged[p] = firsts.setdefault(self.points[p].at, p)
@@ -294,7 +309,7 @@ class _DiagramBuilder:
         """Return the points after a point, or after a whole statement at which a task waits."""
         found = self._after.get(p)
         if found is None:
-            members = [q for q, first in self._merged.items() if first == p] or [p]
+            members = self._members.get(p) or [p]
             if p >= 0 and self._is_foreign(p):
                 members = []
             found = [self._merged.get(q, q) for member in members for q in self.program.following(member)]
@@ -355,22 +370,28 @@ class _DiagramBuilder:
 
     # ------------------------------------------------------------------------------------------------- folding
 
-    def _fold(self, p: int, back: set[tuple[int, int]]) -> None:
-        """Make one action, or one polling state, of a branch whose sides meet again."""
+    def _region(self, p: int) -> set[int] | None:
+        """Return a branch and all points before its sides meet; None if they do not, or if there is a state."""
         sides = self.after(p)
         end = self._dominators.get(p, -1)
         if p in self.states or len(set(sides)) < 2 or end < 0 or self._is_foreign(end):
-            return
-        region, stack = set[int](), [each for each in sides if each not in (end, p)]
+            return None
+        region, stack = {p}, list(sides)
         while stack:
             each = stack.pop()
-            if each in region:
+            if each in region or each == end:
                 continue
             if each in self.states or self._is_foreign(each):
-                return
+                return None
             region.add(each)
-            stack += [q for q in self.after(each) if q not in (end, p)]
-        inside = {p, *region}
+            stack += self.after(each)
+        return region
+
+    def _fold(self, p: int, back: set[tuple[int, int]]) -> None:
+        """Make one action, or one polling state, of a branch whose sides meet again."""
+        inside, end = self._region(p), self._dominators.get(p, -1)
+        if inside is None:
+            return
         loops = any(one in inside and other in inside for one, other in back)
         polled = self.program.polled(sorted(self._offsets(inside))) if loops else None
         actions = self._outline(p, end, inside, loops)
@@ -387,7 +408,8 @@ class _DiagramBuilder:
         found = {self.points[p].at for p in inside}
         for p in inside:
             for first in self.points[p].next:
-                found |= {self.points[q].at for q in self.program.silent(first, -1)}
+                if self.program.next_point(first) in inside:
+                    found |= {self.points[q].at for q in self.program.silent(first)}
         return found
 
     def _outline(self, p: int, end: int, inside: set[int], loops: bool) -> list[Action]:
@@ -418,12 +440,15 @@ class _DiagramBuilder:
             meets, sides = self._dominators.get(p, stop), self.after(p)
             seen.add(p)
             word = "while" if loops and p == first else "if"
+            has_first = False
             for k, each in enumerate(sides):
                 if each == meets or each in seen:
                     continue
                 condition = Condition(self.points[p].at, self._condition(p), k == 0)
-                found.append(Action(self.points[p].at, f"{word} {condition}", depth, True))
+                text = "else" if has_first else f"{word} {condition}"
+                found.append(Action(self.points[p].at, text, depth, True))
                 side(each, meets, depth + 1)
+                has_first = True
             return meets
 
         first = p
@@ -441,9 +466,7 @@ class _DiagramBuilder:
         if p in self._folded:
             return self._folded[p]
         statement = self.program.statement(p)
-        if statement is None or statement.is_silent or (statement.condition and self.points[p].branches):
-            return []
-        if statement.condition and not statement.text.startswith("For "):
+        if statement is None or statement.is_silent or statement.condition:
             return []
         return [Action(statement.at, statement.text)]
 
@@ -468,22 +491,28 @@ class _DiagramBuilder:
         """Make a state of each point to which too many paths lead."""
         order, _ = ordered(self._roots(), self._between)
         paths: dict[int, int] = dict.fromkeys(order, 0)
+        branches: dict[int, int] = dict.fromkeys(order, 0)
         paths[self.entry] = paths.get(self.entry, 0) + 1
         for p in list(self.states):
             for q in self._between(p):
                 paths[q] += 1
+                branches[q] = max(branches[q], len(set(self.after(p))) > 1)
         for p in order:
+            is_branch = len(set(self.after(p))) > 1
             if paths[p] > MAX_PATHS:
                 self._state(p, "meet")
-            count = 1 if p in self.states else paths[p]
+            elif is_branch and branches[p] >= MAX_BRANCHES:
+                self._state(p, "branch")
+            count, before = (1, 0) if p in self.states else (paths[p], branches[p])
             for q in self.after(p):
                 if q in paths and q not in self.states:
                     paths[q] += count
+                    branches[q] = max(branches[q], before + is_branch)
 
     def _walk(self, source: State, firsts: list[int], own: int | None = None) -> None:
         """Add the transitions from a state to the first states after it; `own` is the point of the state."""
         stack: list[tuple[int, Branches, list[Condition], list[Action]]] = []
-        acts = self._acts(own) if own is not None and source.kind in ("loop", "meet") else []
+        acts = self._acts(own) if own is not None and source.kind in _PASSED else []
         if own is not None and len(set(firsts)) > 1:
             self.branches.add(own)
         for k, p in reversed(list(enumerate(firsts))):
@@ -521,8 +550,10 @@ class _DiagramBuilder:
         actions: Sequence[Action],
         branches: Branches,
     ) -> None:
+        own = list(actions)
         # What a target does itself is no action on the way to it.
-        own = [each for each in actions if each.at != target.at or target.kind == "jump"]
+        while own and own[-1].at == target.at and target.kind != "jump":
+            own.pop()
         made = Transition(source, target, list(conditions), _without_repeats(own), branches)
         self.diagram.transitions.append(made)
 

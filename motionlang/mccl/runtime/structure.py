@@ -73,7 +73,7 @@ def structure(source: Source, settings: Mapping[str, object]) -> Structure:
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.verb == "store"
     )
-    return Structure(source, statements, points, units, writes, asked(source))
+    return Structure(source, statements, points, units, writes, asked(source), has_one_series=True)
 
 
 def _roots(
@@ -108,12 +108,13 @@ def _roots(
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
-    """Record the macros that the calls of a line enter; the last definition counts."""
+    """Record the macros that the calls of a line enter: the last definition above the line, else the last one."""
     for pc, step in enumerate(steps):
         command = steps.command(pc)
         found = macros.get(command.number) if command is not None and command.number is not None else None
         if step.kind in (CALL, ENTER) and found:
-            steps.called[pc] = found[-1], 0
+            above = [body for body in found if body.line.number < steps.line.number]
+            steps.called[pc] = (above or found)[-1], 0
 
 
 def _computed(steps: Steps, pc: int) -> Iterable[int]:
@@ -128,13 +129,21 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         return made
     made.is_silent = row.verb in _SILENT
     made.waits = row.waits
+    made.what = (command.axis,) if row.waits == "axis" and command.axis else ()
     if row.verb == "start_task":
         made.starts.append(f"macro {_parameter(command)}")
     if row.verb == "end_task":
         made.ends.append(f"task {_parameter(command)}")
-    made.condition = command.text if branches and not row.waits else ""
+    if row.tests:
+        made.condition = row.tests.format(_parameter(command))
+    elif branches and not row.waits:
+        made.condition = command.text
     if row.channel:
-        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at))
+        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at, name_at=at))
+    if row.selects:
+        made.channels.append(
+            ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)
+        )
     if row.topic and row.access != "R":
         axis = command.axis or None
         given = _parameter(command) if command.kind in (NUMBER, REGISTER) else ""

@@ -129,10 +129,10 @@ _MAX_VALUE = 8388607.0
 
 
 def _setting(name: str, unit: str, help: str, low: float, high: float, default: float = 0.0,
-             short: str = "") -> Keyword:  # fmt: skip
+             short: str = "", selects: str = "") -> Keyword:  # fmt: skip
     example = f"{name}(0) = 0\nPRINT {name}(0)"
     return Keyword(name, short, "setting", "RW", "axis", unit, _SETTING, help, example,
-                   default=default, low=low, high=high, group="axis")  # fmt: skip
+                   default=default, low=low, high=high, group="axis", selects=selects)  # fmt: skip
 
 
 def _gain(name: str, help: str, short: str = "") -> Keyword:
@@ -147,7 +147,7 @@ ROWS = (
             "last.",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHTA(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
             default=0.0, low=-100.0, high=100.0, group="motion", effect="act"),
-    _setting("HTACHANNEL", "integer", "The analogue input that HTA holds.", 0, 63),
+    _setting("HTACHANNEL", "integer", "The analogue input that HTA holds.", 0, 63, selects="analogue input"),
     _gain("HTAKPROP", "User units a second for each percent of error (wanted minus measured); negative to "
                       "reverse the direction.", "HKP"),
     _gain("HTADAMPING", "User units a second for each percent by which the error changes in a tick of the profiler."),

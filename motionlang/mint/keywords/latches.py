@@ -219,11 +219,12 @@ _FAST = "FASTSELECT(0) = 3\nFASTENABLE(0) = 1\nPRINT {}(0)"
 
 
 def _setting(
-    name: str, sets: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0
-) -> Keyword:
+    name: str, sets: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0,
+    selects: str = "",
+) -> Keyword:  # fmt: skip
     return Keyword(name, "", "setting", "RW", index, unit, _setting_of(sets), help,
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=0, high=high,
-                   group="latches")  # fmt: skip
+                   group="latches", selects=selects)  # fmt: skip
 
 
 def reading_row(
@@ -237,7 +238,8 @@ def reading_row(
 ROWS = (
     _setting("LATCHTRIGGERMODE", "trigger_mode", "latch", "integer", "1",
              "Trigger of a latch: 0 an input, 1 the encoder's index.", 1),
-    _setting("LATCHTRIGGERCHANNEL", "input", "latch", "integer", "3", "The input that triggers a latch.", 999),
+    _setting("LATCHTRIGGERCHANNEL", "input", "latch", "integer", "3", "The input that triggers a latch.", 999,
+             selects="input"),
     _setting("LATCHTRIGGEREDGE", "edge", "latch", "integer", "2",
              "The edge that triggers a latch: 0 becoming active, 1 becoming inactive, 2 both.", 2),
     _setting("LATCHSOURCE", "source", "latch", "integer", "1",

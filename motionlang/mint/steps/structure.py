@@ -57,7 +57,14 @@ def structure(source: Source, names: Names, settings: Mapping[str, object]) -> S
     for function in names.functions:
         reader.read(function)
     units = sorted(_units(names, writer, graph, reader), key=lambda each: each.line)
-    return Structure(source, reader.statements, graph.points(), units, frozenset(reader.writes), polls)
+
+    def polled(at: int) -> LoopDependencies | None:
+        return polls(reader.repeats.get(at, at))
+
+    points = graph.points()
+    last = graph.index(writer.steps[names.main], len(writer.steps[names.main]) - 1)
+    points[last] = points[last]._replace(at=-1)  # the end of the text is no statement
+    return Structure(source, reader.statements, points, units, frozenset(reader.writes), polled)
 
 
 def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -> Iterator[Unit]:
@@ -78,7 +85,7 @@ def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -
             is_handler = label.lower() in handlers
             if is_handler or (index in called):
                 at = reader.labels.get((function, label.lower()), function.at)
-                kind = "event" if is_handler else "label"
+                kind = "event" if is_handler else "subroutine"
                 trigger = _trigger(reader, label, at) if is_handler else None
                 yield Unit(label, kind, reader.line(at), graph.index(steps, index), trigger)
 
@@ -103,6 +110,8 @@ class _Reader:
         self.writes: set[int] = set()
         # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
+        # The offset of each Repeat by that of its condition.
+        self.repeats: dict[int, int] = {}
 
     def line(self, at: int) -> int:
         """Return the line of an offset."""
@@ -135,17 +144,20 @@ class _Reader:
                 texts = [self._text(each) for each in (node.variable, *values)]
                 step = f" Step {texts[3]}" if len(texts) > 3 else ""
                 made = self._add(node.start, f"For {texts[0]} = {texts[1]} To {texts[2]}{step}", list(values))
-                made.condition = made.text[4:]
+                made.condition = f"{texts[0]} in {made.text.partition('= ')[2]}"
                 self._write(node.variable)
                 self._block(function, node.body)
             case nodes.While():
                 self._head(node.start, node.condition, "While {}", node.condition)
+                self.statements[node.start].polls = self._polls(node.start)
                 self._block(function, node.body)
             case nodes.Repeat():
                 self._add(node.start, "Repeat", []).is_silent = True
                 made = self._add(
                     node.condition.start, f"Until {self._text(node.condition)}", [node.condition]
                 )
+                made.polls = self._polls(node.start)
+                self.repeats[made.at] = node.start
                 # The step tests if the loop goes on.
                 made.condition = f"not ({self._text(node.condition)})"
                 self._block(function, node.body)
@@ -154,6 +166,10 @@ class _Reader:
                 self._block(function, node.body)
             case _:
                 self._simple(function, node)
+
+    def _polls(self, at: int) -> bool:
+        found = self.polls(at)
+        return found is not None and bool(found.leaves)
 
     def _head(self, at: int, condition: nodes.Expr, form: str, *parts: nodes.Node) -> None:
         text = self._text(condition)
@@ -172,6 +188,9 @@ class _Reader:
                 found = self.polls(node.start)
                 causes = {KINDS[kind] for kind, _ in found.leaves} if found is not None else set()
                 made.waits = causes.pop() if len(causes) == 1 else "condition"
+                leaves = found.leaves if found is not None else frozenset()
+                axes = {number for kind, number in leaves if KINDS[kind] == "axis" and number is not None}
+                made.what = tuple(sorted(axes))
                 made.condition = self._text(node.condition)
                 self._read(made, node.condition)
             case nodes.Input():
@@ -287,13 +306,17 @@ class _Reader:
                 number = ", ".join(map(self._number, group)) or ("0" if kinds[0] != "none" else "")
                 own = self._text(values[min(k, len(values) - 1)]) if values else value
                 known_as = alias or next((a for a in map(_alias, group) if a), "")
-                made.channels.append(ChannelUse(row.channel, number, access, made.at, known_as, own))
+                made.channels.append(
+                    ChannelUse(row.channel, number, access, made.at, known_as, own, name.start)
+                )
         if row.selects and access == WRITE:
             for k, each in enumerate(values):
-                by = f"{row.name} of axis {self._number(args[k])}" if k < len(args) else row.name
+                by = f"{row.name}({self._number(args[k])})" if k < len(args) else row.name
                 number = self._number(each)
                 if not number.startswith("-"):
-                    made.channels.append(ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by))
+                    made.channels.append(
+                        ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
+                    )
         if (is_of_axes or row.does("all")) and access == WRITE and row.topic:
             self._axes(made, row, args, kinds, values)
 

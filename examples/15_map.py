@@ -1,0 +1,11 @@
+"""See what a program does: its channels, and the states in which it waits."""
+
+import motionlang
+
+text = "' IN 1 part   OUT 2 clamp\nLoop\n  PAUSE INX(1)\n  OUTX(2) = 1\n  WAIT = 200\n  OUTX(2) = 0\nEnd Loop\n"
+found = motionlang.map(motionlang.Source("clamp.mnt", text))
+for channel in found.channels:
+    print(channel.known_as, channel.lines)  # input 1 (part) [3]
+    break
+for each in found.diagrams.diagrams[0].transitions[1:2]:
+    print(each.source.text, "->", each.target.text)  # PAUSE INX(1) -> WAIT = 200

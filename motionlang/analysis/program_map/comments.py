@@ -1,0 +1,98 @@
+"""Names of channels and axes in the comments of a program.
+
+Old programs list their channels at the head, in one of a few forms:
+
+    REM IN 0 product eye   IN 1 label gap eye          ; in 1 bar in gripper  2 gripper closed
+    REM OUT 0 clamp 1 spindle 2 coolant                 ' inputs  1 lock pin out   2 lock pin in
+
+A name is what follows a number up to the next number that could be one of a list, a sign that ends a list, or two
+blanks. A line without a word such as IN continues the line above it. The caller keeps only the names of numbers that
+the program uses, because a comment may be about anything.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+# The words that begin a list, and what it names.
+_WORDS = {
+    "input": "in(?:put)?s?x?|di|din",
+    "output": "out(?:put)?s?x?|do|dout",
+    "analogue input": "adc|ai|ain|analogue? in(?:put)?s?",
+    "analogue output": "dac|ao|aout|analogue? out(?:put)?s?",
+    "axis": "ax(?:is|es)",
+}
+_KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
+# A word that begins a list, with its first number: "IN 0", "in1", "out 33".
+_BEGIN = re.compile(rf"(?:^|(?<=\s\s)|(?<=[,;|.]\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
+_ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name>[A-Za-z].*)", re.DOTALL)
+_UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
+# Where the name ends: at the next number of the list, at two blanks, or at a sign.
+_END = re.compile(
+    rf"\s{{2,}}|[,;|*]|\s+(?=\d{{1,3}}\s+(?!{_UNIT}\b)[A-Za-z])|\s+(?=\d{{1,3}}\s*=)|\.\s", re.IGNORECASE
+)
+_MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*]*", re.IGNORECASE)
+# "X = 0" and "X=0": a letter for an axis.
+_LETTER = re.compile(r"\b([A-Z])\s*=\s*(\d)\b")
+_UNITS = re.compile(rf"^{_UNIT}\b", re.IGNORECASE)
+MAX_NAME = 28
+
+
+@dataclass(eq=False, slots=True)
+class Named:
+    """The name of a channel or an axis in a comment, and its line."""
+
+    kind: str
+    number: int
+    name: str
+    line: int
+
+
+def named(comments: Iterable[tuple[int, str]]) -> list[Named]:
+    """Return the names in comments, each given with its line, in the order of the text."""
+    found: list[Named] = []
+    kind, last = "", 0
+    for line, comment in comments:
+        text = _MARKS.sub("", comment)
+        if line != last + 1:
+            kind = ""
+        last = line
+        begins = list(_BEGIN.finditer(text))
+        if not begins and not re.match(r"\s*\d", text):
+            kind = ""
+            found += (Named("axis", int(number), letter, line) for letter, number in _LETTER.findall(text))
+            continue
+        pieces = [
+            (
+                kind or ("axis" if re.match(r"\s*\d\s*=", text) else ""),
+                text[: begins[0].start()] if begins else text,
+            )
+        ]
+        for k, begin in enumerate(begins):
+            end = begins[k + 1].start() if k + 1 < len(begins) else len(text)
+            kind = _kind(begin)
+            pieces.append((kind, text[begin.end() : end]))
+        for of, piece in pieces:
+            if of:
+                found += (Named(of, number, name, line) for number, name in _items(piece))
+    return found
+
+
+def _kind(match: re.Match[str]) -> str:
+    return next(kind for kind in _WORDS if match.group(kind.replace(" ", "_")))
+
+
+def _items(text: str) -> Iterator[tuple[int, str]]:
+    """Yield numbers and names of a list."""
+    while (match := _ITEM.search(text)) is not None:
+        rest = match["name"]
+        end = _END.search(rest)
+        name = (rest[: end.start()] if end else rest).strip(" .-*")
+        if "(" in name and ")" not in name:
+            name = name.partition("(")[0].rstrip()
+        if name and not _UNITS.match(name):
+            yield int(match["number"]), name[:MAX_NAME]
+        bracket = rest.find(")") + 1 if "(" in rest[: len(name) + 2] and "(" not in name else len(name)
+        text = rest[max(bracket, len(name)) :]

@@ -1,0 +1,1 @@
+"""The map of a program as text, Markdown, Mermaid, DOT, JSON and an HTML page."""
