@@ -550,6 +550,7 @@ class Loops:
         assert scheduler is not None
         if self.machine.observer is not None:
             self.machine.observer.skipped(last.seen, now.seen, times)
+            now.seen = self.machine.observer.seen
         if now.turns != last.turns:
             log.slices.so_far(task.name, scheduler.began, here)
             log.repeat_period(last.logged, began, here, time.reached, times)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.analysis.coverage import covered
+from motionlang.analysis.coverage import Counts, Event, covered
 from motionlang.analysis.suggestions import Search
 from motionlang.execution import dialect_for, run
 from motionlang.lang.debugging import Hook
@@ -16,6 +16,7 @@ from motionlang.source import Source
 from motionlang.views.coverage import percentage
 from tests.cases import cases
 from tests.cli.programs import Cell
+from tests.generated import polls
 from tests.generated.compared import every_iteration
 
 ROOT = Path(__file__).parents[2]
@@ -302,3 +303,19 @@ def test_suggestions_reach_nine_tenths_of_an_old_program(path: Path) -> None:
     search = Search(source, dialect_for(source, None), own, Counter(), 300.0)
     search.run()
     assert percentage([search.coverage]) >= 90.0
+
+
+@pytest.mark.slow
+@cases("seed", [3, 7, 16, 24])
+def test_skipped_iterations_of_several_tasks_count_like_carried_out_ones(seed: int) -> None:
+    """In program 16 a task waits a millisecond at a time, and is skipped again and again between timer events."""
+    text, machine = polls.program(seed)
+
+    def events() -> Counter[Event]:
+        counts = Counts()
+        run(Source("a.mnt", text), machine=machine, until=0.5, hook=counts, observer=counts)
+        return +counts.events
+
+    with every_iteration():
+        carried_out = events()
+    assert events() == carried_out
