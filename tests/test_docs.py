@@ -51,7 +51,11 @@ def blocks(*kinds: str) -> list[ParameterSet]:
         for match in _BLOCK.finditer(text):
             if match[1] in kinds:
                 line = text.count("\n", 0, match.start()) + 1
-                found.append(pytest.param(match[1], match[2], id=f"{page.relative_to(ROOT)}:{line}"))
+                # A search makes hundreds of runs.
+                searches = "motionlang improve" in match[2] or "--suggest" in match[2]
+                marks = [pytest.mark.slow] if searches else []
+                name = f"{page.relative_to(ROOT)}:{line}"
+                found.append(pytest.param(match[1], match[2], id=name, marks=marks))
     return found
 
 

@@ -4,9 +4,9 @@ Problem. A machine could be faster than its program, but not everywhere: what is
 and what is must not exceed a limit, change the order of what the machine does, or break what a scenario expects.
 
 Idea. Only literals and constants count that set such a quantity of an axis on the critical path. Each is changed as far
-as a run allows: the text is edited, run, certified against `[axis.N.limits]`, and compared with the original run. The
-one that gains most is kept, then the next one on top of it, until nothing gains more. Of what was kept, the fewest
-edits are chosen that reach the wanted gain, by trying all sets of one, of two, and so on.
+as a run allows: the text is edited, run, certified against `[axis.N.limits]`, and compared with the original run. One
+is changed after the other, on top of what was gained, until none gains more. Of these edits the fewest are chosen that
+reach the wanted gain, by trying all sets of one, of two, and so on.
 
     must not change    the order of outputs and prints (their figures may), the moves and their ends, the final
                        positions, the status, limits met and faults, the expectations of scenarios
@@ -158,7 +158,7 @@ class Improver:
 
     def improved(self, by: float = 0.0, most: int = 0) -> Improvement:
         """Return the fewest edits that gain the share `by` of the cycle, or the best ones, at most `most` if given."""
-        edits = self._greedy()
+        edits = self._all()
         chosen = self._chosen(edits, by, most)
         values = {each.literal.address: each.value for each in chosen}
         patched, result = self._patched(values)
@@ -170,25 +170,21 @@ class Improver:
             self.source, patched, self.before, after, chosen, result, limits, self.skipped, waits
         )
 
-    def _greedy(self) -> list[Edit]:
-        """Return the edits of the best run that was found, in the order in which they were chosen."""
+    def _all(self) -> list[Edit]:
+        """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
         candidates = self._candidates()
         edits: dict[str, Edit] = {}
-        best = self.before
-        while True:
-            found: list[tuple[float, Edit]] = []
+        best, before = self.before, inf
+        while best < before:
+            before = best
             for literal in candidates:
                 values = {each.literal.address: each.value for each in edits.values()}
                 cost, edit = self._search(literal, values, best)
                 worth = ENOUGH if literal.address in edits else WORTH
                 if edit is not None and best - cost > worth * best:
-                    found.append((cost, edit))
-            if not found:
-                return list(edits.values())
-            cost, edit = min(found, key=lambda each: (each[0], each[1].literal.offset))
-            edits[edit.literal.address] = edit
-            best = cost
-            candidates = [each for each in candidates if each is not edit.literal] + [edit.literal]
+                    edits[literal.address] = edit
+                    best = cost
+        return list(edits.values())
 
     def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
         """Return the fewest of some edits that gain a share, or the best set of at most `most`."""

@@ -26,6 +26,7 @@ GALLERY = sorted(
 SLICE = 200
 
 
+@pytest.mark.slow
 def test_runs_of_the_gallery_are_in_their_maps() -> None:
     found = {path.name: problems(Source.read(path), settings_next_to(path)) for path in GALLERY}
     assert {name: each for name, each in found.items() if each} == {}
