@@ -2,7 +2,9 @@
 
 import motionlang
 
-text = "' IN 1 part   OUT 2 clamp\nLoop\n  PAUSE INX(1)\n  OUTX(2) = 1\n  WAIT = 200\n  OUTX(2) = 0\nEnd Loop\n"
+text = (
+    "' IN 1 part   OUT 2 clamp\nLoop\n  PAUSE INX(1)\n  OUTX(2) = 1\n  WAIT = 200\n  OUTX(2) = 0\nEnd Loop\n"
+)
 found = motionlang.map(motionlang.Source("clamp.mnt", text))
 for channel in found.channels:
     print(channel.known_as, channel.lines)  # input 1 (part) [3]
