@@ -175,7 +175,7 @@ def writes(node: ast.Call) -> bool:
     where, _, name = called.rpartition(".")
     if name in ("replace", "rename", "symlink", "link"):
         return where in ("os", "path", "shutil")
-    return name in WRITERS or (where in ("shutil", "tempfile") and name != "gettempdir")
+    return name in WRITERS or (where in ("shutil", "tempfile") and name not in ("gettempdir", "which"))
 
 
 def test_nothing_else_opens_a_file_for_writing() -> None:

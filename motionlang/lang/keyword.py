@@ -14,9 +14,9 @@ from typing import Any
 
 # The devices of a machine that a keyword numbers, in the order of a map of a program.
 CHANNELS = (
-    "input", "input bank", "output", "output bank", "relay", "digital", "analogue input", "analogue output", "encoder",
-    "comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register", "remote node", "serial port",
-    "nv word", "key", "answer",
+    "input", "input bank", "output", "output bank", "relay", "relay bank", "digital", "analogue input",
+    "analogue output", "auxiliary analogue output", "encoder", "comms element", "network data", "dual-port RAM",
+    "Modbus coil", "Modbus register", "remote node", "serial port", "nv word", "key", "answer",
 )  # fmt: skip
 # The device, by the section of the machine file that drives a reading, or else by the last word of `index`.
 _DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "network data", "dpr": "dual-port RAM",

@@ -120,3 +120,14 @@ def test_a_program_with_errors_has_no_map(program: Cell) -> None:
     ran = program("map", "b.mnt")
     assert (ran.status, ran.out) == (1, "")
     assert "error[syntax]" in ran.err
+
+
+def test_a_run_that_goes_on_after_an_error_says_where(cell: Cell) -> None:
+    cell.write(
+        "a.mnt", 'n = 0\nWAIT = 5\nPRINT 1 / n\nWAIT = 10\nEvent ONERROR\n  PRINT "error"\nEnd Event\n'
+    )
+    assert cell("map", "a.mnt", "--run", "--unit", "program").out == (
+        "program\n  begin\n      n = 0; -> 2 WAIT = 5 (once)\n     2  WAIT = 5\n"
+        "      PRINT 1 / n; -> 4 WAIT = 10 (not taken)\n"
+        "     4  WAIT = 10   [goes on here after an error, 1 time]\n      -> end (once)\n"
+    )

@@ -106,6 +106,7 @@ class Observed:
         return self._dropped + len(self._events)
 
     def written(self, steps: Steps) -> None:
+        """Let the steps at which states are entered and branches chosen report that."""
         for index, step in enumerate(steps):
             key = steps.name, index
             state = self.diagrams.states.get(key)
@@ -122,6 +123,7 @@ class Observed:
             self.taken[each].count += times
 
     def failed(self, task: StepTask) -> None:
+        """Forget where a task is, unless a unit around it is still followed."""
         if not any(frame.owner in self._roots for frame in self._frames.get(task, ())):
             self._lost.add(task)
         for frame in self._frames.get(task, ()):

@@ -67,9 +67,9 @@ Branches = tuple[tuple[tuple[str, int], int], ...]
 
 @dataclass(eq=False, slots=True)
 class Action:
-    """A statement on a transition; `depth` is the number of conditions around it, `is_else` if the last one is false.
+    """A statement on a transition, under `depth` conditions; `text` is the statement as written.
 
-    `text` is the statement, or the condition that governs the deeper ones that follow.
+    With `is_condition` it is the condition of the deeper ones that follow.
     """
 
     at: int
@@ -279,9 +279,10 @@ class _DiagramBuilder:
         order, back = ordered([self.entry], self.after)
         self._mark(order)
         self._dominators = postdominators(order, back, self.after)
+        backward = set(back)
         regions = [(p, region) for p in order if (region := self._region(p)) is not None]
         for p, _ in sorted(regions, key=lambda each: len(each[1])):  # inner ones first
-            self._fold(p, set(back))
+            self._fold(p, backward)
         self._cut_loops()
         self._cut_paths()
         self._walk(start, [self.entry])
@@ -344,12 +345,8 @@ class _DiagramBuilder:
 
     def _state(self, p: int, kind: str, cause: str = "") -> None:
         statement = self.program.statement(p)
-        if statement is not None and kind not in ("return", "end"):
-            line, text = statement.line, statement.text
-        else:
-            line, text = 0, kind
-            if self.points[p].at >= 0 and statement is not None:
-                line = statement.line
+        line = statement.line if statement is not None else 0
+        text = statement.text if statement is not None and kind not in _LEAVING else kind
         self.states[p] = State(f"n{p}", kind, self.points[p].at, line, text, cause)
 
     def _jump(self, p: int) -> State:

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from math import fsum
 from statistics import median
 
 from motionlang.analysis.program_map.paths import ordered
@@ -104,7 +105,7 @@ class _Layered:
             rows, near = (self.rows, self.above) if sweep % 2 == 0 else (self.rows[::-1], self.below)
             for row in rows:
                 means = {
-                    n: sum(place[m] for m in near[n]) / len(near[n]) if near[n] else place[n] for n in row
+                    n: fsum(place[m] for m in near[n]) / len(near[n]) if near[n] else place[n] for n in row
                 }
                 row.sort(key=means.__getitem__)
                 place.update((node, k) for k, node in enumerate(row))
@@ -122,7 +123,7 @@ class _Layered:
                 self._align(row, x, near)
         left = min((x[n] - self.sizes[n][0] / 2 for n in range(len(x))), default=0.0)
         heights = [max((self.sizes[n][1] for n in row), default=0.0) for row in self.rows]
-        tops = [sum(heights[:k]) + GAP_Y * k for k in range(len(heights))]
+        tops = [fsum(heights[:k]) + GAP_Y * k for k in range(len(heights))]
         places = [(x[n] - left, tops[self.layer[n]] + heights[self.layer[n]] / 2) for n in range(len(x))]
         found = Layout(max((places[n][0] + self.sizes[n][0] / 2 for n in range(len(x))), default=0.0),
                        tops[-1] + heights[-1] if tops else 0.0)  # fmt: skip

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from html import escape
 from itertools import pairwise
+from math import fsum
 
 from motionlang.analysis.program_map.program_map import ProgramMap
 from motionlang.analysis.program_map.states import Diagram, State
@@ -129,7 +130,7 @@ def _below(diagram: Diagram, labels: list[list[str]]) -> dict[int, float]:
     for numbers in loops.values():
         heights = [_size(labels[k], SMALL, 4.0)[1] for k in numbers]
         for n, k in enumerate(numbers):
-            found[k] = sum(heights[:n]) + heights[n] / 2 - sum(heights) / 2
+            found[k] = fsum(heights[:n]) + heights[n] / 2 - fsum(heights) / 2
     return found
 
 

@@ -62,8 +62,12 @@ def _state(made: ProgramMap, state: State) -> str:
     what = {"call": f"runs {state.unit}", "loop": "runs for ever", "meet": ""}.get(state.kind, "")
     if state.cause and state.cause != "time":
         what = f"waits for {waits_for(made, state)}"
-    meanwhile = f"; meanwhile {does(state.meanwhile)}" if state.meanwhile else ""
-    return f"{state.line:4}  {state.text}" + (f"   [{what}{meanwhile}]" if what or meanwhile else "")
+    notes = [what, f"meanwhile {does(state.meanwhile)}" if state.meanwhile else ""]
+    again = made.observed.recovered.get(state, 0) if made.observed is not None else 0
+    if again:
+        notes.append(f"goes on here after an error, {count_of(again, 'time')}")
+    shown = "; ".join(note for note in notes if note)
+    return f"{state.line:4}  {state.text}" + (f"   [{shown}]" if shown else "")
 
 
 def _transition(made: ProgramMap, each: Transition) -> str:

@@ -12,6 +12,7 @@ from motionlang.analysis.program_map.units import UnitMap
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, run
 from motionlang.lang.machine.machine import Machine
+from motionlang.mint.keywords.relays import FIRST
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.generated import handlers, polls, tasks
@@ -68,17 +69,25 @@ def _missing_channels(made: ProgramMap, result: Run, digital: set[int], analogue
     listed = {(each.kind, each.number) for each in made.channels}
     kinds = {kind for kind, number in listed if "bank" in kind or number == "?"}
     log = result.machine.log
-    touched = {("output", each.channel) for each in log.outputs}
-    touched |= {("analogue output", each.channel) for each in log.analogue_outputs}
+    touched = {_numbered("output", "relay", each.channel) for each in log.outputs}
+    touched |= {
+        _numbered("analogue output", "auxiliary analogue output", each.channel)
+        for each in log.analogue_outputs
+    }
     touched |= {("input", channel) for channel in digital} | {
         ("analogue input", channel) for channel in analogue
     }
     for kind, channel in sorted(touched):
         either = (kind, "output") if kind == "input" else (kind,)  # an output of MCCL can be read, too
         if not any((each, str(channel)) in listed for each in either) and not (
-            kind in kinds or f"{kind} bank" in kinds or ("relay" in {k for k, _ in listed})
+            kind in kinds or f"{kind} bank" in kinds
         ):
             yield f"{kind} {channel} is not listed"
+
+
+def _numbered(kind: str, other: str, channel: int) -> tuple[str, int]:
+    """Return kind and number of a channel of the log, which numbers relays and auxiliary outputs from 1000 on."""
+    return (other, channel - FIRST) if channel >= FIRST else (kind, channel)
 
 
 def _missing_calls(made: ProgramMap, observed: Observed) -> Iterator[str]:
