@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
     from motionlang.source import Source
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
     "Diagnostic",
     "Machine",

@@ -64,14 +64,15 @@ def lowest(python_version: str, extras: Iterable[str] = ()) -> list[str]:
     return found
 
 
-def run(python: str, wheel: Path, folder: Path, *flags: str) -> str:
+def run(python: str, wheel: Path, folder: Path, *flags: str, newest: bool = False) -> str:
     """Run every command with `python` and its flags in an environment of its own.
 
-    Return the packages in the environment, which is created below `folder`, a new folder.
+    It has the lowest versions of the libraries, or the newest ones. Return the packages in the environment, which is
+    created below `folder`, a new folder.
     """
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
-    versions = lowest(version)
+    versions = [] if newest else lowest(version)
     # An installer of this Python serves the environment, which saves the installation of another one.
     subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
     installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
@@ -87,7 +88,8 @@ def run(python: str, wheel: Path, folder: Path, *flags: str) -> str:
     ran = drive(command, [*helps(), *uses], work, environment)
     check_helps(ran)
     check_uses(ran, uses, set())
-    return f"Python {' '.join((version, *flags))} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
+    libraries = ", ".join(versions) or "the newest libraries"
+    return f"Python {' '.join((version, *flags))} with {libraries}: {len(helps())} helps, {len(uses)} uses"
 
 
 def run_tests(python: str, folder: Path) -> str:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang import __version__
 from motionlang._wheel import without_links
 
 pytestmark = pytest.mark.slow
@@ -62,7 +63,7 @@ def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
         assert wheel.read(name) == text
         assert "motionlang/py.typed" in wheel.namelist()
     with tarfile.open(built[0]) as sdist:
-        found = sdist.extractfile("motionlang-0.1.0/LICENSE")
+        found = sdist.extractfile(f"motionlang-{__version__}/LICENSE")
         assert found is not None
         assert found.read() == text
 
@@ -71,6 +72,7 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
     """It has everything that README mentions: the gallery, the pages and the tests."""
     with tarfile.open(built[0]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
+    assert {"CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "SECURITY.md", "README.md"} <= names
     for folder in ("benchmarks", "docs", "examples", "grammars", "motionlang", "scripts", "tests"):
         here = {
             path.relative_to(ROOT).as_posix()

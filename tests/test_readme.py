@@ -7,7 +7,7 @@ import re
 from tests.scope_picture import PICTURE, PROGRAM, ROOT, digest, recorded, with_digest
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-ORDER = ["Install", "The first program", "Six things it does", "Accuracy", "Documentation", "Built with"]
+ORDER = ["Install", "One minute of use", "Accuracy", "Documentation", "Built with"]
 
 
 def test_a_sentence_the_playground_and_the_picture_come_first() -> None:
@@ -22,8 +22,13 @@ def test_a_sentence_the_playground_and_the_picture_come_first() -> None:
     assert PROGRAM.name in picture
 
 
-def test_a_diagnostic_comes_before_the_installation() -> None:
-    assert 0 < README.index("\nerror[") < README.index("\n## Install")
+def test_the_installation_is_on_the_first_screen() -> None:
+    assert README[: README.index("\n## Install")].count("\n") <= 25
+
+
+def test_a_run_and_a_diagnostic_are_shown_in_the_minute_of_use() -> None:
+    use = README[README.index("\n## One minute of use") : README.index("\n## Accuracy")]
+    assert use.index("$ motionlang run") < use.index("\nerror[")
 
 
 def test_the_sections_are_in_the_order_of_use() -> None:

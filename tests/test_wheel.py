@@ -33,7 +33,7 @@ from tests.lowest import SUPPORTED, lowest
 pytestmark = pytest.mark.slow
 
 # Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
-UNUSED = {"dev", "dask", "site"}
+UNUSED = {"dev", "dask", "release", "site"}
 links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
 
 
@@ -60,6 +60,7 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
 WITHOUT_NUMPY = {
     "prove move.mnt --format json": "motionlang prove",
     "certify move.mnt": "motionlang certify",
+    "improve move.mnt --set axis.0.limits.speed=60 --set axis.0.limits.acceleration=600": "motionlang improve",
     "profile move.mnt --paths": "motionlang profile --paths",
     "trace move.mnt move.csv --rate 100": "motionlang trace",
     "trace move.mnt move.npz": "motionlang trace",

@@ -18,6 +18,7 @@ from typing import Any
 
 import pytest
 
+from motionlang import __version__
 from motionlang.cli import shared, signals
 from motionlang.errors import Terminated
 from motionlang.lang.dialect import dialect
@@ -291,7 +292,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     assert (folder / "a.mnt").read_text() == MOVE
     assert (folder / "a.machine.toml").read_text() == "[controller]\naxes = 2\n"
     text = (folder / "crash.txt").read_text()
-    assert text.startswith("motionlang 0.1.0, Python ")
+    assert text.startswith(f"motionlang {__version__}, Python ")
     assert "options: run a.mnt --format json\n" in text
     assert "AssertionError: it cannot be" in text
     assert "Traceback" not in ran.out + ran.err

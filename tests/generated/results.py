@@ -139,7 +139,8 @@ def texts(name: str) -> dict[str, str]:
     """
     family, _, seed = name.partition("-")
     with on_terminal(TERMINALS[int(seed) % 4] if seed.isdigit() else None):
-        return _texts(family, seed)
+        found = _texts(family, seed)
+    return {kind: text.replace(__version__, "VERSION") for kind, text in found.items()}
 
 
 def _texts(family: str, seed: str) -> dict[str, str]:
@@ -260,7 +261,7 @@ def said(*arguments: str) -> str:
             status: object = command(arguments)
         except SystemExit as end:
             status = end.code
-    return f"{out.getvalue()}{errors.getvalue()}exit status {status}\n".replace(__version__, "VERSION")
+    return f"{out.getvalue()}{errors.getvalue()}exit status {status}\n"
 
 
 def _said(verb: str, program: Generated, *options: str) -> str:

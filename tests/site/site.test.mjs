@@ -16,8 +16,8 @@ for (const name of ["chromium", "firefox"]) {
 
     test("the first sentence is followed by the link to the playground", async () => {
       const first = page.locator(".md-content p").first();
-      assert.match(await first.innerText(), /^[^.]+\. Try it in your browser/);
-      assert.match(await first.locator("a").first().getAttribute("href"), /^playground\/index\.html/);
+      assert.match(await first.innerText(), /^[^.]+\. The playground runs it in a browser/);
+      assert.match(await first.locator("a").first().getAttribute("href"), /^playground\.html$/);
     });
 
     test("each page has version and commit", async () => {
@@ -25,7 +25,7 @@ for (const name of ["chromium", "firefox"]) {
     });
 
     test("the search finds a keyword", async () => {
-      const other = await open(browser, `${SITE}cli.html`);
+      const other = await open(browser, `${SITE}cycle.html`);
       await other.keyboard.press("Control+k");
       await other.keyboard.type("MOVER", { delay: 20 });
       await other.getByText(/MOVER/).first().waitFor();

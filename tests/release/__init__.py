@@ -1,0 +1,1 @@
+"""Build the artefacts of a release and try them; see `__main__.py`."""
