@@ -25,7 +25,7 @@ GALLERY = sorted(
 )
 OLD = sorted(path for path in (ROOT / "examples" / "old").iterdir() if path.suffix != ".md")
 # Of the others, which take up to half a minute, 93 to 99 % are reached.
-QUICK = ("bagwelder.prg", "coiler.prg", "drill.prg", "glue.mnt", "rotary.mccl")
+QUICK = ("bagwelder.prg", "coiler.prg", "rotary.mccl")
 
 TABLE = """\
 Dim n As Integer
