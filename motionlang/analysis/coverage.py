@@ -112,7 +112,10 @@ class Statement:
 
 @dataclass
 class Coverage:
-    """What the runs of a program have reached; `worlds` are the scenarios that it ran in, "" for its own world."""
+    """The statements, conditions and parts that the runs of a program have reached.
+
+    `worlds` are the scenarios that it ran in, "" for its own world.
+    """
 
     file: str
     source: Source
@@ -131,7 +134,7 @@ class Coverage:
 
     @property
     def missed(self) -> dict[int, str]:
-        """What is missing of each line that was not covered: a statement, or an outcome of a condition."""
+        """The reason for each line that is not covered: a statement, or an outcome of a condition."""
         found: dict[int, str] = {}
         lines = self.lines
         for each in self.statements:

@@ -188,16 +188,19 @@ class Improver:
 
     def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
         """Return the fewest of some edits that gain a share, or the best set of at most `most`."""
-        wanted = self.before * (1.0 - by)
-        pool = list(edits[:MAX_EDITS])
         if not (by or most) or len(edits) <= 1:
             return list(edits)
-        for size in range(1, len(pool) + 1):
-            tried = [(self._tried(each), each) for each in combinations(pool, size)]
-            cost, best = min(tried, key=lambda each: each[0])
-            if (by and cost <= wanted) or (most and size == min(most, len(pool))):
-                return list(best)
-        return list(edits)
+        pool = sorted(edits, key=lambda each: self._tried([each]))[:MAX_EDITS]
+        pool.sort(key=lambda each: each.literal.offset)
+        best, lowest = list[Edit](), self.before
+        for size in range(1, min(most or len(pool), len(pool)) + 1):
+            for each in combinations(pool, size):
+                cost = self._tried(each)
+                if cost < lowest * (1.0 - NOTHING):
+                    best, lowest = list(each), cost
+            if by and lowest <= self.before * (1.0 - by):
+                return best
+        return best if most else list(edits)
 
     def _tried(self, edits: Sequence[Edit]) -> float:
         """Return the cycle with some edits; infinite if something forbids it."""
@@ -400,7 +403,7 @@ def _quantity(row: Keyword) -> str:
 
 
 class _Seen:
-    """What a run does that no edit may change."""
+    """The behaviour of a run that no edit may change."""
 
     def __init__(self, run: Run) -> None:
         self._status = run.status

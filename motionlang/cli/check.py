@@ -54,7 +54,7 @@ class Checked:
 
 @dataclass
 class _Shown:
-    """What is known of the files, each with its name, for a document."""
+    """The results for the files, each with its name, for a document."""
 
     files: list[dict[str, object]] = field(default_factory=list)
     fixed: list[tuple[str, Fixed]] = field(default_factory=list)

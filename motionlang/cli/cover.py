@@ -14,7 +14,7 @@ from typing import ClassVar
 from motionlang.analysis.coverage import Coverage, Event, counted, covered, ranges, worlds_of
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
 from motionlang.analysis.suggestions import Search, scenario_text
-from motionlang.cli.command import Refused, argument, flag, option
+from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.output_files import written
 from motionlang.cli.parallel import in_parallel
@@ -63,6 +63,16 @@ examples:
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
     html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
     lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
+
+    def check(self) -> None:
+        super().check()
+        given = [name for name in ("all", "fail_under", "html", "lcov") if getattr(self, name)]
+        if self.suggest and given:
+            raise WrongOption(
+                f"--suggest writes scenarios; run cover again for --{given[0].replace('_', '-')}"
+            )
+        if self.suggest and STDIN in self.files:
+            raise WrongOption("--suggest writes scenarios next to a program, not next to -")
 
     def run(self) -> int:
         files = programs(self.files)

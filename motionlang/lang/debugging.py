@@ -80,7 +80,7 @@ class Hook:
 
 
 class Observer(Protocol):
-    """What watches which steps a run takes.
+    """An observer of the steps that a run takes.
 
     It may replace the functions of steps before they run, by others that do the same and count. Iterations that are
     skipped call none of them, so they are reported.
@@ -88,7 +88,7 @@ class Observer(Protocol):
 
     @property
     def seen(self) -> Any:
-        """What it has counted so far, as `skipped` takes it."""
+        """Its counts so far, in the form that `skipped` takes."""
 
     def written(self, steps: Steps) -> None:
         """Take note of steps that have been written and not run."""

@@ -13,7 +13,7 @@ from motionlang.errors import count_of
 from motionlang.result import Run
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
-from motionlang.views.words import figure
+from motionlang.views.words import figure, line_number
 
 
 def limits_table(lines: Sequence[Limit]) -> Table:
@@ -25,7 +25,7 @@ def limits_table(lines: Sequence[Limit]) -> Table:
         Column("limit", "allowed", text="{:.6g}".format),
         Column("reached", text=lambda reached: f"{reached + 0.0:.6g}"),
         Column("time", "at", "s", text=lambda time: figure(time, 6), drop=2),
-        Column("line", text=lambda line: str(line or ""), drop=1),
+        Column("line", text=line_number, drop=1),
         Column("", "margin", get=_margin),
         Column("margin", data=True),
         Column("verdict", "", text=VERDICTS.__getitem__, left=True),

@@ -14,7 +14,7 @@ from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.report import with_phases
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import decimals_of, dialect_name, figure, outcome
+from motionlang.views.words import decimals_of, dialect_name, figure, line_number, outcome
 
 if TYPE_CHECKING:
     from motionlang.analysis.compare.comparison import Comparison
@@ -94,7 +94,7 @@ def moves_table(rows: Sequence[Row]) -> Table:
         Column("signal", left=True, style="word"),
         Column("axis", data=True),
         Column("command", "move", left=True, text=lambda command: printable(command or "move")),
-        Column("line", text=lambda line: str(line or "")),
+        Column("line", text=line_number),
         Column("start_time", "start", "s", text=six, drop=1),
         Column("duration", data=True),
         _LAG,

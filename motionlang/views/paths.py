@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.views.table import Column, Table
-from motionlang.views.words import figure
+from motionlang.views.words import figure, line_number
 
 if TYPE_CHECKING:
     from motionlang.log.paths import PathRow
@@ -18,7 +18,7 @@ SMOOTH = 0.05
 def paths_table(rows: Sequence[PathRow]) -> Table:
     """Return the table of paths; speeds are those along the path."""
     columns = (
-        Column("line", text=lambda line: str(line or "")),
+        Column("line", text=line_number),
         Column("command", left=True, style="word"),
         Column("axes", left=True, drop=2),
         Column("start_time", "start", "s", text="{:.6f}".format, drop=1),

@@ -21,7 +21,15 @@ from motionlang.result import Run
 from motionlang.views.chart import velocity_chart
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import clock_time, decimals_of, dialect_name, figure, grouped, outcome
+from motionlang.views.words import (
+    clock_time,
+    decimals_of,
+    dialect_name,
+    figure,
+    grouped,
+    line_number,
+    outcome,
+)
 from motionlang.views.written import writes_table
 
 Row = dict[str, Any]
@@ -166,7 +174,7 @@ def moves_table(rows: Sequence[Row]) -> Table:
     columns = (
         Column("axis"),
         Column("command", left=True, style="word"),
-        Column("line", drop=4, text=_line),
+        Column("line", drop=4, text=line_number),
         Column("profile", left=True, drop=1),
         Column("start_time", "start", "s", decimals=6, drop=5),
         Column("duration", "time", "s", decimals=6),
@@ -185,10 +193,6 @@ def moves_table(rows: Sequence[Row]) -> Table:
 def _is_short(row: Row) -> bool:
     """True if a move did not reach the commanded speed."""
     return bool(row.get("commanded_speed", 0.0) > row.get("peak_speed", 0.0) * (1.0 + 1e-9))
-
-
-def _line(number: int) -> str:
-    return str(number or "")
 
 
 class _Events:
@@ -234,7 +238,7 @@ def events_table(rows: Sequence[Row]) -> Table:
         Column("axis"),
         Column("value", text=figure, drop=3),
         Column("limit", text=figure, drop=4),
-        Column("line", drop=5, text=_line),
+        Column("line", drop=5, text=line_number),
         Column("commanded_by", "motion of line", drop=2),
         Column("text", "", left=True, drop=1),
     )
@@ -252,7 +256,7 @@ def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything:
 
 
 _TOTALS = (
-    Column("line", text=_line),
+    Column("line", text=line_number),
     Column("command", left=True, style="word"),
     Column("axis"),
     Column("moves", text=grouped),
@@ -304,7 +308,7 @@ def motors_table(rows: Sequence[Row], everything: bool) -> Table:
 
 _MOTORS = (
     Column("axis"),
-    Column("line", text=_line, drop=1),
+    Column("line", text=line_number, drop=1),
     Column("peak_following_error", "peak error", "uu", decimals=4),
     Column(
         "",

@@ -140,7 +140,7 @@ def filled(cells: Cells, rows: Sequence[Any], *, width: int) -> list[str]:
 
 @dataclass
 class Document:
-    """What a command has found, for programs: tables, the most asked for first, and single values by name."""
+    """The results of a command as data: tables, the most important first, and single values by name."""
 
     tables: Sequence[Table] = ()
     values: Mapping[str, Any] = field(default_factory=dict)

@@ -76,6 +76,11 @@ def grouped(count: int) -> str:
     return f"{count:,}".replace(",", " ")
 
 
+def line_number(line: int) -> str:
+    """Format the number of a line; a line that is not known is an empty cell."""
+    return str(line or "")
+
+
 def peak_of(value: float) -> str:
     """Format the figure next to a curve to six digits."""
     return f"{value:.6g}"

@@ -293,6 +293,12 @@ prints = "four"
     assert table("verify", "table.mnt").status == 0
 
 
+@pytest.mark.parametrize("words", ["--all", "--fail-under 9", "--html x.html", "--lcov x.info"])
+def test_suggestions_take_no_option_of_the_table(words: str, table: Cell) -> None:
+    ran = table("cover", "table.mnt", "--suggest", *words.split())
+    assert (ran.status, "--suggest writes scenarios" in ran.err) == (2, True)
+
+
 @pytest.mark.slow
 @cases("path", [ROOT / "examples" / "old" / name for name in QUICK], ids=lambda path: path.name)
 def test_suggestions_reach_nine_tenths_of_an_old_program(path: Path) -> None:

@@ -25,7 +25,7 @@ MAX_COMMENT = 40
 
 @dataclass(eq=False, slots=True)
 class ProgramMap:
-    """What a program does: channels, axes, units, variables, diagrams of states.
+    """The map of a program: channels, axes, units, variables, diagrams of states.
 
     `unreached` are the first and last lines of statements that nothing reaches. `run` and `observed` are those of a run
     of the program, None without one.

@@ -359,7 +359,7 @@ def _whole(node: nodes.Expr) -> int | None:
 
 
 def _alias(node: nodes.Expr) -> str:
-    """Return the name of a constant or a Define that stands for a number or a channel."""
+    """Return the name of the constant or Define for a number or a channel."""
     if isinstance(node, nodes.Name) and (node.definition is not None or node.symbol is not None):
         return str(node.name)
     return ""

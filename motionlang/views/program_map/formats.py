@@ -14,7 +14,7 @@ from motionlang.views.program_map.text import headline, markdown, render
 from motionlang.views.program_map.timing import timing
 from motionlang.views.table import Document
 
-# The form that a file extension stands for.
+# The form for each file extension.
 SUFFIXES = {
     ".txt": "text",
     ".md": "markdown",

@@ -1,4 +1,4 @@
-"""What a reader calls the states and transitions of a map."""
+"""Words for the states and transitions of a map."""
 
 from __future__ import annotations
 
