@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
+from urllib.parse import quote
 
 from motionlang.analysis.coverage import Coverage, ranges
 from motionlang.planners.total import total as total_of
+from motionlang.views.html_table import data_cell, html_table
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 
@@ -113,16 +115,12 @@ def lcov(found: Iterable[Coverage]) -> Iterator[str]:
 
 def page(found: Sequence[Coverage]) -> str:
     """Return a self-contained page: the table, and each program with the counts of its lines."""
-    heads, rows = files_table(found).cells()
-    table = _row("th", heads) + "".join(
-        f"<tr><td><a href='#f{number}'>{escape(row[0])}</a></td>{_cells('td', row[1:])}</tr>"
-        for number, row in enumerate(rows)
-    )
-    programs = "".join(_program(number, each) for number, each in enumerate(found))
+    table = html_table(files_table(found), _cell)
+    programs = "".join(map(_program, found))
     title = f"Coverage: {percentage(found):.0f} %"
     return (
         f"<!doctype html><html lang='en'><meta charset='utf-8'><title>{title}</title><style>{_STYLE}</style>"
-        f"<h1>{title}</h1><table>{table}</table>{programs}</html>\n"
+        f"<h1>{title}</h1>{table}{programs}</html>\n"
     )
 
 
@@ -135,7 +133,7 @@ _STYLE = (
 )
 
 
-def _program(number: int, found: Coverage) -> str:
+def _program(found: Coverage) -> str:
     lines, missed, rows = found.lines, found.missed, []
     for line, text in enumerate(found.source.text.rstrip("\n").split("\n"), 1):
         count = lines.get(line)
@@ -144,15 +142,16 @@ def _program(number: int, found: Coverage) -> str:
         rows.append(
             f"<span class='{kind}'><b>{'' if count is None else count}  {line:>4}</b>{escape(text)}{remark}</span>"
         )
-    return f"<h2 id='f{number}'>{escape(found.file)}</h2><pre>{''.join(rows)}</pre>"
+    return f"<h2 id='{escape(found.file)}'>{escape(found.file)}</h2><pre>{''.join(rows)}</pre>"
 
 
-def _row(tag: str, cells: Iterable[str]) -> str:
-    return f"<tr>{_cells(tag, cells)}</tr>"
-
-
-def _cells(tag: str, cells: Iterable[str]) -> str:
-    return "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells)
+def _cell(heading: str, text: str) -> str:
+    """Return a cell; that of a file is a link to its listing."""
+    return (
+        f"<td><a href='#{quote(text)}'>{escape(text)}</a></td>"
+        if heading == "file"
+        else data_cell(heading, text)
+    )
 
 
 def _share(name: str, drop: int) -> tuple[Column, Column, Column]:

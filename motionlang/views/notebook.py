@@ -5,7 +5,7 @@ They consist of text, tables and velocity curves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 from math import inf
 from typing import TYPE_CHECKING, Any
@@ -18,9 +18,9 @@ from motionlang.views.chart import velocity_panel
 from motionlang.views.diagnostics import render_all
 from motionlang.views.figure import Curve, Figure, Panel
 from motionlang.views.figure_files import svg
+from motionlang.views.html_table import html_table
 from motionlang.views.quantities import COLOURS
 from motionlang.views.report import moves_table, render
-from motionlang.views.table import Table
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
@@ -91,18 +91,8 @@ def _drawn(panel: Panel) -> str:
     return svg(Figure([[panel]], x_label="time (s)", width=CURVE))
 
 
-def table_html(table: Table) -> str:
-    """Return a table as HTML, with all text escaped."""
-    heads, rows = table.cells()
-    return f"<table>{_row('th', heads)}{''.join(_row('td', row) for row in rows)}</table>"
-
-
 def _moves(rows: Sequence[Mapping[str, Any]]) -> str:
     """Return the first moves as a table; a remark states the number omitted."""
     omitted = len(rows) - MOST_MOVES
     more = f"<p>… {omitted} more move{'s'[: omitted != 1]}</p>" if omitted > 0 else ""
-    return table_html(moves_table([dict(row) for row in rows[:MOST_MOVES]])) + more
-
-
-def _row(tag: str, cells: Iterable[str]) -> str:
-    return f"<tr>{''.join(f'<{tag}>{escape(cell)}</{tag}>' for cell in cells)}</tr>"
+    return html_table(moves_table([dict(row) for row in rows[:MOST_MOVES]])) + more

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html import escape
 from importlib.resources import files
 
 from motionlang.analysis.program_map.program_map import ProgramMap
+from motionlang.views.html_table import html_table
 from motionlang.views.program_map import tables
 from motionlang.views.program_map.mermaid import COLOURS
 from motionlang.views.program_map.svg import picture
@@ -85,15 +87,8 @@ def _table(table: Table) -> list[str]:
     """Return a table whose line numbers are links."""
     if not table.rows:
         return [f"<p>{escape(table.empty)}</p>"]
-    heads, rows = table.cells()
-    used = [k for k in range(len(heads)) if any(row[k] for row in rows)]
-    found = [
-        '<div class="scroll"><table>',
-        f"<tr>{''.join(f'<th>{escape(heads[k])}</th>' for k in used)}</tr>",
-    ]
-    for row in rows:
-        found.append(f"<tr>{''.join(_cell(heads[k], row[k]) for k in used)}</tr>")
-    return [*found, "</table></div>"]
+    used = [each for each in table.columns if any(each.texts(table.rows))]
+    return [f'<div class="scroll">{html_table(replace(table, columns=used), _cell)}</div>']
 
 
 def _cell(head: str, text: str) -> str:
