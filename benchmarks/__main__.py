@@ -16,10 +16,10 @@ from time import process_time
 
 from benchmarks.programs import PROGRAMS, Program
 from benchmarks.styles import STYLES, Style
-from motionlang.execution import dialect_of
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.source import Source
+from motionlang.kernel.execution import dialect_of
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.scheduler import Scheduler, Stuck
+from motionlang.kernel.source import Source
 
 SHIFT = 8 * 3600.0
 # The joystick moves until then, s; a program that waits for it longer has completed its shift.

@@ -19,10 +19,10 @@ from pathlib import Path
 from time import perf_counter, process_time
 from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.execution import run
-from motionlang.mint.syntax.parser import parse
-from motionlang.report import text
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.report import text
+from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable

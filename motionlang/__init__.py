@@ -9,12 +9,9 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from motionlang.analysis.planning import Plan, plan
-    from motionlang.analysis.sweeps import Row, sweep
-    from motionlang.errors import Diagnostic, ProgramError
-    from motionlang.lang.dialect import parse
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.library.functions import (
+    from motionlang.commands.plan import Plan, plan
+    from motionlang.commands.sweep import Row, sweep
+    from motionlang.functions import (
         certify,
         check,
         compare,
@@ -26,11 +23,14 @@ if TYPE_CHECKING:
         prove,
         run,
     )
-    from motionlang.library.moves import Move, Moves
-    from motionlang.library.report_types import Report
-    from motionlang.log.trace import Trace
-    from motionlang.result import Run
-    from motionlang.source import Source
+    from motionlang.kernel.errors import Diagnostic, ProgramError
+    from motionlang.kernel.lang.dialect import parse
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.log.trace import Trace
+    from motionlang.kernel.moves import Move, Moves
+    from motionlang.kernel.report_types import Report
+    from motionlang.kernel.result import Run
+    from motionlang.kernel.source import Source
 
 __version__ = "0.2.0"
 __all__ = [
@@ -63,30 +63,30 @@ __all__ = [
 
 # The module of each name below this package.
 _HOMES = {
-    "Diagnostic": "errors",
-    "Machine": "lang.machine.machine",
-    "Move": "library.moves",
-    "Moves": "library.moves",
-    "Plan": "analysis.planning",
-    "ProgramError": "errors",
-    "Report": "library.report_types",
-    "Row": "analysis.sweeps",
-    "Run": "result",
-    "Source": "source",
-    "Trace": "log.trace",
-    "certify": "library.functions",
-    "check": "library.functions",
-    "compare": "library.functions",
-    "cover": "library.functions",
-    "diff": "library.functions",
-    "improve": "library.functions",
-    "map": "library.functions",
-    "parse": "lang.dialect",
-    "plan": "analysis.planning",
-    "profile": "library.functions",
-    "prove": "library.functions",
-    "run": "library.functions",
-    "sweep": "analysis.sweeps",
+    "Diagnostic": "kernel.errors",
+    "Machine": "kernel.lang.machine.machine",
+    "Move": "kernel.moves",
+    "Moves": "kernel.moves",
+    "Plan": "commands.plan",
+    "ProgramError": "kernel.errors",
+    "Report": "kernel.report_types",
+    "Row": "commands.sweep",
+    "Run": "kernel.result",
+    "Source": "kernel.source",
+    "Trace": "kernel.log.trace",
+    "certify": "functions",
+    "check": "functions",
+    "compare": "functions",
+    "cover": "functions",
+    "diff": "functions",
+    "improve": "functions",
+    "map": "functions",
+    "parse": "kernel.lang.dialect",
+    "plan": "commands.plan",
+    "profile": "functions",
+    "prove": "functions",
+    "run": "functions",
+    "sweep": "commands.sweep",
 }
 
 if not TYPE_CHECKING:

@@ -34,7 +34,7 @@ class BuildWithGrammars(build_py):
         for grammar in sorted(Path("grammars").glob("*.lark")):
             shutil.copy(grammar, target)
         # A process of its own imports the package that is being built, also if another one is installed.
-        make = [sys.executable, "-m", "motionlang.tables", str(target.resolve())]
+        make = [sys.executable, "-m", "motionlang.kernel.tables", str(target.resolve())]
         subprocess.run(make, check=True)
 
     def get_source_files(self) -> list[str]:

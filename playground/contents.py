@@ -60,7 +60,7 @@ def write_tables(folder: Path, libraries: list[Path]) -> list[Path]:
     """Write the tables of the grammars for the Python of the page, by the Lark that it gets."""
     folder.mkdir()
     path = os.pathsep.join(map(str, libraries))
-    command = [sys.executable, "-m", "motionlang.tables", str(folder), PYTHON]
+    command = [sys.executable, "-m", "motionlang.kernel.tables", str(folder), PYTHON]
     subprocess.run(command, cwd=ROOT, check=True, env={**os.environ, "PYTHONPATH": path})
     return sorted(folder.glob("*.table"))
 

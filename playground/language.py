@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from pygls.exceptions import JsonRpcException
 
-from motionlang.lsp.server import Server, prepare
-from motionlang.lsp.workers import Inline
+from motionlang.ide.lsp.server import Server, prepare
+from motionlang.ide.lsp.workers import Inline
 
 if TYPE_CHECKING:
     from collections.abc import Callable

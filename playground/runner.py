@@ -15,16 +15,16 @@ from contextlib import contextmanager
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from motionlang.errors import Diagnostic, OutOfTime, ProgramError, missing
-from motionlang.execution import run
-from motionlang.source import Source
+from motionlang.kernel.errors import Diagnostic, OutOfTime, ProgramError, missing
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from types import FrameType
 
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.result import Run
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.result import Run
 
     Message = dict[str, Any]
     Send = Callable[[Message], object]
@@ -145,7 +145,7 @@ def start(request: Message, send: Send, alarm: Alarm = bool) -> None:
 
 def inputs(request: Message) -> list[int]:
     """Return the digital inputs that a program reads; none if it has a syntax error."""
-    from motionlang.lang.dialect import dialect
+    from motionlang.kernel.lang.dialect import dialect
 
     try:
         reads = dialect(request["dialect"]).input_reads(Source(request["name"], request["program"]))
@@ -184,13 +184,13 @@ def _without_options(hint: str) -> str:
 
 
 def _settings(machine: Source, dialect: str) -> dict[str, object]:
-    from motionlang.lang.dialect import dialect as language
-    from motionlang.lang.machine.axes import missing_axes
-    from motionlang.lang.machine.machine import DEFAULT_AXES
+    from motionlang.kernel.lang.dialect import dialect as language
+    from motionlang.kernel.lang.machine.axes import missing_axes
+    from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
 
     if not machine.text.strip():
         return {}
-    from motionlang.lang.machine.file import read_machine
+    from motionlang.kernel.lang.machine.file import read_machine
 
     settings = read_machine(machine)
     axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
@@ -202,7 +202,7 @@ def _settings(machine: Source, dialect: str) -> dict[str, object]:
 
 def _results(made: Run, source: Source) -> Message:
     from motionlang.cli.event_status import complaints
-    from motionlang.report import events
+    from motionlang.kernel.report import events
     from motionlang.views.report import render
 
     diagnostics = list(made.diagnostics)
@@ -249,8 +249,8 @@ def _event(row: Message) -> Message:
 
 def _details(made: Run) -> Message:
     """Return the scope page and the lines by their time; a sentence in place of a page that is too long."""
-    from motionlang.analysis.cycle.profile import TimeProfile
-    from motionlang.views.scope import page
+    from motionlang.commands.profile.profile import TimeProfile
+    from motionlang.commands.scope import page
 
     if made.crash is not None or not made.time:
         return {"scope": "", "no_scope": "", "lines": []}

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from motionlang.assumptions.assumption import Assumption
-from motionlang.assumptions.entries import Chapter, Section, chapters
-from motionlang.assumptions.facts import of_word
-from motionlang.lang.dialect import dialect
+from motionlang.commands.probe.assumption import Assumption
+from motionlang.commands.probe.entries import Chapter, Section, chapters
+from motionlang.commands.probe.facts import of_word
+from motionlang.kernel.lang.dialect import dialect
 
 HEAD = """\
 # Assumptions

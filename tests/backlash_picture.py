@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.execution import run
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 from motionlang.views.figure import AXIS, BLUE, RED, Curve, Figure, Panel
 from motionlang.views.figure_files import write_figure
 

@@ -17,8 +17,8 @@ os.environ.setdefault("HYPOTHESIS_NO_PLUGINS", "1")
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
-from motionlang.lang.syntax.grammar import GRAMMARS
-from motionlang.tables import write
+from motionlang.kernel.lang.syntax.grammar import GRAMMARS
+from motionlang.kernel.tables import write
 from tests import cases
 from tests.built import distributions
 
@@ -26,9 +26,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-    from motionlang.lang.program import Program
-    from motionlang.lang.scheduler import Outside
-    from motionlang.result import Run
+    from motionlang.kernel.lang.program import Program
+    from motionlang.kernel.lang.scheduler import Outside
+    from motionlang.kernel.result import Run
 
 TESTS = Path(__file__).parent
 
@@ -83,7 +83,7 @@ def _prove_every_run() -> None:
 
     The proof is imported only here, on demand.
     """
-    from motionlang import execution
+    from motionlang.kernel import execution
 
     execute = execution._execute
 
@@ -94,9 +94,9 @@ def _prove_every_run() -> None:
         pace: Callable[[float], None] | None,
         outside: Outside | None,
     ) -> None:
-        from motionlang.analysis.proof.prove import prove
-        from motionlang.log.expected_motion import ExpectedMotion
-        from motionlang.log.track import Recorded
+        from motionlang.commands.prove.prove import prove
+        from motionlang.kernel.log.expected_motion import ExpectedMotion
+        from motionlang.kernel.log.track import Recorded
 
         # A debugger goes back in a run, which the motion that is expected so far does not.
         is_proved = result.expected_motion is None and result.machine.hook is None

@@ -13,7 +13,7 @@ from runpy import run_module
 # In this order: a program cannot use a new keyword before the grammar has its tokens and the indexes its row. Each
 # group has a process of its own, so that it imports the files that the groups before it wrote.
 GROUPS = (
-    ("motionlang.tables",),
+    ("motionlang.kernel.tables",),
     ("tests.keyword_index",),
     ("tests.assumption_index",),
     (

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.cli.explain import listing
-from motionlang.cli.explanations import EXAMPLES, FIXES
-from motionlang.errors import CODES
-from motionlang.lang.lint import WARNINGS
+from motionlang.commands.check.silence import WARNINGS
+from motionlang.commands.help.codes import listing
+from motionlang.commands.help.explanations import EXAMPLES, FIXES
+from motionlang.kernel.errors import CODES
 
 PAGE = Path(__file__).parents[1] / "docs" / "diagnostics.md"
 HEAD = """\

@@ -1,7 +1,7 @@
 """Writer of `playground/keywords.json`: `python -m tests.highlight_tables`.
 
 The file lists the keywords of both languages by kind, for the editor of the playground. The kinds are those
-of `motionlang.lang.highlight`.
+of `motionlang.views.highlight`.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from motionlang.lang.dialect import dialect
-from motionlang.lang.highlight import pieces
-from motionlang.mint.syntax.tokens import TABLE
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.mint.syntax.tokens import TABLE
+from motionlang.views.highlight import pieces
 
 FILE = Path(__file__).parent.parent / "playground" / "keywords.json"
 

@@ -10,9 +10,9 @@ from importlib import import_module
 from pathlib import Path
 from textwrap import fill
 
-from motionlang.lang.keyword import Keyword
+from motionlang.kernel.lang.keyword import Keyword
 
-PACKAGES = ("motionlang.mint.keywords", "motionlang.mccl.keywords")
+PACKAGES = ("motionlang.kernel.mint.keywords", "motionlang.kernel.mccl.keywords")
 _HEAD = '''"""The keywords of each file, in lower case.
 
 Written by `python -m tests.keyword_index`; do not edit.

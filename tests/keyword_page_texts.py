@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from motionlang.assumptions.keyword_facts import facts
-from motionlang.assumptions.questions import of_word
-from motionlang.lang.keyword import Keyword
+from motionlang.commands.probe.keyword_facts import facts
+from motionlang.commands.probe.questions import of_word
+from motionlang.kernel.lang.keyword import Keyword
 from motionlang.views.words import dialect_name
 from tests.assumptions_page import anchor, cell
 

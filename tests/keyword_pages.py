@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang import run
-from motionlang.lang.dialect import dialect, dialects
-from motionlang.lang.keyword import Keyword
-from motionlang.source import Source
+from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.source import Source
 from motionlang.views.words import dialect_name
 from tests.keyword_page_texts import menu, pages
 

@@ -45,7 +45,7 @@ FOLDERS = (
     "tests/golden",
     "tests/views",
     "tests/repl",
-    "tests/log",
+    "tests/kernel/log",
     "tests/generated/test_results.py",
 )
 TESTED_EXTRAS = ("can", "plot", "parquet", "vcd", "completion")

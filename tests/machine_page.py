@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.lang.machine.keys import KEYS, REQUIRED, TABLES
-from motionlang.servo.settings import PLANT as PLANT_KEYS
-from motionlang.servo.settings import SERVO as SERVO_KEYS
-from motionlang.servo.settings import Key
+from motionlang.kernel.lang.machine.keys import KEYS, REQUIRED, TABLES
+from motionlang.kernel.servo.settings import PLANT as PLANT_KEYS
+from motionlang.kernel.servo.settings import SERVO as SERVO_KEYS
+from motionlang.kernel.servo.settings import Key
 
 PAGE = Path(__file__).parent.parent / "docs" / "machine-file.md"
 FROM = "## Keys\n"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from motionlang.hosts.mcapi.calls import readings, settings  # noqa: F401
 from motionlang.hosts.mcapi.table import CONSTANTS, FUNCTIONS, STRUCTURES, Argument, Function
-from motionlang.mccl.keywords import table
+from motionlang.kernel.mccl.keywords import table
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "motionlang" / "hosts" / "mcapi"

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from motionlang.controller import readers
-from motionlang.controller.axis import Axis
-from motionlang.controller.axis_verbs import SETTINGS
-from motionlang.controller.clock import Clock
-from motionlang.controller.readers import NO_SUBSCRIBER
-from motionlang.controller.triggers.limit import Limit
-from motionlang.controller.verbs import VERBS
+from motionlang.kernel.controller import readers
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.axis_verbs import SETTINGS
+from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.readers import NO_SUBSCRIBER
+from motionlang.kernel.controller.triggers.limit import Limit
+from motionlang.kernel.controller.verbs import VERBS
 
 if TYPE_CHECKING:
-    from motionlang.controller.readers import Reader, Subscriber, Writer
+    from motionlang.kernel.controller.readers import Reader, Subscriber, Writer
 
 
 class Recorder:

@@ -1,4 +1,4 @@
-"""Writer of `motionlang/library/report_types.py` from the schema of reports.
+"""Writer of `motionlang/kernel/report_types.py` from the schema of reports.
 
 Run `python -m tests.report_types`.
 """
@@ -13,7 +13,7 @@ from typing import Any
 
 ROOT = Path(__file__).parent.parent
 SCHEMA = ROOT / "docs" / "report.schema.json"
-MODULE = ROOT / "motionlang" / "library" / "report_types.py"
+MODULE = ROOT / "motionlang" / "kernel" / "report_types.py"
 SIMPLE = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
 HEAD = '''\
 """The types of a report, generated from `docs/report.schema.json`.
@@ -27,7 +27,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, NotRequired, TypedDict, overload
 
 if TYPE_CHECKING:
-    from motionlang.result import Run
+    from motionlang.kernel.result import Run
 
 '''
 REPORT = '''

@@ -31,7 +31,7 @@ KINDS = ("logic", "blank", "docstring", "import", "data", "comment", "generated"
 LONG = 70
 # The docstring of a generated file has one of these.
 GENERATED = ("not by hand.", "do not edit")
-CLASSES = {"Axis": "controller/axis.py", "Scheduler": "lang/scheduler.py"}
+CLASSES = {"Axis": "kernel/controller/axis.py", "Scheduler": "kernel/lang/scheduler.py"}
 # Each statement with its file and the lines that it needs before it.
 STATEMENTS = {
     "SPEED(0) = 1": ("a.mnt", ""),
@@ -43,8 +43,8 @@ STATEMENTS = {
 # runs.
 TRACE = r"""
 import json, sys
-from motionlang.execution import run
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 name, text = sys.argv[1:]
 whole, running, active = set(), set(), [False]
 def called(frame, event, argument):
@@ -57,7 +57,7 @@ def called(frame, event, argument):
             return
         outer = outer.f_back
     file = code.co_filename.rpartition("/motionlang/")[2]
-    if file.startswith("lang/scheduler") and code.co_name == "run":
+    if file.startswith("kernel/lang/scheduler") and code.co_name == "run":
         active[0] = event == "call"
     whole.add(file)
     if active[0]:

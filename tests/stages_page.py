@@ -12,16 +12,16 @@ from types import FrameType
 from typing import Any
 
 import motionlang
-from motionlang.execution import run
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.scheduler import Scheduler
-from motionlang.lang.steps import Steps
-from motionlang.mint import DIALECT
-from motionlang.mint.syntax.node import Node
-from motionlang.mint.syntax.parser import parse
-from motionlang.mint.syntax.tokens import tokens
-from motionlang.source import Source
-from motionlang.views.steps import render_steps
+from motionlang.commands.check.steps_view import render_steps
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel.lang.steps import Steps
+from motionlang.kernel.mint import DIALECT
+from motionlang.kernel.mint.syntax.node import Node
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.mint.syntax.tokens import tokens
+from motionlang.kernel.source import Source
 from tests.recorder import Recorder
 
 PAGE = Path(__file__).parents[1] / "docs" / "contributing" / "one-statement.md"
@@ -50,7 +50,8 @@ by `python -m tests.stages_page`, and a test compares it, so what you see is wha
 
 ## Tokens
 
-Lark splits the text by the terminals of the grammar (`mint/syntax/tokens.py`): kind, text and offset in the statement.
+Lark splits the text by the terminals of the grammar (`kernel/mint/syntax/tokens.py`): kind, text and offset in the
+statement.
 
 ```text
 {tokens}
@@ -58,7 +59,7 @@ Lark splits the text by the terminals of the grammar (`mint/syntax/tokens.py`): 
 
 ## Tree
 
-The parser builds nodes of `mint/syntax/nodes.py`. The base class is `mint/syntax/node.py`.
+The parser builds nodes of `kernel/mint/syntax/nodes.py`. The base class is `kernel/mint/syntax/node.py`.
 
 ```text
 {tree}
@@ -66,10 +67,10 @@ The parser builds nodes of `mint/syntax/nodes.py`. The base class is `mint/synta
 
 ## Steps
 
-`mint/check/` finds what each name refers to and reports every mistake. `mint/steps/` turns the checked tree into steps
-(`lang/steps.py`), a list that `motionlang check FILE --steps` prints. What a step does is a function of the variables
-of the call. Loading a move is a `try`: while the move buffer of the axis is full, the step waits and is done again. It
-pays for the statement when it is done.
+`kernel/mint/check/` finds what each name refers to and reports every mistake. `kernel/mint/steps/` turns the checked
+tree into steps (`kernel/lang/steps.py`), a list that `motionlang check FILE --steps` prints. What a step does is a
+function of the variables of the call. Loading a move is a `try`: while the move buffer of the axis is full, the step
+waits and is done again. It pays for the statement when it is done.
 
 ```text
 {code}
@@ -77,9 +78,9 @@ pays for the statement when it is done.
 
 ## Verbs
 
-At run time `lang/step_task.py` does one step after another. The function of this one was bound to the row of its
-keyword when the steps were written (`mint/runtime/binding.py`). It checks the value and calls verbs of the controller
-(`controller/verbs.py`) in counts and seconds: 25 user units are 250 counts.
+At run time `kernel/lang/step_task.py` does one step after another. The function of this one was bound to the row of its
+keyword when the steps were written (`kernel/mint/runtime/binding.py`). It checks the value and calls verbs of the
+controller (`kernel/controller/verbs.py`) in counts and seconds: 25 user units are 250 counts.
 
 ```text
 {verbs}
@@ -87,8 +88,8 @@ keyword when the steps were written (`mint/runtime/binding.py`). It checks the v
 
 ## Log
 
-`GO` starts the move: a planner makes a profile, and the log stores the move (`log/records.py`). From rest to rest at
-100 uu/s with 500 uu/s², 25 uu take 25 / 100 + 100 / 500 = 0.45 s.
+`GO` starts the move: a planner makes a profile, and the log stores the move (`kernel/log/records.py`). From rest to
+rest at 100 uu/s with 500 uu/s², 25 uu take 25 / 100 + 100 / 500 = 0.45 s.
 
 ```text
 {log}
@@ -96,8 +97,8 @@ keyword when the steps were written (`mint/runtime/binding.py`). It checks the v
 
 ## Four statements, file by file
 
-These are the files that the functions of a statement enter while it runs, in the order in which they first do. The
-loop over the steps (`lang/step_task.py`) and the scheduler are not among them, and neither is what happens once, when
+These are the files that the functions of a statement enter while it runs, in the order in which they first do. The loop
+over the steps (`kernel/lang/step_task.py`) and the scheduler are not among them, and neither is what happens once, when
 the steps are written.
 
 {ways}

@@ -10,8 +10,8 @@ import pytest
 from benchmarks import __main__ as driver
 from benchmarks.programs import PROGRAMS, SHIFT, Program
 from benchmarks.styles import COMPUTING, STYLES
-from motionlang.execution import run
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import cache
+from motionlang.kernel import cache
 
 
 @pytest.fixture(autouse=True)

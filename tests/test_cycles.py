@@ -19,29 +19,31 @@ PACKAGE = Path(__file__).parent.parent / "motionlang"
 
 # Folder and files of a group, and why they know each other. The table may only become shorter.
 GROUPS: dict[tuple[str, str], str] = {
-    (".", "report result"): "a run makes its report on request, and a report is made from a run",
-    ("cli", "sweep sweep_report"): "a command prints its report, which shows what the command asks for",
-    ("controller", "axis core feedback joined move readings"):
+    ("kernel", "moves report report_types result"):
+        "a run makes its report on request, and a report is made from a run",
+    ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",
+    ("kernel/controller", "axis core feedback joined move readings"):
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
-    ("controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
-    ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
-    ("debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
-    ("debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
+    ("kernel/controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
+    ("kernel/controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
+    ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
+    ("ide/debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("hosts/mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
-    ("lang", "debugging loop_log loops step_task"): "a task knows its loops and its hook, which are those of a task",
-    ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
-    ("mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
-    ("mint/hosts", "console port"): "a console has ports, and what a port receives acts on its console",
-    ("mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
+    ("kernel/lang", "debugging loop_log loops step_task"):
+        "a task knows its loops and its hook, which are those of a task",
+    ("ide/lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
+    ("kernel/mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
+    ("hosts/mint", "console port"): "a console has ports, and what a port receives acts on its console",
+    ("kernel/mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
                       "table_motion_splines"):
         "cams, splines and compensation share their tables, followers and triggers their masters",
-    ("mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
-    ("mint/runtime", "binding changes environment errors events power_up task waits"):
+    ("kernel/mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
+    ("kernel/mint/runtime", "binding changes environment errors events power_up task waits"):
         "the environment of a program owns its tasks and events; each is handed its environment",
-    ("mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):
+    ("kernel/mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):
         "an expression may be a keyword or a call, whose arguments are expressions; a block contains statements",
-    ("mint/syntax", "node nodes"): "each kind of node contains expressions, which are nodes",
-    ("planners", "crossing cubics curve formula sequence"):
+    ("kernel/mint/syntax", "node nodes"): "each kind of node contains expressions, which are nodes",
+    ("kernel/planners", "crossing cubics curve formula sequence"):
         "the kinds of profile are made from each other: a sequence of formulas, the cubics of a curve",
     ("repl", "commands debugging session"): "a command changes the session that runs it",
 }  # fmt: skip

@@ -53,7 +53,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in COPIED:
         copy_with_bytecode(ROOT / name, folder / name, "golden", "node_modules", "dist")
     shutil.copy(ROOT / "mkdocs.yml", folder)
-    mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
+    mint, mccl = folder / "motionlang/kernel/mint/keywords", folder / "motionlang/kernel/mccl/keywords"
     row = (
         '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", Actions(read=of(Environment, halfway)),\n'
         '            "Half of the position.", "POS(0) = 5\\nPRINT HALFWAY(0)", changes="motion"),\n'
@@ -68,8 +68,8 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     insert(mint / "state.py", ")  # fmt: skip", row)
     insert(
         mint / "state.py",
-        "\nfrom motionlang.mint.runtime.",
-        "\nfrom motionlang.mint.runtime.binding import of",
+        "\nfrom motionlang.kernel.mint.runtime.",
+        "\nfrom motionlang.kernel.mint.runtime.binding import of",
     )
     row = '    _row("HY", "reading", "R", "none", "number", tell_half, "Tell a half.", "HY"),\n'
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'
@@ -79,7 +79,9 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("mint", "HALFWAY", "meaning short index unit"),
         ("mccl", "HY", "meaning unit"),
     ):
-        with (folder / f"motionlang/{language}/evidence/facts.txt").open("a", encoding="utf-8") as evidence:
+        with (folder / f"motionlang/commands/probe/evidence/{language}/facts.txt").open(
+            "a", encoding="utf-8"
+        ) as evidence:
             evidence.write(f"\n{facts} · memory high · made up\n  {word}\n")
     python(folder, "-m", "tests.derived")
     return folder

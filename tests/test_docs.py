@@ -4,7 +4,7 @@
 output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
 exist. `< FILE` is standard input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a
 diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show
-a program in an editor, which `tests/lsp/test_documented_session.py` compares. Blocks of other kinds, such as
+a program in an editor, which `tests/ide/lsp/test_documented_session.py` compares. Blocks of other kinds, such as
 `sh` for set-up, are not run.
 """
 
@@ -23,11 +23,11 @@ import pytest
 from _pytest.mark import ParameterSet
 
 from motionlang.cli import commands, main
-from motionlang.execution import run
-from motionlang.lang.machine.file import read_machine
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.source import Source
 from tests.cli.programs import parser_of
-from tests.notes.examples import printed
+from tests.lab.notes.examples import printed
 
 ROOT = Path(__file__).parent.parent
 # The examples of the keyword pages are those of the tables, which have their own tests.

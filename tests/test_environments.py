@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import cache
+from motionlang.kernel import cache
 from tests.cli.programs import MAX_SECONDS
 from tests.installed import PROJECT, STRICT, Install, closure, first_uses, needed
 

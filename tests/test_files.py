@@ -15,22 +15,22 @@ from typing import IO
 import pytest
 
 import motionlang
-from motionlang import files
-from motionlang.files import InUse, Lock, appending, create, reason, replacing, same_file, unwritable
+from motionlang.kernel import files
+from motionlang.kernel.files import InUse, Lock, appending, create, reason, replacing, same_file, unwritable
 from tests.trees import nodes_of
 
 PACKAGE = Path(motionlang.__file__).parent
 # Files that are not the user's: the null device, a history that prompt_toolkit appends to, a build.
 ELSEWHERE = {
-    "files.py",
+    "kernel/files.py",
     "cli/standard_streams.py",
     "repl/history.py",
     "_wheel.py",
     # A log that grows by each call, a compiled library that is moved to its place, and streams of processes.
-    "cli/mcapi_run.py",
+    "hosts/commands/mcapi_run.py",
     "hosts/mcapi/build.py",
-    "lsp/server.py",
-    "lsp/workers.py",
+    "ide/lsp/server.py",
+    "ide/lsp/workers.py",
 }
 # The flags of read-only access.
 READ_FLAGS = {"O_RDONLY", "O_BINARY"}

@@ -25,22 +25,24 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "controller/axis_verbs.py": "motion.profile_playback",
-    "controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
+    "kernel/controller/axis_verbs.py": "motion.profile_playback",
+    "kernel/controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
     "moves.entries triggers.limit",
-    "mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
-    "mint/__init__.py": "keywords keywords.machine_readings keywords.switchable models resolve.aliases "
+    "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
+    "kernel/mint/__init__.py": "keywords keywords.machine_readings keywords.switchable models resolve.aliases "
     "resolve.chosen_rates runtime.wait_sources",
-    "mccl/keywords/__init__.py": "keywords.index",
-    "mint/keywords/__init__.py": "keywords.index",
-    "mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
-    "cli/run.py": "keyboard",
+    "kernel/mccl/keywords/__init__.py": "keywords.index",
+    "kernel/mint/keywords/__init__.py": "keywords.index",
+    "kernel/mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
+    "commands/run/command.py": "keyboard",
     # Those that need one another.
-    "planners/curve.py": "sequence",
+    "kernel/planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.
     "hosts/client/client.py": "client.virtual",
     "hosts/client/mint.py": "client.virtual",
-    "mint/runtime/task.py": "runtime.errors",
+    "kernel/mint/runtime/task.py": "runtime.errors",
+    "commands/processes/parallel.py": "workers",
+    "ide/lsp/command.py": "server workers",
 }
 
 
@@ -133,8 +135,10 @@ def brought_in(path: Path) -> set[str]:
     Modules that load a heavy library are left out.
     """
     components = path.relative_to(PACKAGE).with_suffix("").parts
-    # `analysis` holds a package for each question.
-    package = ".".join(("motionlang", *components[: 2 if components[0] == "analysis" else 1], ""))
+    # A house holds packages.
+    package = ".".join(
+        ("motionlang", *components[: 2 if components[0] in ("kernel", "commands", "lab", "ide") else 1], "")
+    )
     already = heavy(".".join(("motionlang", *components)).removesuffix(".__init__"))
     functions = (node for node in nodes_of(path) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef))
     modules = {

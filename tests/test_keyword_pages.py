@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from motionlang.lang.dialect import dialect, dialects
+from motionlang.kernel.lang.dialect import dialect, dialects
 from tests.keyword_pages import MENU, stored, with_menu, written
 
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from motionlang.__main__ import main as process
-from motionlang.execution import run
-from motionlang.report import text
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import text
 
 ROOT = Path(__file__).parent.parent
 PROGRAMS = ("scripts/mint/palletiser.mnt", "scripts/mccl/back-and-forth.mcl")

@@ -6,8 +6,8 @@ import signal
 
 import pytest
 
-from motionlang.errors import Diagnostic, Terminated
-from motionlang.execution import (
+from motionlang.kernel.errors import Diagnostic, Terminated
+from motionlang.kernel.execution import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
     dialect_for,
@@ -16,10 +16,10 @@ from motionlang.execution import (
     machine_of,
     run,
 )
-from motionlang.lang.dialect import dialect
-from motionlang.lang.machine.machine import Machine
-from motionlang.result import Run, interrupted, report_keywords_without_effect, who_ended
-from motionlang.source import Source
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.result import Run, interrupted, report_keywords_without_effect, who_ended
+from motionlang.kernel.source import Source
 from tests.cases import cases
 
 ENDLESS = "the program waits until IN(2), which can never happen"

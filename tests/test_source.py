@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.source import LARGEST, Source, name_of
+from motionlang.kernel.source import LARGEST, Source, name_of
 
 TEXT = 'Print "é"\nPrint 2\n'
 
@@ -46,7 +46,7 @@ def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
 
 def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Examples are /dev/zero, and a pipe whose writer never closes it."""
-    monkeypatch.setattr("motionlang.source.LARGEST", 100_000)
+    monkeypatch.setattr("motionlang.kernel.source.LARGEST", 100_000)
     path = tmp_path / "long.mnt"
     path.write_bytes(b"'" * 100_000)
     assert len(Source.read(path).text) == 100_000

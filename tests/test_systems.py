@@ -15,7 +15,7 @@ from types import SimpleNamespace
 import pytest
 
 from motionlang.cli import main
-from motionlang.files import InUse, Lock
+from motionlang.kernel.files import InUse, Lock
 from motionlang.views.keys import has_keys
 
 MOVE = 'SPEED(0) = 50\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT "5 µm"\n'
@@ -49,7 +49,7 @@ def test_a_file_has_one_lock_on_windows(tmp_path: Path, monkeypatch: pytest.Monk
     path, windows = str(tmp_path / "nv"), Bytes()
     monkeypatch.setitem(sys.modules, "msvcrt", windows)
     with monkeypatch.context() as simulated:
-        simulated.setattr("motionlang.files.os", SimpleNamespace(**{**vars(os), "name": "nt"}))
+        simulated.setattr("motionlang.kernel.files.os", SimpleNamespace(**{**vars(os), "name": "nt"}))
         first = Lock(path)
         with pytest.raises(InUse):
             Lock(path)

@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 import motionlang
-from motionlang.lang.keyword import ROLES, TRAITS
-from motionlang.mccl.keywords import table as commands
-from motionlang.mccl.models import MODELS
-from motionlang.mint.keywords import table
-from motionlang.mint.models import ABSENT, LARGEST, STRINGS
-from motionlang.servo import gains
+from motionlang.kernel.lang.keyword import ROLES, TRAITS
+from motionlang.kernel.mccl.keywords import table as commands
+from motionlang.kernel.mccl.models import MODELS
+from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.models import ABSENT, LARGEST, STRINGS
+from motionlang.kernel.servo import gains
 from tests.trees import nodes_of
 
 pytestmark = pytest.mark.slow
@@ -25,26 +25,26 @@ MCCL = {row.name for row in commands()}
 # The keywords that a module names. A line may leave this list or become shorter; none may grow or be added.
 NAMED = {
     # The output of PLAN, and commands that the client sends to a board.
-    "analysis/planning.py": "DS MR PT SA SV US",
-    "cli/plan.py": "US",
+    "commands/plan/__init__.py": "DS MR PT SA SV US",
+    "commands/plan/command.py": "US",
     # A placeholder of the help.
     "cli/completion.py": "OUT",
     "hosts/client/answer.py": "VE",
     "hosts/client/client.py": "TP TS WS WT",
     # Texts that only look like keywords: a state, an axis of a chart, an access.
-    "controller/triggers/homing.py": "HOME",
-    "notes/figures.py": "DAC",
-    "assumptions/keyword_facts.py": "RW",
-    "lang/machine/nonvolatile.py": "NVLONG",
+    "kernel/controller/triggers/homing.py": "HOME",
+    "lab/notes/figures.py": "DAC",
+    "commands/probe/keyword_facts.py": "RW",
+    "kernel/lang/machine/nonvolatile.py": "NVLONG",
     # Commands of the editor of a controller's prompt, which are no keywords of a program.
     "hosts/client/mint.py": "CON EDIT NEW PROG",
-    "mint/hosts/editor.py": "CON EDIT NEW PROG",
+    "hosts/mint/editor.py": "CON EDIT NEW PROG",
     # Commands that the code around them reports to the user, or that open a block.
-    "mccl/lint/running.py": "WS",
-    "mccl/motion/joystick.py": "JN",
-    "mint/check/access.py": "IDLE VEL",
-    "mint/lint/buffer.py": "TRIGGERMODE",
-    "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
+    "commands/check/mccl/running.py": "WS",
+    "kernel/mccl/motion/joystick.py": "JN",
+    "kernel/mint/check/access.py": "IDLE VEL",
+    "commands/check/mint/buffer.py": "TRIGGERMODE",
+    "commands/check/mint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
 }
 
 
@@ -59,7 +59,9 @@ def named() -> dict[str, set[str]]:
         # MCAPI is a translation of calls into commands.
         if "keywords" in relative.parts or relative.parts[:2] == ("hosts", "mcapi"):
             continue
-        words = {"mint": MINT, "mccl": MCCL}.get(relative.parts[0], MINT | MCCL)
+        words = {"mint": MINT, "mccl": MCCL}.get(
+            ({"mint", "mccl"} & {*relative.parts} or {""}).pop(), MINT | MCCL
+        )
         # Placeholders of options.
         apart = {
             each.value for each in nodes_of(path) if isinstance(each, ast.keyword) and each.arg == "metavar"

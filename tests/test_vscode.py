@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.lang.dialect import dialect, dialects
+from motionlang.kernel.lang.dialect import dialect, dialects
 from tests import vscode_grammars
 
 FOLDER = Path(__file__).parent.parent / "editors" / "vscode"
@@ -35,7 +35,7 @@ def test_each_language_comments_with_its_sign() -> None:
 
 def test_the_extension_has_the_commands_of_the_lenses() -> None:
     features = pytest.importorskip(
-        "motionlang.lsp.features", reason="pygls is not installed: the extra `lsp`"
+        "motionlang.ide.lsp.features", reason="pygls is not installed: the extra `lsp`"
     )
     commands = {each["command"] for each in PACKAGE["contributes"]["commands"]}
     assert set(features.LENSES) <= commands

@@ -14,7 +14,7 @@ import pytest
 from packaging.requirements import Requirement
 
 from motionlang.client import Client
-from motionlang.errors import LIBRARIES
+from motionlang.kernel.errors import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import MAX_SECONDS
 from tests.installed import (
@@ -194,17 +194,17 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
         # Imported by `figure_files.py`, which needs matplotlib first.
         "views/figure_matplotlib.py",
         # Imported by `motionlang pvt stream`, which needs the CAN libraries first.
-        "copley/bus.py",
-        "copley/master.py",
-        "copley/node.py",
+        "lab/copley/bus.py",
+        "lab/copley/master.py",
+        "lab/copley/node.py",
         # Imported by `motionlang serve --can`, which needs them first, too.
-        "copley/eds.py",
+        "lab/copley/eds.py",
         "hosts/can.py",
         # Imported by `motionlang lsp`, which needs pygls first.
-        "lsp/features.py",
-        "lsp/protocol.py",
-        "lsp/server.py",
-        "lsp/session.py",
+        "ide/lsp/features.py",
+        "ide/lsp/protocol.py",
+        "ide/lsp/server.py",
+        "ide/lsp/session.py",
     }
 
 

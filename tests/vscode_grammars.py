@@ -1,6 +1,6 @@
 """Writer of the syntax highlighting of the VS Code extension.
 
-A TextMate grammar has one pattern for each kind of keyword in the tables. `lang/highlight.py` names the
+A TextMate grammar has one pattern for each kind of keyword in the tables. `views/highlight.py` names the
 kinds.
 """
 
@@ -11,9 +11,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from motionlang.lang.dialect import dialect
-from motionlang.lang.keyword import Keyword
-from motionlang.mint.syntax.tokens import TABLE
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mint.syntax.tokens import TABLE
 
 FOLDER = Path(__file__).parent.parent / "editors" / "vscode" / "syntaxes"
 # The scope of each kind of word.

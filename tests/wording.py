@@ -96,7 +96,7 @@ class Text(NamedTuple):
     def found(self) -> list[str]:
         """Return the banned words in the text, in lower case."""
         text = self.text
-        if self.file.startswith("motionlang/mccl/keywords/"):
+        if self.file.startswith("motionlang/kernel/mccl/keywords/"):
             text = text.removeprefix("Tell ")  # TP is PMC's "Tell Position"
         if not PATTERN.search(text.lower()):
             return []

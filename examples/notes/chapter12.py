@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.notes import dissect
-from motionlang.notes.figures import (
+from motionlang.lab.notes import dissect
+from motionlang.lab.notes.figures import (
     BLOCKS,
     CHANGES,
     DISTANCE,

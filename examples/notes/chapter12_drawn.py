@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyBboxPatch, Rectangle
 
-from motionlang.notes import dissect
-from motionlang.notes.figures import (
+from motionlang.kernel.planners import Profile
+from motionlang.lab.notes import dissect
+from motionlang.lab.notes.figures import (
     BLOCKS,
     CHANGES,
     LIMIT,
@@ -23,7 +24,6 @@ from motionlang.notes.figures import (
     s_curve,
     trapezoid,
 )
-from motionlang.planners import Profile
 
 COARSE, FINE = (dissect.dac_timing(SPEED, LIMIT, bits) for bits in (12, 16))
 LINE: dict[str, Any] = {"color": "black", "linestyle": "--", "linewidth": 1.2}

@@ -8,10 +8,10 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.errors import count_of
-from motionlang.notes.dac_override import OverrideRun, demonstrate
-from motionlang.notes.dissect import dac_timing
-from motionlang.notes.figures import LIMIT, SPEED
+from motionlang.kernel.errors import count_of
+from motionlang.lab.notes.dac_override import OverrideRun, demonstrate
+from motionlang.lab.notes.dissect import dac_timing
+from motionlang.lab.notes.figures import LIMIT, SPEED
 from motionlang.views.table import filled
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.notes.chapter12 import EXAMPLE, ListingRun, run_listing
+from motionlang.lab.notes.chapter12 import EXAMPLE, ListingRun, run_listing
 from motionlang.views.table import filled
 
 

@@ -3,7 +3,8 @@
 The first figures are the example of chapter 12, a cube of 5 lb. The move has a load on a belt, in metres.
 """
 
-from motionlang.notes.dissect import (
+from motionlang.kernel.planners import plan
+from motionlang.lab.notes.dissect import (
     FRICTION,
     GRAVITY_FT,
     SPEED_FT_MIN,
@@ -12,8 +13,7 @@ from motionlang.notes.dissect import (
     friction_force,
     slip_acceleration,
 )
-from motionlang.notes.slip import check_profile
-from motionlang.planners import plan
+from motionlang.lab.notes.slip import check_profile
 
 SHAPES = {
     "trapezoid": "trapezoidal",

@@ -9,7 +9,7 @@ import sys
 import textwrap
 from operator import itemgetter
 
-from motionlang.notes.tn1069 import ERRATA, NOTE, Demand, comparison, profiles
+from motionlang.lab.notes.tn1069 import ERRATA, NOTE, Demand, comparison, profiles
 from motionlang.views.table import Column, Table
 
 MEANINGS = {

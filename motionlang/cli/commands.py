@@ -15,40 +15,61 @@ PROGRAM = "motionlang"
 # summary.
 GROUPS = {
     "run a program": {
-        "run": ("run:Run", "run a program and report what it did"),
-        "trace": ("trace:Trace", "sample the motion of a run into a file"),
-        "plot": ("plot:Plot", "draw the motion of a run into a file"),
-        "profile": ("profile:Profile", "show where the time of a run goes, by line, sub and cause"),
-        "prove": ("prove:Prove", "verify the motion of a run against the commanded limits"),
-        "certify": ("certify:Certify", "report how far a run uses each limit of its machine"),
+        "run": ("commands.run.command:Run", "run a program and report what it did"),
+        "trace": ("commands.trace.command:Trace", "sample the motion of a run into a file"),
+        "plot": ("commands.plot.command:Plot", "draw the motion of a run into a file"),
+        "profile": (
+            "commands.profile.command:Profile",
+            "show where the time of a run goes, by line, sub and cause",
+        ),
+        "prove": ("commands.prove.command:Prove", "verify the motion of a run against the commanded limits"),
+        "certify": (
+            "commands.certify.command:Certify",
+            "report how far a run uses each limit of its machine",
+        ),
     },
     "write and check one": {
-        "init": ("init:Init", "write a first machine file for a program, and run it"),
-        "check": ("check:Check", "find the errors and warnings of programs without running them"),
-        "map": ("map:Map", "show what a program does: channels, axes, structure, states"),
-        "plan": ("plan:Plan", "work out the figures of a move and write a program for it"),
-        "pvt": ("pvt:Pvt", "work with position-velocity-time moves for Copley drives"),
-        "servo": ("servo:Servo", "simulate and tune the servo loop behind the profile"),
-        "repl": ("repl:Repl", "type a program line by line at an interactive prompt"),
+        "init": ("commands.init.command:Init", "write a first machine file for a program, and run it"),
+        "check": (
+            "commands.check.command:Check",
+            "find the errors and warnings of programs without running them",
+        ),
+        "map": ("commands.map.command:Map", "show what a program does: channels, axes, structure, states"),
+        "plan": ("commands.plan.command:Plan", "work out the figures of a move and write a program for it"),
+        "pvt": ("lab.copley.command:Pvt", "work with position-velocity-time moves for Copley drives"),
+        "servo": ("lab.servo.command:Servo", "simulate and tune the servo loop behind the profile"),
+        "repl": ("repl.command:Repl", "type a program line by line at an interactive prompt"),
     },
     "compare and verify": {
-        "sweep": ("sweep:Sweep", "run many variants of a program and find the best"),
-        "improve": ("improve:Improve", "find a shorter cycle within the limits of the machine"),
-        "diff": ("diff:Diff", "compare two runs, or a program and its golden files"),
-        "compare": ("compare:Compare", "compare a recording from a real controller with the run"),
-        "verify": ("verify:Verify", "compare programs with their golden files"),
-        "cover": ("cover:Cover", "show which statements and conditions of programs their runs reach"),
-        "probe": ("probe:ProbeCommand", "write a test program for open questions on a controller"),
+        "sweep": ("commands.sweep.command:Sweep", "run many variants of a program and find the best"),
+        "improve": (
+            "commands.improve.command:Improve",
+            "find a shorter cycle within the limits of the machine",
+        ),
+        "diff": ("commands.diff.command:Diff", "compare two runs, or a program and its golden files"),
+        "compare": (
+            "commands.compare.command:Compare",
+            "compare a recording from a real controller with the run",
+        ),
+        "verify": ("commands.verify.command:Verify", "compare programs with their golden files"),
+        "cover": (
+            "commands.cover.command:Cover",
+            "show which statements and conditions of programs their runs reach",
+        ),
+        "probe": (
+            "commands.probe.command:ProbeCommand",
+            "write a test program for open questions on a controller",
+        ),
     },
     "connect hosts": {
-        "serve": ("serve:Serve", "let hosts talk to a virtual controller"),
-        "mcapi": ("mcapi:Mcapi", "run hosts of PMC boards as they are"),
+        "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),
+        "mcapi": ("hosts.commands.mcapi:Mcapi", "run hosts of PMC boards as they are"),
     },
     "editor, shell and help": {
-        "lsp": ("lsp:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),
-        "dap": ("dap:Dap", "debug a program from an editor, forward and back"),
-        "help": ("help:Help", "explain a command, a keyword or a diagnostic's code"),
-        "completion": ("completion:Completion", "print a completion script for bash, zsh or fish"),
+        "lsp": ("ide.lsp.command:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),
+        "dap": ("ide.dap.command:Dap", "debug a program from an editor, forward and back"),
+        "help": ("commands.help.command:Help", "explain a command, a keyword or a diagnostic's code"),
+        "completion": ("cli.completion:Completion", "print a completion script for bash, zsh or fish"),
     },
 }
 COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
@@ -96,7 +117,7 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
         module, summary = COMMANDS[name]
         if command in (name, "*"):
             file, _, made = module.partition(":")
-            getattr(import_module(f"motionlang.cli.{file}"), made).add(commands, name, summary)
+            getattr(import_module(f"motionlang.{file}"), made).add(commands, name, summary)
         else:
             commands.add_parser(name, help=summary)
     return parser

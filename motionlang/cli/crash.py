@@ -13,10 +13,10 @@ import traceback
 from collections.abc import Iterable, Sequence
 
 from motionlang import __version__
-from motionlang.errors import Diagnostic, missing
-from motionlang.execution import dialect_of, machine_of
-from motionlang.files import replacing
-from motionlang.source import LARGEST, STDIN, Source
+from motionlang.kernel.errors import Diagnostic, missing
+from motionlang.kernel.execution import dialect_of, machine_of
+from motionlang.kernel.files import replacing
+from motionlang.kernel.source import LARGEST, STDIN, Source
 
 # The exit status after an internal error, as in sysexits, and without a library that the package depends on.
 CRASHED = 70

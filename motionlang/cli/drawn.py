@@ -9,10 +9,10 @@ from motionlang.cli.command import Refused, argument
 from motionlang.cli.output_files import written
 from motionlang.cli.shared import forms
 from motionlang.cli.simulated import Simulated
-from motionlang.errors import Diagnostic
-from motionlang.files import same_file
-from motionlang.result import Run as Result
-from motionlang.source import STDIN
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.files import same_file
+from motionlang.kernel.result import Run as Result
+from motionlang.kernel.source import STDIN
 
 
 @dataclass

@@ -62,7 +62,7 @@ machine_time = real("a time in seconds, 0 or more", 0.0)
 
 def quantity_names(text: str) -> tuple[str, ...]:
     """Return the names of quantities of a run, separated by commas."""
-    from motionlang.analysis.quantities import quantity
+    from motionlang.commands.quantities import quantity
 
     names = tuple(each.strip() for each in text.split(",") if each.strip())
     for name in names:
@@ -72,7 +72,7 @@ def quantity_names(text: str) -> tuple[str, ...]:
 
 def columns(text: str) -> list[str]:
     """Return the names of columns of a trace, separated by commas."""
-    from motionlang.log.trace import quantity_of
+    from motionlang.kernel.log.trace import quantity_of
 
     found = [each.strip() for each in text.split(",")]
     for each in found:

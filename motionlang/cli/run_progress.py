@@ -6,9 +6,9 @@ import sys
 from collections.abc import Callable
 from time import monotonic
 
-from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import Machine
-from motionlang.result import Run
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.result import Run
 from motionlang.views.progress import Watcher, is_shown, run_line
 from motionlang.views.terminal import shower
 

@@ -16,16 +16,16 @@ from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import watched
 from motionlang.cli.shared import Output, Program, World, forms
 from motionlang.cli.signals import SIGNALS, status_of
-from motionlang.errors import Diagnostic, MissingExtra, ProgramError, Terminated
-from motionlang.execution import ONE_SHIFT, Checked, run
-from motionlang.lang.collector import CollectorOff
-from motionlang.lang.machine.axes import missing_axes
-from motionlang.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
-from motionlang.lang.machine.machine import DEFAULT_AXES, Machine
-from motionlang.lang.scheduler import Outside
-from motionlang.report import assumptions, failure, pieces
-from motionlang.result import Run, who_ended
-from motionlang.source import STDIN, Source, name_of
+from motionlang.kernel.errors import Diagnostic, MissingExtra, ProgramError, Terminated
+from motionlang.kernel.execution import ONE_SHIFT, Checked, run
+from motionlang.kernel.lang.collector import CollectorOff
+from motionlang.kernel.lang.machine.axes import missing_axes
+from motionlang.kernel.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
+from motionlang.kernel.lang.machine.machine import DEFAULT_AXES, Machine
+from motionlang.kernel.lang.scheduler import Outside
+from motionlang.kernel.report import assumptions, failure, pieces
+from motionlang.kernel.result import Run, who_ended
+from motionlang.kernel.source import STDIN, Source, name_of
 from motionlang.views.questions import ask
 from motionlang.views.report import render, run_document
 from motionlang.views.table import Document

@@ -18,11 +18,11 @@ import can
 import canopen
 from can.typechecking import CanFilter
 
-from motionlang.copley.bus import BusError, open_bus
-from motionlang.copley.drive import Drive
-from motionlang.copley.node import DriveNode
-from motionlang.copley.switches import Switches
 from motionlang.hosts.serve.wall import WallClock
+from motionlang.lab.copley.bus import BusError, open_bus
+from motionlang.lab.copley.drive import Drive
+from motionlang.lab.copley.node import DriveNode
+from motionlang.lab.copley.switches import Switches
 
 # Seconds of real time between two updates of a drive, and between two checks of an idle one for the end of the server.
 CYCLE, PATIENCE = 0.001, 0.1

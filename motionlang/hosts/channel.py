@@ -12,8 +12,8 @@ import socket
 import time
 from typing import Protocol
 
-from motionlang.errors import MissingExtra, need
 from motionlang.hosts.errors import ConnectionLost
+from motionlang.kernel.errors import MissingExtra, need
 
 # How much is read at once.
 UNREAD = 65536

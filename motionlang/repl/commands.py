@@ -11,24 +11,24 @@ from os.path import expanduser
 from textwrap import wrap
 from typing import TYPE_CHECKING, TypeVar
 
-from motionlang.analysis.coverage import covered
-from motionlang.analysis.improve import NotPossible, improver_of
-from motionlang.analysis.program_map.program_map import mapped
-from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, ProgramError, as_hint, missing, nearest
-from motionlang.execution import ONE_SHIFT, dialect_of
-from motionlang.files import reason
-from motionlang.lang.dialect import dialect
-from motionlang.lang.machine.entries import WrongEntry, entries
+from motionlang.commands.cover import covered
+from motionlang.commands.cover import view as coverage
+from motionlang.commands.help.view import listing, page
+from motionlang.commands.improve import NotPossible, improver_of
+from motionlang.commands.improve.view import improvement_lines
+from motionlang.commands.map.program_map import mapped
+from motionlang.commands.map.view.text import render as render_map
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Diagnostic, ProgramError, as_hint, missing, nearest
+from motionlang.kernel.execution import ONE_SHIFT, dialect_of
+from motionlang.kernel.files import reason
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.machine.entries import WrongEntry, entries
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from motionlang.repl import debugging, status
-from motionlang.result import Run
-from motionlang.source import Source
-from motionlang.views import coverage
 from motionlang.views.chart import velocity_chart
 from motionlang.views.figure_files import write_figure
-from motionlang.views.improvement import improvement_lines
-from motionlang.views.keywords import listing, page
-from motionlang.views.program_map.text import render as render_map
 from motionlang.views.report import render
 
 if TYPE_CHECKING:
@@ -225,7 +225,7 @@ def _chart(session: Session) -> None:
 
 
 def _picture(session: Session, path: str) -> None:
-    from motionlang.views.plot import run_figure
+    from motionlang.commands.plot.view import run_figure
 
     try:
         write_figure(run_figure(_so_far(session)), path)

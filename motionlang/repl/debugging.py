@@ -9,18 +9,18 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.debug import moments
-from motionlang.debug.breakpoints import Breakpoint
-from motionlang.debug.debugger import Debugger, NotStopped, Stop
-from motionlang.debug.destinations import destination
-from motionlang.debug.expressions import assignment, parse
-from motionlang.debug.moments import Search
-from motionlang.debug.values import shown
-from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import dialect_for, settings_next_to
-from motionlang.files import reason
-from motionlang.lang.debugging import Variable
-from motionlang.source import Source
+from motionlang.ide.debug import moments
+from motionlang.ide.debug.breakpoints import Breakpoint
+from motionlang.ide.debug.debugger import Debugger, NotStopped, Stop
+from motionlang.ide.debug.destinations import destination
+from motionlang.ide.debug.expressions import assignment, parse
+from motionlang.ide.debug.moments import Search
+from motionlang.ide.debug.values import shown
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.execution import dialect_for, settings_next_to
+from motionlang.kernel.files import reason
+from motionlang.kernel.lang.debugging import Variable
+from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.words import significant
 

@@ -9,9 +9,9 @@ from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.styles import Style
 
-from motionlang.lang.dialect import Dialect
-from motionlang.lang.highlight import pieces
+from motionlang.kernel.lang.dialect import Dialect
 from motionlang.repl.commands import is_command
+from motionlang.views.highlight import pieces
 
 STYLE = Style.from_dict(
     {

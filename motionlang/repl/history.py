@@ -10,7 +10,7 @@ import stat
 
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 
-from motionlang.cache import own_folder
+from motionlang.kernel.cache import own_folder
 
 # Names another file; an empty value stores no history.
 VARIABLE = "MOTIONLANG_HISTORY"

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import sys
 
+from motionlang.kernel.source import Source
 from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.session import Session
-from motionlang.source import Source
 
 
 def read_lines(session: Session) -> int:

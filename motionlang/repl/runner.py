@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from traceback import walk_tb
 
-from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, ProgramError, missing
-from motionlang.execution import ONE_SHIFT
-from motionlang.lang.dialect import Dialect
-from motionlang.lang.ends import what_ends, what_frees
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.nesting import StackSpace
-from motionlang.lang.run_errors import explain
-from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import Task
-from motionlang.lang.waits import Wait, wait_idle, wait_until
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Diagnostic, ProgramError, missing
+from motionlang.kernel.execution import ONE_SHIFT
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.ends import what_ends, what_frees
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.nesting import StackSpace
+from motionlang.kernel.lang.run_errors import explain
+from motionlang.kernel.lang.scheduler import Scheduler, Stuck
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.lang.waits import Wait, wait_idle, wait_until
+from motionlang.kernel.source import Source
 from motionlang.repl.status import moving
-from motionlang.source import Source
 
 # Machine time after which a busy command is polled again for Ctrl-C.
 SLICE = 0.25

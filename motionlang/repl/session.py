@@ -11,16 +11,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from textwrap import wrap
 
-from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic
-from motionlang.lang.dialect import Dialect
-from motionlang.lang.foreign import AT_PROMPT, one_sentence
-from motionlang.lang.machine.machine import Machine
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.foreign import AT_PROMPT, one_sentence
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.source import Source
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
 from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving
-from motionlang.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import WIDTH, harmless
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.controller.axis import Axis
-from motionlang.lang.machine.machine import Machine
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.views.words import significant
 
 

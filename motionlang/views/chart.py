@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from itertools import chain, islice
 from math import inf
 
-from motionlang.controller.axis import Axis
-from motionlang.log.track import WholeTrack
-from motionlang.planners import Profile
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.planners import Profile
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.quantities import COLOURS
 from motionlang.views.terminal import styled

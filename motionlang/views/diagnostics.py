@@ -16,8 +16,8 @@ import sys
 from collections.abc import Iterable
 from textwrap import wrap
 
-from motionlang.errors import Diagnostic, count_of
-from motionlang.source import Source
+from motionlang.kernel.errors import Diagnostic, count_of
+from motionlang.kernel.source import Source
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import WIDTH, cells, printable, styled
 from motionlang.views.words import significant

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from motionlang.controller.controller import Controller
-from motionlang.log.records import Changed
-from motionlang.log.stream import Stream
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.log.records import Changed
+from motionlang.kernel.log.stream import Stream
 
 # group -> (name in the log, prefix of a lane's name, True for digital channels)
 GROUPS = {

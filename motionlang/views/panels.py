@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.log.trace import Trace
-from motionlang.servo.trace import ServoTrace
+from motionlang.kernel.log.trace import Trace
+from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.outline import outline, thinned
 from motionlang.views.quantities import COLOURS, UNITS

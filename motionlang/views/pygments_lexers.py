@@ -11,8 +11,8 @@ from typing import Any, ClassVar
 from pygments.lexer import Lexer
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number, String, Text
 
-from motionlang.lang.dialect import dialect
-from motionlang.lang.highlight import pieces
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.views.highlight import pieces
 
 _TOKENS: dict[str, Any] = {
     "move": Name.Function,

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.lang.machine.machine import Machine
-from motionlang.lang.machine.terminal import Terminal
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.machine.terminal import Terminal
 
 
 def ask(machine: Machine) -> str | None:

@@ -12,12 +12,12 @@ from functools import partial
 from math import fsum
 from typing import Any, cast
 
-from motionlang.planners.total import exact_terms
-from motionlang.report import axes as axes_of
-from motionlang.report import device_writes as writes_of
-from motionlang.report import events as events_of
-from motionlang.report import moves as moves_of
-from motionlang.result import Run
+from motionlang.kernel.planners.total import exact_terms
+from motionlang.kernel.report import axes as axes_of
+from motionlang.kernel.report import device_writes as writes_of
+from motionlang.kernel.report import events as events_of
+from motionlang.kernel.report import moves as moves_of
+from motionlang.kernel.result import Run
 from motionlang.views.chart import velocity_chart
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled

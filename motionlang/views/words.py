@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from motionlang.result import Run
+from motionlang.kernel.result import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 _OUTCOMES = {

@@ -11,8 +11,8 @@ from math import cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.cli import main
-from tests.copley.docs import BLOCK, ROOT, blocks
-from tests.notes.examples import printed
+from tests.lab.copley.docs import BLOCK, ROOT, blocks
+from tests.lab.notes.examples import printed
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from motionlang.lang import steps
+from motionlang.kernel.lang import steps
 from tests.cases import cases
 from tests.cli.programs import Cell
 

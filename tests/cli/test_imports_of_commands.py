@@ -11,7 +11,7 @@ import pytest
 PROGRAM = str(Path(__file__).parent.parent.parent / "scripts" / "mint" / "hello.mnt")
 # Libraries that take a millisecond or more each, and the packages that questions about runs need.
 OTHERS = {
-    "email", "hashlib", "http", "motionlang.analysis.diff", "motionlang.analysis.sweeps",
+    "email", "hashlib", "http", "motionlang.commands.diff", "motionlang.commands.sweep",
     "multiprocessing", "numpy", "pathlib", "socket",
     "urllib.request", "xml",
 }  # fmt: skip

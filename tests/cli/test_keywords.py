@@ -8,11 +8,11 @@ import shlex
 
 import pytest
 
-from motionlang.assumptions.facts import STRENGTHS
 from motionlang.cli import main
-from motionlang.lang.dialect import dialect, dialects
-from motionlang.lang.keyword import Keyword
-from motionlang.views.keywords import listing, page
+from motionlang.commands.help.view import listing, page
+from motionlang.commands.probe.facts import STRENGTHS
+from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel.lang.keyword import Keyword
 from tests.cases import cases
 from tests.cli.programs import Cell
 

@@ -8,7 +8,7 @@ import pytest
 
 from tests.cases import cases
 from tests.cli.notes import PAGES, answer, numbers, worked_out
-from tests.copley.docs import blocks
+from tests.lab.copley.docs import blocks
 
 COMMANDS = [
     pair for page in PAGES.values() for block in blocks(page.read_text(encoding="utf-8")) for pair in block

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.cli.keyword_search import MAX_FOUND, search
+from motionlang.commands.help.keyword_search import MAX_FOUND, search
 from tests.cases import cases
 
 

@@ -20,10 +20,10 @@ import pytest
 
 from motionlang import __version__
 from motionlang.cli import shared, signals
-from motionlang.errors import Terminated
-from motionlang.lang.dialect import dialect
-from motionlang.lang.scheduler import Scheduler
-from motionlang.views import export
+from motionlang.commands.trace import export
+from motionlang.kernel.errors import Terminated
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.scheduler import Scheduler
 from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
@@ -93,7 +93,7 @@ def test_an_ended_run_is_proved_where_that_takes_no_time(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Scheduler, "run", interrupted)
-    monkeypatch.setattr("motionlang.cli.prove.PROVED_IN_TIME", most)
+    monkeypatch.setattr("motionlang.commands.prove.command.PROVED_IN_TIME", most)
     cell.write("a.mnt", "SPEED(0) = 5\n" + MOVE)
     ran = cell("prove", "a.mnt", "--format", "json")
     codes = [each["code"] for each in json.loads(ran.out)["diagnostics"]]
@@ -304,8 +304,8 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
         ("motionlang.cli.shared.read", ("run", "a.mnt", "--format", "json")),
         ("motionlang.cli.simulated.pieces", ("run", "a.mnt", "--format", "json")),
         ("motionlang.cli.simulated.render", ("run", "a.mnt")),
-        ("motionlang.cli.check.in_parallel", ("check", "a.mnt")),
-        ("motionlang.views.export.write_trace", ("trace", "a.mnt", "a.csv", "--format", "text")),
+        ("motionlang.commands.check.command.in_parallel", ("check", "a.mnt")),
+        ("motionlang.commands.trace.export.write_trace", ("trace", "a.mnt", "a.csv", "--format", "text")),
     ],
 )
 def test_a_crash_anywhere_is_reported_and_stored(
@@ -323,7 +323,7 @@ def test_a_crash_anywhere_is_reported_and_stored(
 
 def test_a_crash_that_cannot_be_stored_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(cell.folder / "none"))
-    monkeypatch.setattr("motionlang.cli.check.in_parallel", broken)
+    monkeypatch.setattr("motionlang.commands.check.command.in_parallel", broken)
     ran = cell("check", "a.mnt")
     assert (ran.status, "the crash report could not be written" in ran.err) == (70, True)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 # A file of keywords that neither command needs.
-UNUSED = ("motionlang.mint.keywords.camboxes",)
+UNUSED = ("motionlang.kernel.mint.keywords.camboxes",)
 
 
 @pytest.mark.parametrize("arguments", [["check"], ["help", "HOMESPEED"]])

@@ -5,8 +5,8 @@ An editor offers them; `check --fix` does not apply them.
 
 from __future__ import annotations
 
-from motionlang.lang.dialect import dialect
-from motionlang.source import Source
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
 from tests.cases import cases
 
 # Language, text, the text that the first such finding marks, and what may have been meant.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.errors import (
+from motionlang.kernel.errors import (
     Diagnostic,
     MissingExtra,
     ProgramError,

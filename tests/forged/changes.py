@@ -18,14 +18,15 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
 # The modules that compute motion; `plan_move` and the moves planned without it are in `core`.
 _MODULES = {
-    "planners": (
-        "trapezoid ramps feasibility solve scurve parabolic jerk transition ramp_down stop jerk_limited segment_speed "
-        "reach lookahead reparametrised curve cubics arc table table_motion reference superposition dwell pieces "
+    "kernel/planners": (
+        "trapezoid ramps feasibility scurve parabolic jerk transition ramp_down stop jerk_limited segment_speed "
+        "lookahead reparametrised curve cubics arc table table_motion reference superposition dwell pieces "
         "sequence crossing shapes"
     ),
-    "controller": "core",
-    "controller/motion": "feedrate jog halt follow offset profile_playback reference takeup",
-    "controller/moves": "cam course entries geometry path path_run",
+    "commands/plan": "solve reach",
+    "kernel/controller": "core",
+    "kernel/controller/motion": "feedrate jog halt follow offset profile_playback reference takeup",
+    "kernel/controller/moves": "cam course entries geometry path path_run",
 }
 FILES = tuple(f"{folder}/{name}.py" for folder, names in _MODULES.items() for name in names.split())
 # Settings that are easily confused.

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
-from motionlang.controller.motion.offset import OffsetMove
-from motionlang.controller.move import Move
-from motionlang.planners import Profile
-from motionlang.result import Run
+from motionlang.kernel.controller.motion.offset import OffsetMove
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.planners import Profile
+from motionlang.kernel.result import Run
 from tests.forged.programs import PROGRAMS
 from tests.forged.verdicts import ran
 
@@ -162,6 +162,6 @@ def forge(each: Forged) -> tuple[Run, bool]:
 
 def _report_rows(result: Run) -> list[dict[str, object]]:
     """Return the rows of the report that describe the motion."""
-    from motionlang.report import moves
+    from motionlang.kernel.report import moves
 
     return list(moves(result))

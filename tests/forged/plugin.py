@@ -12,7 +12,7 @@ import pytest
 from tests.forged.changes import ROOT, Change, changes, forged
 
 # The tests of planners: of single plans first, then of what the controller plans with them.
-FOLDERS = ("tests/planners/test_fastest.py", "tests/planners", "tests/controller")
+FOLDERS = ("tests/kernel/planners/test_fastest.py", "tests/kernel/planners", "tests/kernel/controller")
 # Seconds for each of them; an endless forged planner fails.
 SECONDS = 120.0
 

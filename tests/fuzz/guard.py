@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from types import FrameType
 
 from motionlang import run
-from motionlang.errors import ProgramError
-from motionlang.lang.dialect import dialect
-from motionlang.source import Source
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
 from tests.fuzz.inputs import SUFFIX
 
 # Machine time of a run, and the limit of this process's seconds for such an input.

@@ -7,9 +7,9 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from motionlang.lang.dialect import dialect
-from motionlang.lang.keyword import Keyword
-from motionlang.source import Source
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.source import Source
 
 ROOT = Path(__file__).parents[2]
 SUFFIX = {"mint": ".mnt", "mccl": ".mcl"}

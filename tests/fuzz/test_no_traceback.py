@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from motionlang.lang.dialect import dialects
+from motionlang.kernel.lang.dialect import dialects
 from tests.cases import cases, examples
 from tests.fuzz.guard import trouble
 from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated
@@ -50,7 +50,7 @@ def test_a_traceback_is_reported_with_its_location(monkeypatch: pytest.MonkeyPat
     def settle(*_: object) -> None:
         raise AssertionError("it cannot be")
 
-    monkeypatch.setattr("motionlang.lang.scheduler.Scheduler.settle", settle)
+    monkeypatch.setattr("motionlang.kernel.lang.scheduler.Scheduler.settle", settle)
     finding = trouble("mint", "MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n")
     assert finding.startswith("AssertionError: it cannot be at ")
 
@@ -64,7 +64,7 @@ def test_inputs_are_the_same_again_and_differ() -> None:
 
 
 def test_every_word_has_its_forms() -> None:
-    from motionlang.mint.keywords import table
+    from motionlang.kernel.mint.keywords import table
 
     assert len(list(WORDS["mint"]())) == 16 * len(list(table())) > 18_000
     assert all(len(set(mint_forms(row))) > 1 for row in table())

@@ -10,11 +10,11 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from motionlang.errors import ProgramError
-from motionlang.execution import run
-from motionlang.report import text as report_of
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import text as report_of
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from tests.fuzz.guard import bounded
 from tests.generated.compared import every_iteration
 from tests.generated.draw import Draw

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from motionlang.lang.loops import Loops
+from motionlang.kernel.lang.loops import Loops
 
 
 @contextmanager

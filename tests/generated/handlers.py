@@ -11,8 +11,9 @@ from __future__ import annotations
 import sys
 from random import Random
 
-from motionlang import report, run
-from motionlang.source import Source
+from motionlang import run
+from motionlang.kernel import report
+from motionlang.kernel.source import Source
 from tests.generated.compared import compare, is_equal_without_skipping
 
 UNTIL = 1.2

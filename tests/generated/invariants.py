@@ -13,10 +13,10 @@ from typing import Any
 
 import jsonschema  # type: ignore[import-untyped]
 
-from motionlang.controller.move import Move
-from motionlang.log.records import Looped, Waited
-from motionlang.log.track import WholeTrack
-from motionlang.result import Run
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.records import Looped, Waited
+from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.result import Run
 from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))

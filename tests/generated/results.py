@@ -32,20 +32,20 @@ from pathlib import Path
 
 from motionlang import __version__
 from motionlang.cli import main as command
-from motionlang.editor import navigation
-from motionlang.editor.completion import complete
-from motionlang.editor.diagnostics import findings
-from motionlang.editor.fixes import fixes
-from motionlang.editor.formatting import formatted_lines
-from motionlang.editor.hover import hover
-from motionlang.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.editor.page import Page
-from motionlang.editor.signature import signature
-from motionlang.editor.tokens import tokens
-from motionlang.execution import run
-from motionlang.lang.dialect import dialect
-from motionlang.lang.machine.file import read_machine
-from motionlang.source import Source
+from motionlang.ide.editor import navigation
+from motionlang.ide.editor.completion import complete
+from motionlang.ide.editor.diagnostics import findings
+from motionlang.ide.editor.fixes import fixes
+from motionlang.ide.editor.formatting import formatted_lines
+from motionlang.ide.editor.hover import hover
+from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang.ide.editor.page import Page
+from motionlang.ide.editor.signature import signature
+from motionlang.ide.editor.tokens import tokens
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.source import Source
 from tests.commits import unpacked
 from tests.dumps import read
 from tests.generated import handlers, sessions, tasks

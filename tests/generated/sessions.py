@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.lang.dialect import dialect
-from motionlang.lang.machine.file import read_machine
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.source import Source
 from motionlang.repl.session import Session
-from motionlang.source import Source
 from tests.generated.draw import Draw
 from tests.generated.motion import Generated
 

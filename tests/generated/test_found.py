@@ -12,10 +12,10 @@ from math import atan2, hypot, pi, radians, sin, sqrt
 import pytest
 
 from motionlang import run
-from motionlang.controller.motion import feedrate
-from motionlang.controller.motion.takeup import Takeup
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.controller.motion import feedrate
+from motionlang.kernel.controller.motion.takeup import Takeup
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
@@ -1029,7 +1029,7 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
 
 def limit_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let an entry of the log have 50 pieces instead of 500, so that a test needs fewer of them."""
-    for module in ("controller.core", "analysis.proof.entries"):
+    for module in ("kernel.controller.core", "commands.prove.entries"):
         monkeypatch.setattr(f"motionlang.{module}.MAX_PIECES", 50)
 
 

@@ -12,12 +12,12 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.analysis.cycle.profile import TimeProfile
-from motionlang.analysis.scenarios import scenario_files
-from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.program_files import programs
-from motionlang.cli.verify_further import further_checks, sweep_golden
-from motionlang.result import Run
+from motionlang.commands.diff.golden import differences, golden_files, update
+from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.verify.further import further_checks, sweep_golden
+from motionlang.commands.verify.scenarios import scenario_files
+from motionlang.kernel.result import Run
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]

@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 
 from motionlang.cli.program_files import programs
-from motionlang.controller.faults import NAMES
-from motionlang.execution import run
-from motionlang.report import failure, text
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.controller.faults import NAMES
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import failure, text
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 

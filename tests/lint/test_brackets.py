@@ -6,10 +6,10 @@ from random import Random
 
 import pytest
 
-from motionlang.errors import Diagnostic
-from motionlang.mint.lint import check
-from motionlang.mint.syntax.parser import parse
-from motionlang.source import Source
+from motionlang.commands.check.mint import check
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.source import Source
 
 OPERANDS = (
     "a",

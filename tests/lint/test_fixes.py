@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.errors import ProgramError
-from motionlang.execution import dialect_of
-from motionlang.source import Source
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import dialect_of
+from motionlang.kernel.source import Source
 
 TESTS = Path(__file__).parents[1]
 GOLDEN = TESTS / "lint" / "fixes.txt"

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.errors import CODES
-from motionlang.execution import dialect_of
-from motionlang.lang.lint import WARNINGS
-from motionlang.lang.machine.file import read_machine
-from motionlang.source import Source
+from motionlang.commands.check.silence import WARNINGS
+from motionlang.kernel.errors import CODES
+from motionlang.kernel.execution import dialect_of
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 
 HERE = Path(__file__).parent

@@ -14,8 +14,8 @@ from random import Random
 
 import pytest
 
-from motionlang.mint.lint import check
-from motionlang.source import Source
+from motionlang.commands.check.mint import check
+from motionlang.kernel.source import Source
 from tests.cases import covering, one_in
 
 GALLERY = Path(__file__).parents[2] / "scripts" / "mint"

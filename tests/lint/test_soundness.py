@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.errors import Diagnostic
-from motionlang.mint import DIALECT
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.mint import DIALECT
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from tests.cases import examples
 
 Lines = list[str]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang import run
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.source import Source
+from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train
 

@@ -54,16 +54,17 @@ class Mutant(NamedTuple):
     def package(self) -> str:
         """The top-level package of the mutant; "root" for files outside the packages."""
         components = self.path.relative_to(PACKAGE).parts
-        return components[0] if len(components) > 1 else "root"
+        in_house = len(components) > 2 and components[0] in ("kernel", "commands", "lab", "ide")
+        return components[1] if in_house else components[0] if len(components) > 1 else "root"
 
 
 # Derived files: their writers are mutated instead.
 GENERATED = (
     "mccl/syntax/tables.py",
     "mint/syntax/tables.py",
-    "mccl/keywords/index.py",
-    "mint/keywords/index.py",
-    "assumptions/tables.py",
+    "kernel/mccl/keywords/index.py",
+    "kernel/mint/keywords/index.py",
+    "kernel/assumptions/tables.py",
 )
 
 

@@ -145,11 +145,11 @@ def test_equivalent_mutants_exist_in_the_sources() -> None:
 def test_the_tests_that_killed_are_in_the_output_of_a_run() -> None:
     here = "tests/mutants/test_mutants.py::test_a"
     log = (
-        f"1 killed by {here}[1: 2]: motionlang/planners/a.py:3: a -> b\n"
-        "2 LIVED: motionlang/planners/a.py:4: a -> b\n"
-        "3 killed by time or memory: motionlang/planners/a.py:5: a -> b\n"
-        f"4 killed by {here}: motionlang/planners/a.py:6: a -> b\n"
-        "5 killed by tests/gone.py::test_a: motionlang/planners/a.py:7: a -> b\n"
+        f"1 killed by {here}[1: 2]: motionlang/kernel/planners/a.py:3: a -> b\n"
+        "2 LIVED: motionlang/kernel/planners/a.py:4: a -> b\n"
+        "3 killed by time or memory: motionlang/kernel/planners/a.py:5: a -> b\n"
+        f"4 killed by {here}: motionlang/kernel/planners/a.py:6: a -> b\n"
+        "5 killed by tests/gone.py::test_a: motionlang/kernel/planners/a.py:7: a -> b\n"
         "5 mutants, seed 0, and 0 that change nothing: 80.0% killed; lived:\n"
     )
     assert killers(log) == [here, f"{here}[1: 2]"]

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.cli.repl import open_session
-from motionlang.execution import ONE_SHIFT
-from motionlang.lang.dialect import dialect
+from motionlang.kernel.execution import ONE_SHIFT
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
+from motionlang.repl.command import open_session
 from motionlang.repl.commands import COMMANDS, Command
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
-from motionlang.source import Source
 
 
 def after(polls: int) -> object:

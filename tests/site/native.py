@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from motionlang.cli import main
-from motionlang.execution import run
-from motionlang.lang.dialect import dialect
-from motionlang.lang.highlight import pieces
-from motionlang.source import Source
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
+from motionlang.views.highlight import pieces
 from motionlang.views.report import render
 
 ROOT = Path(__file__).parents[2]

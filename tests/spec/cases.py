@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from motionlang import run
-from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import dialect_of
-from motionlang.lang.machine.file import read_machine
-from motionlang.source import Source
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.execution import dialect_of
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.source import Source
 
 FOLDER = Path(__file__).parent
 COMMENTS = {".mnt": "'", ".mcl": ";"}

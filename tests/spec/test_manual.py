@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from motionlang.mccl.keywords import table as mccl_table
-from motionlang.mint.keywords import table as mint_table
+from motionlang.kernel.mccl.keywords import table as mccl_table
+from motionlang.kernel.mint.keywords import table as mint_table
 from tests.cases import cases
 from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages
 

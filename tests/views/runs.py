@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.controller.controller import Controller
-from motionlang.lang.dialect import Dialect
-from motionlang.lang.machine.machine import Machine
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 
 class Nameless(Dialect):

@@ -9,11 +9,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-from motionlang.errors import MissingExtra
+from motionlang.commands.plot.view import run_figure
+from motionlang.kernel.errors import MissingExtra
 from motionlang.views.figure import FAINT, Band, Curve, Event, Figure, Label, Lane, Panel, Scale
 from motionlang.views.figure_files import svg, write_figure
 from motionlang.views.figure_layout import Item, Shape, Text, Ticks, layout
-from motionlang.views.plot import run_figure
 from tests.views.runs import ballscrew, pick
 
 LINE = Panel([Curve([0.0, 10.0], [0.0, 5.0], "#010203")], x_limits=(0.0, 10.0))

@@ -6,10 +6,10 @@ An error that occurs several times is shown with its count.
 from __future__ import annotations
 
 import motionlang
-from motionlang.errors import Diagnostic
-from motionlang.lang.machine.machine import MAX_DIAGNOSTICS, Machine
-from motionlang.mccl.lint.check import check
-from motionlang.source import Source
+from motionlang.commands.check.mccl.check import check
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.machine.machine import MAX_DIAGNOSTICS, Machine
+from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import MAX_SHOWN, render, render_all
 
 BAD = "".join(f"1XX{number}\n" for number in range(3000))

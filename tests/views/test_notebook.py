@@ -6,10 +6,10 @@ import re
 
 import pytest
 
-from motionlang.execution import run
-from motionlang.source import Source
+from motionlang.commands.sweep.table import cell, sweep_table
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 from motionlang.views.notebook import MAX_LINES, MOST_MOVES, html
-from motionlang.views.sweep_table import cell, sweep_table
 
 
 def test_a_move_of_a_notebook_has_its_own_times() -> None:

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.planners.pvt.motion import plan_pvt
-from motionlang.planners.solve import solve_move
-from motionlang.views import pvt_plot
-from motionlang.views.an00115_plot import plan_figure
+from motionlang.commands.plan.an00115_plot import plan_figure
+from motionlang.commands.plan.solve import solve_move
+from motionlang.commands.sweep.plot import front_figure, line_figure, map_figure
+from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.lab.pvt import plot as pvt_plot
+from motionlang.lab.pvt.plot import pvt_figure
+from motionlang.lab.servo.plot import comparison_figure, trace_figure
 from motionlang.views.figure import AXIS, BLUE, FAINT, GREEN, INK, RED, VIOLET, Curve, Figure, Panel
-from motionlang.views.pvt_plot import pvt_figure
 from motionlang.views.report import motors_table
-from motionlang.views.servo_plot import comparison_figure, trace_figure
-from motionlang.views.sweep_plot import front_figure, line_figure, map_figure
 
 LINES = plan_pvt((0.0, 100.0, 250.0), (), (1.0, 1.0))
 """100 counts in a second, and 150 in the next one, at constant velocities."""

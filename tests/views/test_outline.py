@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from motionlang.controller.controller import Controller
-from motionlang.result import Run
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.result import Run
 from motionlang.views.outline import outline, thinned
 from tests.views.runs import ballscrew, pick, short_shift
 

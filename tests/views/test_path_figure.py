@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.execution import run
-from motionlang.result import Run
-from motionlang.source import Source
-from motionlang.views import path_plot
+from motionlang.commands.plot import path as path_plot
+from motionlang.commands.plot.path import path_figure
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from motionlang.views.figure import Note
-from motionlang.views.path_plot import path_figure
 from motionlang.views.window import Window
 from tests.views.runs import ended, new_run
 

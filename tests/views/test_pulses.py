@@ -16,16 +16,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.execution import run
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.commands.plot.view import run_figure
+from motionlang.commands.scope import page
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from motionlang.views.figure_files import svg
 from motionlang.views.figure_layout import ON
-from motionlang.views.plot import run_figure
-from motionlang.views.scope import page
 from motionlang.views.spans import Span, visible
 from motionlang.views.window import WHOLE, Window
-from tests.views.test_scope import data_of
+from tests.commands.test_scope import data_of
 
 PULSES = """\
 Dim i As Integer
@@ -115,7 +115,7 @@ class Page:
         racer = pytest.importorskip("py_mini_racer")
         self._context = racer.MiniRacer()
         scripts = (
-            files("motionlang.views.scope").joinpath(f"{name}.js").read_text(encoding="utf-8")
+            files("motionlang.commands.scope").joinpath(f"{name}.js").read_text(encoding="utf-8")
             for name in ("model", "draw")
         )
         data = json.dumps(data_of(page(made)))

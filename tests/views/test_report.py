@@ -9,12 +9,12 @@ from typing import Any
 
 import pytest
 
-from motionlang import report
-from motionlang.errors import Diagnostic
-from motionlang.execution import run
-from motionlang.report import SCHEMA, _axis, build, failure, moves, rendered, text
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.kernel import report
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import SCHEMA, _axis, build, failure, moves, rendered, text
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 

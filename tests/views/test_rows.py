@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.planners.pvt.motion import plan_pvt
-from motionlang.views import pvt, written
+from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.lab.pvt import view as pvt
+from motionlang.views import written
 from motionlang.views.questions import _show_once
 
 

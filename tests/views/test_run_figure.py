@@ -8,18 +8,18 @@ from typing import Any
 
 import pytest
 
-from motionlang.execution import run
-from motionlang.result import Run
-from motionlang.servo import Loop, simulate
-from motionlang.servo.settings import make_plant
-from motionlang.servo.trace import ServoTrace
-from motionlang.source import Source
-from motionlang.views import plot
+from motionlang.commands.plot import view as plot
+from motionlang.commands.plot.view import run_figure
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.servo import Loop, simulate
+from motionlang.kernel.servo.settings import make_plant
+from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.source import Source
 from motionlang.views.figure import Figure, Panel
-from motionlang.views.plot import run_figure
 from motionlang.views.window import Window
+from tests.commands.trace.test_vcd import switched
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
-from tests.views.test_vcd import switched
 
 NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 

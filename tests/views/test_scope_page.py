@@ -12,9 +12,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from motionlang.execution import run
-from motionlang.source import Source
-from motionlang.views.scope import page, write_scope
+from motionlang.commands.scope import page, write_scope
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
 from motionlang.views.window import Window
 from tests.views.browser import Browser
 from tests.views.runs import pick, shift

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from motionlang.report import moves
+from motionlang.kernel.report import moves
 from motionlang.views.report import _Events, _Gathered, render
 from motionlang.views.table import Column, Table
 from motionlang.views.words import clock_time, decimals_of, figure

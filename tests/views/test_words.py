@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.controller.controller import Controller
-from motionlang.errors import count_of
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.errors import count_of
 from motionlang.views.lanes import Lane, lanes
 from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window

@@ -22,14 +22,14 @@ from motionlang.hosts.client.answer import (
 from motionlang.hosts.client.connection import TIMEOUT, Connection
 from motionlang.hosts.client.status import Status
 from motionlang.hosts.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
-from motionlang.lang.machine.file import first_mistake
-from motionlang.lang.machine.machine import Machine
-from motionlang.mccl.syntax.comments import without_comment
-from motionlang.source import Source
+from motionlang.kernel.lang.machine.file import first_mistake
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.mccl.syntax.comments import without_comment
+from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Wire
-    from motionlang.mccl.hosts.console import Console
+    from motionlang.hosts.mccl.console import Console
 
 # Seconds of silence after which the answer of a board without a prompt is complete, and a line has been
 # drained.
@@ -79,7 +79,7 @@ class Client(Connection):
         line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
         """
         from motionlang.hosts.client.virtual import VirtualWire
-        from motionlang.mccl.hosts.console import Console
+        from motionlang.hosts.mccl.console import Console
 
         if isinstance(board, Console):
             console = board

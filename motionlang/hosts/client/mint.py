@@ -19,15 +19,15 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Self
 
-from motionlang.execution import checked_settings
 from motionlang.hosts.client.connection import TIMEOUT, Connection
 from motionlang.hosts.errors import FrameRejected, LineRejected, NoReply
-from motionlang.mint.hosts import hcp
-from motionlang.source import Source
+from motionlang.hosts.mint import hcp
+from motionlang.kernel.execution import checked_settings
+from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Wire
-    from motionlang.mint.hosts.console import MintConsole
+    from motionlang.hosts.mint.console import MintConsole
 
 # Characters of output that are stored.
 MAX_OUTPUT = 100_000
@@ -66,7 +66,7 @@ class MintClient(Connection):
         ProgramError if the program has errors, and ValueError for an invalid setting.
         """
         from motionlang.hosts.client.virtual import MintWire
-        from motionlang.mint.hosts.console import MintConsole
+        from motionlang.hosts.mint.console import MintConsole
 
         if isinstance(program, MintConsole):
             return cls(MintWire(program, step), timeout)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import IntFlag
 
-from motionlang.mccl.axis import flags
+from motionlang.kernel.mccl.axis import flags
 
 
 class Status(IntFlag):

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from motionlang.hosts.console import HostConsole
 from motionlang.hosts.serve.pace import LockStep
-from motionlang.lang.console import HostConsole
 
 # Machine seconds between two checks for output of a program.
 SLICE = 1e-3

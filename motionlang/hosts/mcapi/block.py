@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line, own
 from motionlang.hosts.mcapi.errors import Refused
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.resolve.line import Line
-from motionlang.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl.runtime.task import CommandTask
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from motionlang.cache import folder
+from motionlang.kernel.cache import folder
 
 SOURCE = Path(__file__).parent / "library"
 FILES = ("mcapi.c", "mcapi.h", "stubs.h")

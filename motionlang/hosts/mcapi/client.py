@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
-from motionlang.execution import checked_settings
 from motionlang.hosts.address import BadAddress, parse
 from motionlang.hosts.channel import TcpWire
 from motionlang.hosts.mcapi import table as mc
@@ -15,11 +14,12 @@ from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.protocol import VERSION, decode, encode, request
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
+from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve.pace import LockStep
-from motionlang.lang.machine.file import read_machine
-from motionlang.lang.machine.machine import Machine
-from motionlang.mccl.hosts.console import Console
-from motionlang.source import Source
+from motionlang.kernel.execution import checked_settings
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.source import Source
 
 Answer = tuple[int, tuple[Value | None, ...]]
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import accumulate
 
-from motionlang.lang.keyword import Keyword
-from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import table
-from motionlang.mccl.models import Model
-from motionlang.mccl.resolve.command import NONE, NUMBER, Command
-from motionlang.mccl.resolve.decode import checked
-from motionlang.mccl.resolve.line import Line
-from motionlang.mccl.runtime.task import Action
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel.mccl.models import Model
+from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, Command
+from motionlang.kernel.mccl.resolve.decode import checked
+from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl.runtime.task import Action
 
 
 def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:

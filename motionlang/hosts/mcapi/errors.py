@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Rejected
 from motionlang.hosts.mcapi import table as mc
-from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl.codes import Fault
 
 _CODES = {
     codes.PARAMETER: mc.MCERR_RANGE,

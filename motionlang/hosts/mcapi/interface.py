@@ -15,17 +15,17 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Rejected
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import code_of
-from motionlang.lang.task import Task
-from motionlang.lang.waits import Wait
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.hosts.port import Port
-from motionlang.mccl.resolve.line import Line
-from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.task import FORMS, CommandTask
+from motionlang.hosts.mccl.port import Port
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl.runtime.task import FORMS, CommandTask
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.block import Block

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 
-from motionlang.controller.faults import Rejected
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.block import Block
 from motionlang.hosts.mcapi.client import VirtualBoard
@@ -17,8 +16,9 @@ from motionlang.hosts.mcapi.protocol import encode, request
 from motionlang.hosts.mcapi.registry import AT_ONCE, POLLS, QUERIES
 from motionlang.hosts.mcapi.session import BadCall, Given, commands_for
 from motionlang.hosts.mcapi.table import FUNCTIONS
-from motionlang.lang.machine.keys import MAX_AXES
-from motionlang.mccl.codes import Fault
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.lang.machine.keys import MAX_AXES
+from motionlang.kernel.mccl.codes import Fault
 
 # The column at which the remark begins.
 COLUMN = 32

@@ -19,8 +19,6 @@ from collections.abc import Callable, Sequence
 from math import isfinite
 from typing import Any
 
-from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Rejected
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.command import command, line, own, takes_all_axes
@@ -28,10 +26,12 @@ from motionlang.hosts.mcapi.errors import Refused, code_of
 from motionlang.hosts.mcapi.interface import Interface, Poll, expire
 from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.hosts.console import Console
-from motionlang.mccl.resolve.command import Command
-from motionlang.mccl.runtime.task import CommandTask
+from motionlang.hosts.mccl.console import Console
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.runtime.task import CommandTask
 
 MAX_HANDLES = 1000
 # Arguments that are axes.

@@ -5,15 +5,15 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from motionlang.controller.clock import INFINITY
-from motionlang.lang.waits import Wait
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.lang.waits import Wait
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Channel
+    from motionlang.hosts.console import HostPort
     from motionlang.hosts.serve.limits import Limits
     from motionlang.hosts.serve.pace import Pace
     from motionlang.hosts.serve.spy import Spy
-    from motionlang.lang.console import HostPort
 
 
 class Host:

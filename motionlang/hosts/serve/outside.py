@@ -12,9 +12,9 @@ from concurrent.futures import Future
 from threading import Condition
 from time import monotonic
 
-from motionlang.controller.clock import INFINITY, Clock
 from motionlang.hosts.serve.wall import WallClock
-from motionlang.lang.machine.machine import Machine
+from motionlang.kernel.controller.clock import INFINITY, Clock
+from motionlang.kernel.lang.machine.machine import Machine
 
 # Default machine seconds that lock step advances for each request.
 STEP = 10e-3

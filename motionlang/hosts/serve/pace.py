@@ -11,11 +11,11 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
-from motionlang.controller.clock import INFINITY
 from motionlang.hosts.serve.wall import WallClock
+from motionlang.kernel.controller.clock import INFINITY
 
 if TYPE_CHECKING:
-    from motionlang.lang.console import HostConsole
+    from motionlang.hosts.console import HostConsole
 
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
 SLICE, MIN_SLICE = 2e-3, 2e-5

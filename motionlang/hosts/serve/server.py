@@ -18,7 +18,6 @@ from traceback import walk_tb
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from motionlang.controller.clock import INFINITY
 from motionlang.hosts import address
 from motionlang.hosts.channel import Channel, DeviceChannel, TcpChannel
 from motionlang.hosts.errors import ConnectionLost
@@ -26,11 +25,12 @@ from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.pace import RealTime
 from motionlang.hosts.serve.refusals import Refusals
+from motionlang.kernel.controller.clock import INFINITY
 
 if TYPE_CHECKING:
+    from motionlang.hosts.console import HostConsole
     from motionlang.hosts.serve.pace import Pace
     from motionlang.hosts.serve.spy import Spy
-    from motionlang.lang.console import HostConsole
 
 # Makes a host of its number and its channel.
 MakeHost: TypeAlias = Callable[[int, Channel], Host]

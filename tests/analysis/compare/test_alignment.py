@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motionlang.analysis.compare.alignment import (
+from motionlang.commands.compare.alignment import (
     Signal,
     _likeliest,
     _misfit,
@@ -25,10 +25,10 @@ from motionlang.analysis.compare.alignment import (
     fit,
     lag,
 )
-from motionlang.analysis.compare.comparison import Comparison, Mapped, compare
-from motionlang.execution import run
-from motionlang.result import Run
-from motionlang.source import Source
+from motionlang.commands.compare.comparison import Comparison, Mapped, compare
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 Array = NDArray[np.float64]
 PROGRAM = """\

@@ -10,14 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.analysis.compare.comparison import Comparison, Mapped, _own, compare
-from motionlang.analysis.compare.recording import read_table
 from motionlang.cli import main
-from motionlang.errors import ProgramError
-from motionlang.execution import run
-from motionlang.result import Run
-from motionlang.source import Source
-from motionlang.views.comparison import comparison_document, render_comparison
+from motionlang.commands.compare.comparison import Comparison, Mapped, _own, compare
+from motionlang.commands.compare.recording import read_table
+from motionlang.commands.compare.view import comparison_document, render_comparison
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 PROGRAM = """\
 SPEED(0, 1) = 100, 50
@@ -116,7 +116,7 @@ def test_another_unit_is_reported_with_its_factor() -> None:
 
 
 def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
-    from motionlang.views.export import write_trace
+    from motionlang.commands.trace.export import write_trace
 
     write_trace(simulated().trace, str(tmp_path / "x.csv"), 500.0)
     made = compare(simulated(), Source.read(tmp_path / "x.csv"))
@@ -141,7 +141,7 @@ def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
     ],
 )
 def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
-    from motionlang.analysis.compare.recording import seconds, time_column
+    from motionlang.commands.compare.recording import seconds, time_column
 
     source = Source("x.csv", text)
     table = read_table(source)

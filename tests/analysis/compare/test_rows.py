@@ -7,7 +7,7 @@ from math import nan
 import numpy as np
 import pytest
 
-from motionlang.analysis.compare.recording import Table, seconds, usable_rows
+from motionlang.commands.compare.recording import Table, seconds, usable_rows
 
 
 @pytest.mark.parametrize(

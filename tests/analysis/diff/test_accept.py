@@ -7,13 +7,13 @@ from itertools import chain, combinations
 
 import pytest
 
-from motionlang.analysis.diff.accept import Change, changes, merged
-from motionlang.analysis.diff.reports import difference
-from motionlang.analysis.diff.timeline import Timeline
-from motionlang.execution import run
-from motionlang.report import rendered, text
-from motionlang.source import Source
-from motionlang.views.diff import change_lines
+from motionlang.commands.diff.accept import Change, changes, merged
+from motionlang.commands.diff.reports import difference
+from motionlang.commands.diff.timeline import Timeline
+from motionlang.commands.diff.view import change_lines
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import rendered, text
+from motionlang.kernel.source import Source
 from tests.analysis.diff.test_reports import CYCLE as REPORTS_CYCLE
 
 # The iterations of the other tests, printed without the time, then a move that is stopped.

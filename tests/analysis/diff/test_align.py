@@ -7,8 +7,8 @@ from itertools import product
 
 import pytest
 
-from motionlang.analysis.diff import align
-from motionlang.analysis.diff.align import _by_number, _latest, aligned, common
+from motionlang.commands.diff import align
+from motionlang.commands.diff.align import _by_number, _latest, aligned, common
 
 
 def common_length(a: list[int], b: list[int]) -> int:

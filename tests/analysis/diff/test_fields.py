@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.analysis.diff.reports import checked, difference
-from motionlang.analysis.diff.tolerance import Tolerance
+from motionlang.commands.diff.reports import checked, difference
+from motionlang.commands.diff.tolerance import Tolerance
 
 Report = dict[str, Any]
 

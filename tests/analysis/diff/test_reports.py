@@ -6,14 +6,14 @@ import re
 
 import pytest
 
-from motionlang.analysis.diff.motion import divergence
-from motionlang.analysis.diff.reports import Difference, checked, difference
-from motionlang.analysis.diff.tolerance import Tolerance
-from motionlang.execution import run
-from motionlang.report import build
-from motionlang.result import Run
-from motionlang.source import Source
-from motionlang.views.diff import diff_lines
+from motionlang.commands.diff.motion import divergence
+from motionlang.commands.diff.reports import Difference, checked, difference
+from motionlang.commands.diff.tolerance import Tolerance
+from motionlang.commands.diff.view import diff_lines
+from motionlang.kernel.execution import run
+from motionlang.kernel.report import build
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
 
 CYCLE = """\
 Dim n

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.analysis.diff.timeline import Timeline
+from motionlang.commands.diff.timeline import Timeline
 
 
 def move(start: float, duration: float | None) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.analysis.diff.tolerance import EXACT, Tolerance
+from motionlang.commands.diff.tolerance import EXACT, Tolerance
 
 
 @pytest.mark.parametrize(

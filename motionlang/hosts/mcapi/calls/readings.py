@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import at_once, query
-from motionlang.mccl.axis import status
-from motionlang.mccl.axis.axis import AxisState
-from motionlang.mccl.axis.launch import aim
-from motionlang.mccl.models import Model
-from motionlang.mccl.runtime.board import Board
+from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.mccl.axis import status
+from motionlang.kernel.mccl.axis.axis import AxisState
+from motionlang.kernel.mccl.axis.launch import aim
+from motionlang.kernel.mccl.models import Model
+from motionlang.kernel.mccl.runtime.board import Board
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

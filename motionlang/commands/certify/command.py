@@ -1,0 +1,137 @@
+"""`motionlang certify`: machine limits and extremes of a program or folder."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import argument
+from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.program_files import programs
+from motionlang.cli.signals import SIGNALS
+from motionlang.commands.certify import Limit, certificate, violations
+from motionlang.commands.certify.view import certificate_lines, limits_table
+from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.command import Prove
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import MACHINE_SUFFIX, machine_of, run
+from motionlang.kernel.result import Run as Result
+from motionlang.kernel.source import STDIN_NAME, Source
+from motionlang.views.table import Document
+from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+# Maximum programs without limits that are named.
+MAX_NAMED = 5
+
+
+@dataclass
+class Certify(Prove):
+    """Report how far a run uses each limit of its machine; a folder has many programs."""
+
+    title: ClassVar[str] = "certificate"
+    epilog: ClassVar[str] = """\
+Each axis is checked against [axis.N.limits] of the machine file, and a table to
+sign is printed; the motion is verified, too.
+
+exit status: 1 if a limit is exceeded or none is given, or as in run
+
+examples:
+  motionlang certify pick.mnt
+  motionlang certify scripts/mint
+"""
+    file: str = argument("FILE", "the program, or a folder with programs")
+
+    def run(self) -> int:
+        return self._run_folder() if os.path.isdir(self.file) else super().run()
+
+    def _run_folder(self) -> int:
+        """Certify all programs of a folder, each on its machine; 1 if one fails.
+
+        Programs whose machine has no limits are named at the end.
+        """
+        found, without, failed = programs([self.file]), [], 0
+        if not found:
+            sys.stderr.write(f"no programs in {self.file}\n")
+            return 1
+        signed = 0
+        for program in found:
+            try:
+                result = run(program, until=self.until, overrides=self.overrides(), prove=True)
+            except OSError as error:
+                complain([unreadable(str(error.filename or program), error)], None, program)
+                failed += 1
+                continue
+            except ProgramError as error:
+                machine = machine_of(program)
+                complain(
+                    error.diagnostics, None if machine is None else Source.read(machine), machine or program
+                )
+                failed += 1
+                continue
+            SIGNALS.end_with(result)
+            if not any(".limits." in key for key in result.machine.settings):
+                without.append(os.path.relpath(program, self.file))
+                continue
+            proof = result.proof()
+            result.diagnostics += proof.violations
+            lines = certify(result, machine_of(program))
+            if self.format == "text":
+                print_certificate(result, lines, proof, machine_of(program))
+                sys.stdout.write("\n")
+            wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
+            if result.diagnostics:
+                complain(result.diagnostics, result.source, program)
+            failed += wrong
+            signed += not wrong
+        sys.stdout.write(f"{signed} of {signed + failed} machines within their limits\n")
+        if without:
+            more = f", and {len(without) - MAX_NAMED} more" if len(without) > MAX_NAMED else ""
+            sys.stdout.write(f"no limits given for {len(without)}: {', '.join(without[:MAX_NAMED])}{more}\n")
+        return 1 if failed or not signed else 0
+
+    def extend(self, result: Result) -> None:
+        super().extend(result)
+        if self.proof is not None:
+            result.certificate = certify(result, self.machine_path())
+
+    def document(self, result: Result) -> Document:
+        return Document([limits_table(result.certificate or [])])
+
+    def conclude(self, result: Result) -> None:
+        if self.proof is None or not result.certificate or self.format != "text":
+            super().conclude(result)
+            return
+        sys.stdout.write("\n")
+        print_certificate(result, result.certificate, self.proof, self.machine_path())
+
+
+def certify(result: Result, machine: str | None) -> list[Limit]:
+    """Return the certificate of a run; violations become diagnostics of the run."""
+    lines = certificate(result.controller, result.machine.settings, result.time)
+    if machine is None:
+        stem = os.path.splitext(result.source.name)[0]
+        of_none = result.source.name == STDIN_NAME
+        machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX} next to the program"
+    result.diagnostics += violations(lines, machine)
+    return lines
+
+
+def print_certificate(
+    result: Result, lines: Sequence[Limit], proof: Proof | None, machine: str | None
+) -> None:
+    """Write the table to standard output."""
+    width = width_of(sys.stdout) if is_terminal(sys.stdout) else 160
+    text = _text_of(machine)
+    made = certificate_lines(result, lines, proof, text, width=width, colour=wants_colour(sys.stdout))
+    written = "\n".join(made) + "\n"
+    sys.stdout.write(written if draws(sys.stdout) else plain(written))
+
+
+def _text_of(machine: str | None) -> str:
+    try:
+        return "" if machine is None else Source.read(machine).text
+    except OSError:
+        return ""

@@ -1,0 +1,203 @@
+"""Extremes of an axis in a run: position, speed, acceleration and jerk.
+
+Nothing is sampled. Each piece of a profile is a polynomial or a wave, so its extremes are at its ends and
+stationary points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from math import inf
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.planners import Profile
+from motionlang.kernel.planners.curve import State, state_in
+from motionlang.kernel.planners.formula import summit
+from motionlang.kernel.planners.pieces import crest_points, even_points, still_points
+
+
+@dataclass(eq=False, slots=True)
+class Extreme:
+    """A figure in user units and the machine time at which it was reached.
+
+    The extreme of a magnitude is the largest one.
+    """
+
+    value: float
+    time: float
+
+    def __repr__(self) -> str:
+        return f"Extreme({self.value:g}, {self.time:g})"
+
+
+class Extremes:
+    """The extremes of one axis: `lowest` and `highest` position, peak derivatives."""
+
+    def __init__(self, position: float) -> None:
+        self.lowest, self.highest = Extreme(position, 0.0), Extreme(position, 0.0)
+        self.speed, self.acceleration, self.jerk = (Extreme(0.0, 0.0) for _ in range(3))
+
+    def take(self, time: float, state: State) -> None:
+        """Include a state, in user units, at a time."""
+        position = state.position
+        if position < self.lowest.value:
+            self.lowest = Extreme(position, time)
+        if position > self.highest.value:
+            self.highest = Extreme(position, time)
+        if abs(state.velocity) > self.speed.value:
+            self.speed = Extreme(abs(state.velocity), time)
+        if abs(state.acceleration) > self.acceleration.value:
+            self.acceleration = Extreme(abs(state.acceleration), time)
+        if abs(state.jerk) > self.jerk.value:
+            self.jerk = Extreme(abs(state.jerk), time)
+
+
+def extremes(a: Axis, until: float) -> Extremes:
+    """Return the extremes of the commanded motion of an axis up to a time.
+
+    They are in the user units in force at the end. Where the velocity jumps, the acceleration is infinite;
+    where the acceleration jumps, the jerk is.
+    """
+    found: Extremes | None = None
+    before: State | None = None
+    for begin, length, profile in _track(a, until):
+        if found is None:
+            found = Extremes(a.scale.position_to_user(profile.start))
+        for points in _stretches(profile, length):
+            first, last = points[0][1], points[-1][1]
+            if before is not None:
+                _jump(found, begin + points[0][0], before, first)
+            before = last
+            for time, state in points:
+                found.take(begin + time, _in_units(a, state))
+    return found or Extremes(a.scale.position_to_user(a.position(until)))
+
+
+def peak_speed(a: Axis, until: float) -> float:
+    """Return only the highest speed of `extremes`, in a tenth of the time.
+
+    Most profiles store their highest speed.
+    """
+    peak = 0.0
+    for begin, length, profile in _track(a, until):
+        if profile.shape != "hold":
+            whole = profile.duration <= length + 4e-16 * (begin + length)  # within the rounding of its end
+            peak = max(peak, (profile if whole else profile.cut(length)).peak_speed)
+    return peak / abs(a.scale.counts)
+
+
+def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
+    """Yield the start of each profile, how long it was in force, and the profile."""
+    track = WholeTrack(a)
+    starts = iter(track.starts)
+    begin = next(starts)
+    for profile in track.profiles:
+        end = min(next(starts, inf), until)
+        if end > begin:
+            yield begin, end - begin, profile
+        begin = end
+
+
+def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
+    """Yield the smooth stretches of the first `length` seconds.
+
+    Each stretch is the states at its ends and at the extrema in between. Velocity and jerk of a sine have none: its
+    piece is within half a wave.
+    """
+    within = min(profile.duration, length)
+    knots = profile.knots
+    for k in range(len(knots) - 1):
+        begin, span = knots[k], min(knots[k + 1], within) - knots[k]
+        if span <= 0.0:
+            break
+        if profile.pieced:
+            piece = profile.pieces[k]
+            extrema: set[float] = set()
+            for where in (still_points, even_points, crest_points):
+                extrema.update(where(piece, span))
+            yield [(begin + x, state_in(piece, x)) for x in (0.0, *sorted(extrema), span)]
+        else:
+            yield _searched(profile, begin, begin + span)
+    if within < length:
+        yield [(time, profile.at(time)) for time in (within, length)]
+
+
+# Points between two knots of a formula that are sampled; the best are refined.
+_SAMPLES = 48
+
+
+def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
+    """Return the extrema of a formula, found by search."""
+    end_inside = end - (end - begin) * 1e-12
+    times = [begin + (end_inside - begin) * n / _SAMPLES for n in range(_SAMPLES + 1)]
+    measures: tuple[Callable[[float], float], ...] = (
+        lambda t: profile.at(t).position,
+        lambda t: -profile.at(t).position,
+        lambda t: abs(profile.at(t).velocity),
+        lambda t: abs(profile.at(t).acceleration),
+        lambda t: abs(profile.at(t).jerk),
+    )
+    for value in measures:
+        best = max(range(_SAMPLES + 1), key=lambda n: value(times[n]))
+        times.append(summit(value, times[max(best - 1, 0)], times[min(best + 1, _SAMPLES)]))
+    return [(time, profile.at(time)) for time in sorted(times)]
+
+
+# A jump smaller than this fraction of a velocity or an acceleration is rounding.
+_ROUNDING = 1e-9
+# Seconds before the end of a stretch that may be missing from it.
+_MOMENT = 1e-10
+
+
+def _jump(found: Extremes, now: float, left: State, right: State) -> None:
+    """Record an infinite derivative where the state jumps."""
+    jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
+    if jumps and found.acceleration.value < inf:
+        found.acceleration = Extreme(inf, now)
+    if found.jerk.value < inf and (
+        jumps or _differ(left.acceleration, right.acceleration, left.jerk, right.jerk)
+    ):
+        found.jerk = Extreme(inf, now)
+
+
+def _differ(left: float, right: float, slope: float, slope_after: float) -> bool:
+    """True if two values differ by more than rounding near the end of a formula."""
+    rounding = _ROUNDING * max(abs(left), abs(right), 1.0)
+    return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
+
+
+def _in_units(a: Axis, state: State) -> State:
+    size = abs(a.scale.counts)
+    return State(
+        a.scale.position_to_user(state.position),
+        state.velocity / size,
+        state.acceleration / size,
+        state.jerk / size,
+    )
+
+
+def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extreme | None:
+    """Return the largest magnitude of a motor column, or its root mean square.
+
+    `column` is one of a `ServoTrace`: "error" in user units, "torque", "output". The root mean square has the
+    time `until`. Returns None if no motor is simulated.
+    """
+    if a.feedback is None:
+        return None
+    from motionlang.kernel.log.history import chunks
+
+    largest, when, squares, count = 0.0, 0.0, 0.0, 0
+    for first, chunk in chunks(a, until):
+        values = abs(getattr(chunk, column))
+        if not len(values):
+            continue
+        index = int(values.argmax())
+        if values[index] > largest:
+            largest, when = float(values[index]), first + index * chunk.loop.period
+        squares, count = squares + float(values @ values), count + len(values)
+    size = abs(a.scale.counts) if column == "error" else 1.0
+    if rms:
+        return Extreme((squares / count) ** 0.5 / size if count else 0.0, until)
+    return Extreme(largest / size, when)

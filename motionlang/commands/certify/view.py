@@ -1,0 +1,72 @@
+"""The limit certificate on a terminal: a table with a signature line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from hashlib import sha256
+from math import inf
+
+from motionlang import __version__
+from motionlang.commands.certify import Limit
+from motionlang.commands.prove.checker import Proof
+from motionlang.kernel.errors import count_of
+from motionlang.kernel.result import Run
+from motionlang.views.table import Column, Table
+from motionlang.views.terminal import styled
+from motionlang.views.words import figure, line_number
+
+
+def limits_table(lines: Sequence[Limit]) -> Table:
+    """Return the limits of a certificate, each with its verdict."""
+    columns = (
+        Column("axis"),
+        Column("name", "limit", left=True),
+        Column("unit", "", left=True),
+        Column("limit", "allowed", text="{:.6g}".format),
+        Column("reached", text=lambda reached: f"{reached + 0.0:.6g}"),
+        Column("time", "at", "s", text=lambda time: figure(time, 6), drop=2),
+        Column("line", text=line_number, drop=1),
+        Column("", "margin", get=_margin),
+        Column("margin", data=True),
+        Column("verdict", "", text=VERDICTS.__getitem__, left=True),
+    )
+    return Table("limits", columns, lines, style=lambda line: "" if line.verdict == "within" else "error")
+
+
+VERDICTS = {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor is simulated"}
+
+
+def certificate_lines(
+    run: Run, lines: Sequence[Limit], proof: Proof | None, machine: str, *, width: int, colour: bool = False
+) -> list[str]:
+    """Return the certificate as lines.
+
+    It has the table, the proof of the motion, the digests of the certified inputs and a signature line.
+    """
+    within = sum(line.verdict == "within" for line in lines)
+    out = [styled(f"limits of {run.source.name}", "bold", colour)]
+    out += limits_table(lines).lines(width, colour=colour)
+    out += ["", f"{within} of {len(lines)} limits met"]
+    if proof is not None:
+        broken = len(proof.violations)
+        checked = ", ".join(count_of(count, name[:-1]) for name, count in proof.counts.items() if count)
+        out.append(f"motion verified: {checked or 'nothing moved'}" if not broken
+                   else f"the motion differs from the commands: {count_of(broken, 'violation')}")  # fmt: skip
+    out.append(
+        f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
+    )
+    out += ["", "checked by ______________________________   date ______________"]
+    return out
+
+
+def _margin(line: Limit) -> str:
+    if line.reached == inf:
+        return "none"
+    if line.margin is None:
+        return ""
+    return f"{figure(line.margin)} uu" if "position" in line.name else f"{100.0 * line.margin:.1f} %"
+
+
+def _digest(text: str) -> str:
+    """Return the start of a text's SHA-256, which identifies it."""
+    return f"sha256 {sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:16]}"

@@ -1,0 +1,1 @@
+"""What is wrong with a program, without a run: the command check."""

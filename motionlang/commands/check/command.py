@@ -1,0 +1,262 @@
+"""`motionlang check`: errors and warnings of every file, without a run."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import ClassVar
+
+from motionlang.cli.command import Refused, WrongOption, argument, flag, option
+from motionlang.cli.complaints import complain, no_dialect, unwritten
+from motionlang.cli.program_files import PATHS, programs
+from motionlang.cli.shared import Findings, Jobs, OnMachine, read
+from motionlang.commands.check.findings import Found, written
+from motionlang.commands.check.fix import Fixed, fix
+from motionlang.commands.check.steps_view import render_steps, steps_table
+from motionlang.commands.check.tree_view import render_tree
+from motionlang.commands.probe.assumption import Assumption
+from motionlang.commands.probe.entries import assumptions
+from motionlang.commands.probe.view import assumptions_table, listing
+from motionlang.commands.processes.parallel import in_parallel
+from motionlang.kernel.assumptions.used import depended_on
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.execution import language_of, machine_of
+from motionlang.kernel.lang.dialect import Dialect, dialect, unknown_model
+from motionlang.kernel.lang.foreign import one_sentence
+from motionlang.kernel.lang.literals import Literal, literals
+from motionlang.kernel.lang.machine.axes import missing_axes
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
+from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.mccl.models import MODELS
+from motionlang.kernel.source import STDIN, STDIN_NAME, Source, name_of
+from motionlang.views.diagnostics import diagnostics_table, tally
+from motionlang.views.table import Column, Document, Table
+from motionlang.views.terminal import printable, styled, wants_colour, width_of
+
+
+@dataclass
+class Checked:
+    """A file as far as it has been checked.
+
+    `language` is "" if it is unknown. `source` is the file that the diagnostics are about: the program or its machine
+    file. `settings` is None if the program could not be checked.
+    """
+
+    language: str
+    source: Source | None = None
+    settings: dict[str, object] | None = None
+    diagnostics: Sequence[Diagnostic] = ()
+    fixed: Sequence[Fixed] = ()
+
+
+@dataclass
+class _Shown:
+    """The results for the files, each with its name, for a document."""
+
+    files: list[dict[str, object]] = field(default_factory=list)
+    fixed: list[tuple[str, Fixed]] = field(default_factory=list)
+    literals: list[tuple[str, Literal]] = field(default_factory=list)
+    steps: list[tuple[str, list[ListedUnit]]] = field(default_factory=list)
+    assumptions: list[tuple[dict[str, object], Assumption]] = field(default_factory=list)
+
+
+@dataclass
+class Check(Findings, Jobs, OnMachine):
+    """Find the errors and warnings of programs without running them."""
+
+    title: ClassVar[str] = "checks"
+    epilog: ClassVar[str] = """\
+Warnings point out code that compiles but is probably a mistake: a move that
+no GO starts, a wait that nothing can end. docs/lint.md explains each warning.
+A comment with `lint: ignore CODE` silences a warning on its line.
+
+exit status: 0 no errors; 1 a file has an error (with --strict, or a warning);
+2 the command line is invalid
+
+examples:
+  motionlang check pick.mnt --machine cell.toml
+  motionlang check old.prg --model mintmt
+"""
+    files: list[str] = argument("FILE", f"{PATHS}; - reads standard input", many=True, default=["."])
+    model: str | None = option(
+        "MODEL",
+        "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL one of "
+        f"{', '.join(MODELS)}",
+    )
+    strict: bool = flag("treat warnings as errors")
+    fix: bool = flag("fix what has only one possible fix, in the files, then report the rest")
+    evidence: bool = flag(
+        "list the unconfirmed assumptions that each program depends on, and the evidence for each"
+    )
+    literals: bool = flag("list the numbers of each program by the addresses that --set and --vary take")
+    steps: bool = flag("print the steps that a run takes beside the lines of each program without errors")
+    tree: bool = flag("print the syntax tree of each program without syntax errors")
+
+    _shown: _Shown = field(default_factory=_Shown, init=False, repr=False)
+
+    def check(self) -> None:
+        """Raise WrongOption if the model is one of no language of the files."""
+        super().check()
+        if self.model is None:
+            return
+        languages = dict.fromkeys(language_of(self.lang, file) for file in programs(self.files))
+        problems = [unknown_model(self.model, each) for each in languages]
+        if problems and all(problems):
+            problem = problems[0] if len(problems) == 1 else unknown_model(self.model)
+            assert problem is not None
+            raise WrongOption(f"argument --model: {'; '.join(problem)}")
+
+    def run(self) -> int:
+        """Check files and the programs of folders; 1 if any has an error.
+
+        Diagnostics and one line per file go to standard output.
+        """
+        files = programs(self.files)
+        if not files:
+            sys.stderr.write(f"no programs in {', '.join(self.files)}\n")
+            return 1
+        findings: list[Found] = []
+        jobs = 1 if STDIN in files else self.jobs
+        work = partial(_checked_and_fixed, replace(self))  # a copy without its parser, for other processes
+        for file, checked in zip(files, in_parallel(work, files, jobs), strict=True):
+            name = STDIN_NAME if file == STDIN else file
+            is_about_machine = checked.source is not None and checked.source.name != name_of(file)
+            path = (machine_of(file, self.machine) or name) if is_about_machine else name
+            findings.append(Found(name, checked.diagnostics, checked.source, path, self.strict))
+            self._report(checked, findings[-1])
+        if self.format in ("json", "csv"):
+            self.show(self._document(findings), "")
+        elif self.format not in ("text", "none"):
+            sys.stdout.write(written(findings, self.format, "check"))
+        return 1 if any(each.is_wrong for each in findings) else 0
+
+    def _report(self, checked: Checked, found: Found) -> None:
+        """Print what is known of a file, or keep it for the document."""
+        source, settings, text = checked.source, checked.settings, self.format == "text"
+        notes: list[str] = []
+        if source is not None and settings is not None:
+            notes = dialect(checked.language).remarks(source, settings)
+        row: dict[str, object] = {
+            "file": found.file,
+            "dialect": checked.language,
+            "notes": notes,
+            "tree": None,
+        }
+        self._shown.files.append(row)
+        self._shown.fixed += [(found.file, each) for each in checked.fixed]
+        if text:
+            sys.stdout.write("".join(f"{printable(f'{found.file}:{each}')}\n" for each in checked.fixed))
+            complain(checked.diagnostics, source, found.path, sys.stdout)
+            if not self.quiet:
+                note = styled("note:", "note", wants_colour(sys.stdout))
+                sys.stdout.write("".join(f"{note} {each}\n" for each in notes))
+                sys.stdout.write(f"{found.file}: {self._tally(checked, found.file)}\n")
+        if source is not None and settings is not None:
+            self._show(dialect(checked.language), source, settings, row)
+
+    def _show(
+        self, language: Dialect, source: Source, settings: dict[str, object], row: dict[str, object]
+    ) -> None:
+        """Print what else is asked for, or keep it for the document."""
+        text, colour, file = self.format == "text", wants_colour(sys.stdout), str(row["file"])
+        if self.literals:
+            found = literals(source, language)
+            self._shown.literals += [(file, each) for each in found]
+            if text:
+                width = max((len(each.address) for each in found), default=0)
+                values = max((len(each.text) for each in found), default=0)
+                for each in found:
+                    line = printable(source.line(each.line).strip())
+                    sys.stdout.write(f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n")
+        try:
+            if self.tree:
+                row["tree"] = tree = render_tree(language.parse(source))
+                sys.stdout.write(tree if text else "")
+            if self.steps:
+                units = language.step_list(source, settings)
+                self._shown.steps.append((file, units))
+                sys.stdout.writelines(render_steps(language, units, colour=colour) if text else ())
+        except ProgramError:  # its errors are among the findings
+            pass
+        if self.evidence:
+            known = assumptions()
+            open_ones = [known[name] for name in depended_on(language, source.text, settings)]
+            self._shown.assumptions += [({"file": file}, each) for each in open_ones]
+            sys.stdout.write(listing(open_ones, width=width_of(sys.stdout), colour=colour) if text else "")
+
+    def _document(self, findings: Sequence[Found]) -> Document:
+        """Return the findings, and the tables that are asked for."""
+        shown = self._shown
+        about = [(each.file, diagnostic) for each in findings for diagnostic in each.diagnostics]
+        names = ("file", "dialect", "notes", *(["tree"] if self.tree else []))
+        tables = [diagnostics_table(about), Table("files", list(map(Column, names)), shown.files)]
+        asked = {
+            "fix": _by_file("fixed", ("line", "column", "code", "before", "after"), shown.fixed),
+            "literals": _by_file("literals", ("address", "line", "text"), shown.literals),
+            "steps": steps_table(shown.steps),
+            "evidence": assumptions_table(shown.assumptions, ["file"]),
+        }
+        return Document([*(table for option, table in asked.items() if getattr(self, option)), *tables])
+
+    def _tally(self, checked: Checked, file: str) -> str:
+        """Return the number of findings of a file, and what the option for fixes would correct."""
+        fixed = f"{len(checked.fixed)} fixed, " if checked.fixed else ""
+        text = f"{fixed}{tally(checked.diagnostics) or 'no problems'}"
+        count = len([each for each in checked.diagnostics if each.fix])
+        if not count or self.fix or file == STDIN_NAME:
+            return text
+        among = len(checked.diagnostics)
+        return f"{text}; --fix corrects {'it' if among == 1 else count if count < among else 'all'}"
+
+
+def _by_file(name: str, keys: Sequence[str], found: Sequence[tuple[str, object]]) -> Table:
+    """Return records, each with its file, as data."""
+    rows = [{"file": file, **{key: getattr(each, key) for key in keys}} for file, each in found]
+    return Table(name, list(map(Column, ("file", *keys))), rows)
+
+
+def _checked_and_fixed(options: Check, file: str) -> Checked:
+    """Return what is known of a file after its fixes."""
+    checked = _checked(options, file)
+    source, settings = checked.source, checked.settings
+    if not options.fix or file == STDIN or settings is None or source is None:
+        return checked
+    name = source.name
+
+    def check(text: str) -> list[Diagnostic]:
+        return dialect(checked.language).check(Source(name, text), settings)
+
+    try:
+        fixed = fix(file, checked.diagnostics, check)
+    except OSError as error:
+        return replace(checked, diagnostics=[*checked.diagnostics, unwritten(file, error)])
+    return replace(_checked(options, file), fixed=fixed) if fixed else checked
+
+
+def _checked(options: Check, file: str) -> Checked:
+    language = language_of(options.lang, file)
+    if language is None:
+        return Checked("", diagnostics=[no_dialect(file)])
+    path = machine_of(file, options.machine)
+    settings: dict[str, object] = {}
+    try:
+        source = read(file)
+        machine = None if path is None else read(path)
+    except Refused as refused:
+        return Checked(language.name, diagnostics=refused.diagnostics)
+    if machine is not None:
+        try:
+            settings = read_machine(machine, language=language)
+        except ProgramError as error:
+            return Checked(language.name, machine, None, error.diagnostics)
+        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        wrong = missing_axes(settings, axes, language.first_axis)
+        if wrong:
+            return Checked(language.name, machine, None, wrong)
+    if options.model is not None:
+        settings["controller.model"] = options.model
+    found = one_sentence(language, source, language.check(source, settings))
+    return Checked(language.name, source, settings, found)

@@ -1,0 +1,97 @@
+"""`motionlang check --fix`: unambiguous corrections, and no other change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.files import replacing
+
+_MARK = "\ufeff"
+# More fixes than a file can need; each pass makes all that one check reports.
+MAX_PASSES = 1_000
+
+
+class Fixed(NamedTuple):
+    """One correction in a file: its position, and the text before and after."""
+
+    line: int
+    column: int
+    code: str
+    before: str
+    after: str
+
+    def __str__(self) -> str:
+        return f"{self.line}:{self.column}: fixed[{self.code}]: {self.before} -> {self.after}"
+
+
+def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]) -> list[Fixed]:
+    """Write the fixes of diagnostics to their file, and return them.
+
+    `check(text)` returns the diagnostics of a text. A check stops after a number of errors, so fixing and checking
+    repeat until no fix is left; the file is then written once. Line endings do not change. A file that is not
+    UTF-8, or that has lone carriage returns, does not change. Raises OSError if the file cannot be read or
+    written.
+    """
+    if not any(each.fix for each in found):
+        return []
+    with open(path, "rb") as file:
+        data = file.read()
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError:
+        return []
+    mark = _MARK if text.startswith(_MARK) else ""
+    text = text.removeprefix(mark)
+    if "\r" in text.replace("\r\n", ""):
+        return []
+    fixed: list[Fixed] = []
+    for _ in range(MAX_PASSES):
+        text, made, found = _pass(text, found, check)
+        if not made:
+            break
+        fixed += made
+    with replacing(path, only_copy=True) as out:
+        out.write((mark + text).encode())
+    return fixed
+
+
+def _pass(
+    text: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]
+) -> tuple[str, list[Fixed], Sequence[Diagnostic]]:
+    """Return the text with all fixes that cause no new warning in their lines, these fixes, and what is left."""
+    wanted = list(found)
+    while True:
+        fixed, made = _fixed(text, wanted)
+        if not made:
+            return text, [], found
+        left = check(fixed)
+        lines = {each.line for each in made}
+        before = {(each.line, each.code, each.message) for each in found}
+        worse = {
+            each.line
+            for each in left
+            if each.severity == "warning"
+            and each.line in lines
+            and (each.line, each.code, each.message) not in before
+        }
+        if not worse or fixed.count("\n") != text.count("\n"):
+            return fixed, made, left
+        wanted = [each for each in wanted if each.line not in worse]
+
+
+def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
+    """Return a text with its fixes applied, and the fixes; the later of two overlaps."""
+    wanted = [each for each in found if each.fix and each.line and each.column]
+    lines = text.split("\n")
+    made: list[Fixed] = []
+    for each in sorted(wanted, key=lambda one: (one.line, one.column), reverse=True):
+        line, begin = lines[each.line - 1], each.column - 1
+        end = begin + each.length
+        if made and made[-1].line == each.line and made[-1].column - 1 < end:
+            continue
+        new = each.fix.replace("\n", "\r\n") if line.endswith("\r") else each.fix
+        made.append(Fixed(each.line, each.column, each.code, line[begin:end], new.strip()))
+        lines[each.line - 1] = line[:begin] + new + line[end:]
+    return "\n".join(lines), made[::-1]

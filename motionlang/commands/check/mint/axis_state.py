@@ -1,0 +1,516 @@
+"""Data-flow analysis: the facts known about each axis before each step.
+
+The checks of motion use this. Only certain facts are stored. Where two paths of execution join, facts on
+which they disagree are dropped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key
+from motionlang.kernel.mint.resolve.flowgraph import TEST, Step
+from motionlang.kernel.mint.resolve.folding import binary
+from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.kernel.mint.syntax import nodes
+
+Report = Callable[[str, Step, Act, Key, "Axis"], None]
+
+IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
+# No buffer holds more entries, so larger counts are not distinguished.
+MAX_ENTRIES = 101
+
+
+class Axis(NamedTuple):
+    """The facts known about one axis.
+
+    - `motion`: IDLE, MOVES or UNKNOWN.
+    - `fresh`: no time has passed since GO.
+    - `waiting`: the minimum number of entries that wait for a GO.
+    - `target`: the end of the last loaded move in user units, None if unknown.
+    - `frame`: the distance of the program's zero from the position at power-up in user units, None if
+      unknown.
+    - `set`: the move settings made so far, in user units.
+    - `stale`: the move settings made before the last change of the scale, which is at offset `scaled`.
+    - `timed`: the offset of what set a ramp time before any speed was set, None if there is none.
+    - `speeded`: a speed may have been set.
+    - `zeros`: the move settings that are 0.
+    - `loaded`: the offset of the first move that waits for a GO, None if unknown.
+    - `empty`: no move waits for a GO.
+    - `span`: the lowest and the highest position that the moves so far can have reached, None if unknown.
+    - `jogs`: the axis jogs, and no statement has stopped it.
+    """
+
+    motion: str = UNKNOWN
+    fresh: bool = False
+    waiting: int = 0
+    target: float | None = None
+    frame: float | None = None
+    set: frozenset[str] = frozenset()
+    stale: frozenset[str] = frozenset()
+    scaled: int = 0
+    timed: int | None = None
+    speeded: bool = True
+    zeros: frozenset[str] = frozenset()
+    loaded: int | None = None
+    empty: bool = False
+    span: tuple[float, float] | None = None
+    jogs: bool = False
+
+    def joined(self, other: Axis, at_loop_head: bool) -> Axis:
+        """Return the facts on which both agree; at a loop head time has passed."""
+        if self == other:
+            return self._replace(fresh=False) if at_loop_head and self.fresh else self
+        return Axis(
+            motion=self.motion if self.motion == other.motion else UNKNOWN,
+            fresh=self.fresh and other.fresh and not at_loop_head,
+            waiting=min(self.waiting, other.waiting),
+            target=self.target if self.target == other.target else None,
+            frame=self.frame if self.frame == other.frame else None,
+            set=self.set & other.set,
+            stale=self.stale & other.stale,
+            scaled=self.scaled if self.scaled == other.scaled else 0,
+            timed=self.timed if self.timed == other.timed else None,
+            speeded=self.speeded or other.speeded,
+            zeros=self.zeros & other.zeros,
+            loaded=self.loaded if self.loaded == other.loaded else None,
+            empty=self.empty and other.empty,
+            span=self.span if self.span == other.span else None,
+            jogs=self.jogs and other.jogs,
+        )
+
+    def reaching(self, target: float | None) -> tuple[float, float] | None:
+        """Return `span` after a move to a target (None if the target is unknown)."""
+        if self.span is None or target is None:
+            return None
+        return min(self.span[0], target), max(self.span[1], target)
+
+
+ANY = Axis()
+# Verbs of the settings that must not be 0 for a move to run.
+_NEEDED = frozenset(("speed", "accel", "decel"))
+
+
+@dataclass(eq=False, slots=True)
+class State:
+    """The facts about all axes: `axes` by key, and `rest` for all axes not in it."""
+
+    rest: Axis
+    axes: dict[Key, Axis]
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, State) and self.rest == other.rest and self.axes == other.axes
+
+    def joined(self, other: State, at_loop_head: bool) -> State:
+        if self is other and not at_loop_head:
+            return self
+        keys = self.axes.keys() | other.axes.keys()
+        axes = {key: self[key].joined(other[key], at_loop_head) for key in keys}
+        return State(self.rest.joined(other.rest, at_loop_head), axes)
+
+    def __getitem__(self, key: Key) -> Axis:
+        return self.axes.get(key, self.rest)
+
+    def put(self, key: Key, axis: Axis) -> State:
+        return State(self.rest, {**self.axes, key: axis})
+
+    def passed(self) -> State:
+        """Return the state after time has passed."""
+        if not any(axis.fresh for axis in self.axes.values()):
+            return self
+        return State(
+            self.rest,
+            {key: axis._replace(fresh=False) if axis.fresh else axis for key, axis in self.axes.items()},
+        )
+
+
+ANYTHING = State(ANY, {})
+# The facts about the axes that a sub changes, when it returns.
+After = dict[Key, Axis]
+
+
+class Follower:
+    """Tracks the facts about the axes through every function.
+
+    `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
+    states before the steps of a function, and `after`, the facts on return about the axes that the function changes.
+    `recalled` may return the latter from an earlier check, so that the function need not be analysed.
+    `report_problems` passes findings to `report(problem, step, act, key, axis)`.
+    """
+
+    def __init__(
+        self,
+        facts: Facts,
+        is_out_of_reach: Callable[[Key, Axis], bool],
+        recalled: Callable[[Function], After | None] = lambda function: None,
+    ) -> None:
+        self.facts, self.is_out_of_reach, self._recalled = facts, is_out_of_reach, recalled
+        self.before: dict[Function, dict[Step, State]] = {}
+        self.after: dict[Function, After] = {}
+        self.apart = self._shared()
+        self.stopped = self._stopped_by_handlers()
+        self.led = self._led()
+        self.before_act = ANYTHING
+        self._at_work: set[Function] = set()
+        self._report: Report | None = None
+
+    def _shared(self) -> set[Key]:
+        """Return the axes commanded by more than one of parent task, tasks and handlers.
+
+        Nothing is certain about them.
+        """
+        seen: dict[Key, Function] = {}
+        shared: set[Key] = set()
+        for root in self.facts.functions:
+            if root.kind == "sub":
+                continue
+            for key in self.facts.touched(root, COMMANDS):
+                if seen.setdefault(key, root) is not root:
+                    shared.add(key)
+        if None in seen and len(set(seen.values())) > 1:
+            shared |= {*seen, None}
+        return shared
+
+    def _stopped_by_handlers(self) -> set[Key]:
+        """Return the axes that a handler or a task stops; their moves may end early."""
+        found: set[Key] = set()
+        for root in self.facts.functions:
+            if root.kind in ("task", "event"):
+                found |= self.facts.touched(root, frozenset(("stop",)))
+        return found
+
+    def known(self, state: State, key: Key) -> Axis:
+        """Return the certain facts about an axis."""
+        unsure = isinstance(key, Symbol) and self.apart
+        if key is None or unsure or key in self.apart or None in self.apart:
+            return ANY
+        axis = state[key]
+        if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
+            return axis._replace(motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
+        return axis
+
+    def _led(self) -> set[Key]:
+        """Return the axes that may move without a GO of their own.
+
+        They follow a master, belong to the path of another axis, or are started by a trigger.
+        """
+        found = self.facts.given("follows", "hands-over")
+        for act in self.facts.written_by(lambda row: row.role == "path"):
+            found.update(act.axes[1:])
+        return found
+
+    def report_problems(self, function: Function, report: Report) -> None:
+        """Process every step of a function again, and report the problems found there."""
+        self._report = report
+        before = self.before[function]
+        for step in self.facts.graphs[function].steps:
+            if step in before:
+                self._follow(step, before[step])
+        self._report = None
+
+    # ---------------------------------------------------------------------------------------- following
+
+    def analyse(self, function: Function) -> None:
+        """Track the axes through a function; the functions that it calls come first."""
+        if function in self.after or function in self._at_work:
+            return
+        self._at_work.add(function)
+        for each in sorted(function.calls, key=lambda f: f.at):
+            self.analyse(each)
+        self._at_work.discard(function)
+        known = self._recalled(function)
+        self.after[function] = self._states(function) if known is None else known
+
+    def _states(self, function: Function) -> After:
+        graph = self.facts.graphs[function]
+        first = ANYTHING
+        if function.kind == "main":
+            first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.0, 0.0)), {})
+        found: dict[Step, State] = {}
+
+        def follow(step: Step, state: State) -> tuple[State, State]:
+            found[step] = state
+            return self._follow(step, state)
+
+        def join(one: State, other: State, step: Step, back: bool) -> State:
+            joined = one.joined(other, step.is_loop_head)
+            return one if joined == one else joined
+
+        graph.forward(first, follow, join, ANYTHING, lambda state: state)
+        self.before[function] = found
+        last = found.get(graph.leave, ANYTHING)
+        return {key: _after_call(last[key]) for key in self.facts.touched(function, CHANGES)}
+
+    def _follow(self, step: Step, state: State) -> tuple[State, State]:
+        for act in self.facts.acts[step]:
+            state = self._act(step, act, state)
+        node = step.node
+        if type(node) in (nodes.Pause, nodes.Input, nodes.Run):
+            state = state.passed()
+        if type(node) is nodes.Pause:
+            state = self._refined(node.condition, True, state)
+        elif step.kind == TEST:
+            yes = self._refined(node, True, state)  # type: ignore[arg-type]
+            return yes, self._refined(node, False, state)  # type: ignore[arg-type]
+        return state, state
+
+    def _act(self, step: Step, act: Act, state: State) -> State:
+        if act.role == "call":
+            return self._call(act, state)
+        if act.row is not None and act.row.verb == "wait":
+            return state.passed()
+        follow = _FOLLOW.get(act.role)
+        if follow is None:
+            return state
+        self.before_act = state
+        for number, key in enumerate(act.axes):
+            old = self.known(state, key)
+            new = follow(self, step, act, number, old)
+            if key is None:
+                if act.role not in ("read", "slot"):
+                    state = ANYTHING
+            elif new != old:
+                state = state.put(key, new)
+        return state
+
+    def _call(self, call: Act, state: State) -> State:
+        callee = call.callee
+        assert callee is not None
+        state = state.passed()
+        after = self.after.get(callee, {})  # none while it is being analysed: it is recursive
+        changed = self.facts.touched(callee, CHANGES)
+        for key in changed:
+            outer = self.facts.outer(call, key)
+            if outer is None:
+                return ANYTHING
+            state = state.put(outer, after.get(key, ANY))
+        if any(isinstance(key, Symbol) for key in state.axes) and changed:
+            named = {self.facts.outer(call, key) for key in changed}
+            if any(not isinstance(key, Symbol) for key in named):
+                return ANYTHING
+        return state
+
+    def _report_problem(self, problem: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        if self._report is not None:
+            self._report(problem, step, act, key, axis)
+
+    # ------------------------------------------------------------------------------------ one axis, one word
+
+    def _read(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        watched = type(step.node) is nodes.Pause or step.is_loop_head
+        if act.row is not None and act.row.verb == "position" and axis.fresh and not watched:
+            self._report_problem("in-motion", step, act, act.axes[number], axis)
+        return axis
+
+    def _move(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        target = self._target(act, number, axis, act.row.does("relative"))
+        loaded = self._loaded(self._entry(step, act, number, axis), act)
+        span = axis.reaching(target)
+        return self._checked(step, act, number, loaded._replace(target=target, span=span))
+
+    def _loaded(self, axis: Axis, act: Act) -> Axis:
+        """Record the offset of the move if it is the first one in the buffer."""
+        return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
+
+    def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
+        """Return the end position of a move in user units, None if unknown."""
+        value = self.facts.number(act.value(number))
+        if not relative or value is None:
+            return value
+        key = act.axes[number]
+        certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, Symbol)
+        return axis.target + value if certain and axis.target is not None else None
+
+    def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        """Report a target that is out of reach, and drop it from the facts."""
+        key = act.axes[number]
+        if axis.target is None or not self.is_out_of_reach(key, axis):
+            return axis
+        self._report_problem("beyond-travel", step, act, key, axis)
+        return axis._replace(target=None)
+
+    def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.stale and axis.scaled:
+            self._report_problem("scale-after-speed", step, act, act.axes[number], axis)
+        return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
+
+    def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        return self._entry(step, act, number, axis)._replace(target=None, span=None)
+
+    def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        """Load a path, which waits for the GO of its first axis.
+
+        The target is known only for a line.
+        """
+        assert act.row is not None
+        target = None
+        if act.row.does("line") and number < len(act.values):
+            target = self._target(act, number, axis, act.row.does("relative"))
+        span = axis.reaching(target)
+        if number == 0:
+            axis = self._loaded(self._entry(step, act, number, axis), act)
+        return self._checked(step, act, number, axis._replace(target=target, span=span, empty=False))
+
+    def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        sure = axis.waiting > 0
+        if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
+            self._report_problem("zeros", step, act, act.axes[number], axis)
+        if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
+            self._report_problem("nothing-loaded", step, act, act.axes[number], axis)
+        return axis._replace(
+            motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
+            fresh=sure,
+            waiting=0,
+            loaded=None,
+            empty=True,
+            jogs=axis.jogs and axis.empty,
+        )
+
+    def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        stops = axis.motion == IDLE or act.row.does("abrupt")
+        target = axis.target if axis.motion == IDLE and not axis.waiting else None
+        axis = axis._replace(
+            motion=IDLE if stops else UNKNOWN,
+            fresh=False,
+            waiting=0,
+            target=target,
+            loaded=None,
+            empty=True,
+            jogs=False,
+        )
+        return axis._replace(target=None, frame=None, span=None) if act.row.does("datum") else axis
+
+    def _at_once(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        jogs = act.row.does("endless") and self.facts.number(act.value(number)) not in (None, 0)
+        return axis._replace(
+            motion=MOVES if jogs else UNKNOWN,
+            fresh=False,
+            target=None,
+            frame=None if act.row.does("datum") else axis.frame,
+            stale=frozenset(),
+            empty=False,
+            span=None,
+            jogs=jogs,
+        )
+
+    def _slot(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        slot = act.row.gives
+        if slot == "speed":
+            if axis.timed is not None:
+                self._report_problem("time-before-speed", step, act, act.axes[number], axis)
+            axis = axis._replace(speeded=True, timed=None)
+        elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
+            axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
+        in_units = act.row.unit.startswith("uu")
+        nothing = act.row.verb in _NEEDED and self.facts.number(act.value(number)) == 0
+        return axis._replace(
+            set=axis.set | {slot} if in_units else axis.set - {slot},
+            stale=axis.stale - {slot},
+            zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
+        )
+
+    def _scale(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.motion == MOVES:
+            self._report_problem("scale-in-motion", step, act, act.axes[number], axis)
+        target = axis.target if axis.target == 0 else None
+        span = axis.span if axis.span == (0, 0) else None
+        return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
+
+    def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.fresh:
+            self._report_problem("in-motion", step, act, act.axes[number], axis)
+        value = self.facts.number(act.value(number))
+        if axis.motion != IDLE or axis.waiting or value is None:
+            return axis._replace(target=None, frame=None, span=None)
+        moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
+        return axis._replace(target=value, frame=moved, span=(value, value))
+
+    def _use(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        if act.row.kind in ("command", "move") or act.row.does("switch"):
+            return axis._replace(
+                motion=UNKNOWN,
+                fresh=False,
+                waiting=0,
+                target=None,
+                zeros=frozenset(),
+                loaded=None,
+                empty=False,
+                span=None,
+                jogs=False,
+            )
+        return axis
+
+    # --------------------------------------------------------------------------------- conclusions from a condition
+
+    def _at_level(self, node: nodes.Expr, results: list[object], truth: bool, state: State) -> State:
+        """Return the state after a comparison with a number was `truth`.
+
+        `results` are those of the comparison if `node` is 0 and if it is 1.
+        """
+        if set(results) != {0, 1}:  # the same for both, or no number
+            return state
+        return self._refined(node, results[1] == truth, state)
+
+    def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
+        if type(node) is nodes.Unary and node.op == "Not":
+            return self._refined(node.operand, not truth, state)
+        if type(node) is nodes.Binary:
+            if node.op == ("And" if truth else "Or"):
+                return self._refined(node.right, truth, self._refined(node.left, truth, state))
+            left, right = self.facts.number(node.left), self.facts.number(node.right)
+            if right is not None:
+                return self._at_level(
+                    node.left, [binary(node.op, each, right) for each in (0, 1)], truth, state
+                )
+            if left is not None:
+                return self._at_level(
+                    node.right, [binary(node.op, left, each) for each in (0, 1)], truth, state
+                )
+            return state
+        if type(node) is not nodes.Name:
+            return state
+        if node.symbol is not None:
+            known = isinstance(node.definition, nodes.Name)
+            return self._refined(node.definition, truth, state) if known else state  # type: ignore[arg-type]
+        row = node.row
+        if row is None or row.verb != "is_idle":
+            return state
+        key = self.facts.key_of(node)
+        if key is None:
+            return state
+        axis = state[key]
+        return state.put(
+            key, axis._replace(motion=IDLE if truth else MOVES, fresh=False, jogs=axis.jogs and not truth)
+        )
+
+
+def _after_call(inner: Axis) -> Axis:
+    """Return the facts about an axis after a sub; earlier settings remain valid."""
+    return inner._replace(fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
+
+
+# Roles of keywords in a sub that change the facts its caller has about an axis.
+CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
+_FOLLOW: dict[str, Callable[..., Axis]] = {
+    "read": Follower._read,
+    "move": Follower._move,
+    "entry": Follower._entry,
+    "course": Follower._course,
+    "path": Follower._path,
+    "go": Follower._go,
+    "stop": Follower._stop,
+    "act": Follower._at_once,
+    "slot": Follower._slot,
+    "scale": Follower._scale,
+    "zero": Follower._zero,
+    "use": Follower._use,
+}

@@ -1,0 +1,192 @@
+"""Checks of the move buffer: too many moves, and moves that are never started."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
+from motionlang.commands.check.mint.effects import Act, Facts, Key, spelt
+from motionlang.kernel.mint.resolve.flowgraph import Step
+from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import walk
+
+Add = Callable[..., None]
+
+DEFAULT_SIZE = 2
+GO = frozenset(("go",))
+_LOADS = ("move", "entry", "course", "path")
+_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
+
+
+class Buffers:
+    """The two checks of the move buffer; `add` records a warning."""
+
+    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+        self.facts, self.follower, self.add = facts, follower, add
+        self.sizes = facts.constants(facts.word("buffer_size"))
+        self.triggered = facts.named("TRIGGERMODE")
+        # The axes that the parent task and each task and handler start.
+        self.started = {root: facts.touched(root, GO) for root in facts.functions if root.kind != "sub"}
+
+    def check(self, function: Function) -> None:
+        """Run both checks on a function."""
+        before = self.follower.before[function]
+        for step in self.facts.graphs[function].steps:
+            if step in before:
+                self._loads(step, before[step])
+                if type(step.node) is nodes.For:
+                    self._counted(function, step, step.node, before[step])
+        self._never_started(function)
+
+    # ------------------------------------------------------------------------------------- too many entries
+
+    def _loads(self, step: Step, state: State) -> None:
+        """Report a load into a full buffer if only a later GO could empty it."""
+        for act in self.facts.acts[step]:
+            if act.role in _LOADS:
+                for key in act.axes[:1] if act.role == "path" else act.axes:
+                    size = self._size(key)
+                    if size is not None and self.follower.known(state, key).waiting >= size:
+                        self._overfilled(act, key, size)
+
+    def _size(self, key: Key) -> float | None:
+        """Return the number of entries that the buffer of an axis holds, None if unknown."""
+        if self._may_trigger(key):
+            return None
+        sizes = self.sizes.get(key, [])
+        if sizes is None or None in self.sizes or (isinstance(key, Symbol) and self.sizes):
+            return None
+        return max([DEFAULT_SIZE, *sizes])
+
+    def _overfilled(self, act: Act, key: Key, size: float) -> None:
+        self.add(
+            "buffer-overfilled",
+            f"axis {spelt(key)} already has {size:.10g} moves in its buffer and no GO: this waits forever",
+            act.at,
+            f"write GO before this, or set MOVEBUFFERSIZE above {size:.10g}",
+        )
+
+    def _may_trigger(self, key: Key) -> bool:
+        """True if moves of the axis may start without a GO."""
+        return key in self.triggered or None in self.triggered
+
+    def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
+        iterations = self._iterations(node)
+        if iterations is None or not self._counts_itself(node):
+            return
+        acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
+        if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
+            return
+        loads: dict[Key, list[Act]] = {}
+        direct = {id(inner.target) for inner in node.body if type(inner) is nodes.Assign}
+        for act in acts:
+            if act.role in ("move", "entry") and id(act.node) in direct:
+                for key in act.axes:
+                    loads.setdefault(key, []).append(act)
+        for key, found in loads.items():
+            size = self._size(key)
+            known = self.follower.known(state, key)
+            if key is None or size is None or known.motion != IDLE:
+                continue
+            if known.waiting + iterations * len(found) > size and known.waiting + len(found) <= size:
+                self._overfilled(found[0], key, size)
+
+    def _counts_itself(self, node: nodes.For) -> bool:
+        """True if nothing in the body of a For leaves the loop or changes its counter."""
+        counter = self.facts.symbol(node.variable)
+        for inner in walk(node.body):
+            if type(inner) in _BREAKS:
+                return False
+            if any(self.facts.symbol(name) is counter for name in self.facts.written(inner)):
+                return False
+        return True
+
+    def _iterations(self, node: nodes.For) -> int | None:
+        start, stop = self.facts.number(node.first), self.facts.number(node.stop)
+        step = 1.0 if node.step is None else self.facts.number(node.step)
+        return None if start is None or stop is None or not step else int((stop - start) // step) + 1
+
+    def _inside(self, function: Function, head: Step) -> list[Step]:
+        """Return the steps of a loop's body, which come after its head."""
+        assert isinstance(head.node, nodes.For)
+        steps, first = self.facts.graphs[function].steps, head.number + 2
+        last = first
+        while steps[last].loop is not head.node:
+            last += 1
+        return steps[first:last]
+
+    # -------------------------------------------------------------------------------------- moves without a GO
+
+    def _never_started(self, function: Function) -> None:
+        graph, keys = self.facts.graphs[function], self._keys(function)
+        if not keys:
+            return
+        number = {key: 1 << n for n, key in enumerate(keys)}
+        last = self._behind_the_end(function, number, set().union(*self.started.values()))
+        behind = graph.backward(last, 0, partial(self._goes, number))
+        for step in graph.steps:
+            for act in self.facts.acts[step]:
+                if act.role in _LOADS and step in self.follower.before[function]:
+                    bits = sum(number[key] for key in set(act.axes))
+                    if not behind[step] & bits and not self._started_elsewhere(function, act):
+                        self._not_started(act)
+
+    def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
+        """Return the axes that may be started after a function returns, as bits.
+
+        The caller of a sub may start them, or the code that a v4 handler has interrupted.
+        """
+        if function.kind != "sub" and not self.facts.graphs[function].handlers:
+            return 0
+        return sum(
+            bit
+            for key, bit in number.items()
+            if {key, None} & started or (isinstance(key, Symbol) and started)
+        )
+
+    def _not_started(self, act: Act) -> None:
+        assert act.row is not None
+        names = ", ".join(map(spelt, act.axes))
+        self.add(
+            "never-started",
+            f"the {act.role if act.role == 'entry' else 'move'} is loaded, but no GO for it follows",
+            act.at,
+            f"GO({names}) starts the buffered moves",
+        )
+
+    def _started_elsewhere(self, function: Function, act: Act) -> bool:
+        """True if another task, a handler or a trigger may start the move."""
+        if any(self._may_trigger(key) for key in act.axes) or None in act.axes:
+            return True
+        mine = self.facts.roots[function]
+        others = set().union(*(keys for root, keys in self.started.items() if root not in mine))
+        any_axis = any(isinstance(key, Symbol) for key in act.axes)
+        return bool(others & {*act.axes, None}) or (any_axis and bool(others))
+
+    def _goes(self, number: dict[Key, int], step: Step, bits: int) -> int:
+        for act in reversed(self.facts.acts[step]):
+            if act.role == "go":
+                bits = self._with(bits, act.axes, number)
+            elif act.role == "stop" and None not in act.axes:
+                for key in act.axes:
+                    bits &= ~number.get(key, 0)
+            elif act.callee is not None:
+                started = {self.facts.outer(act, key) for key in self.facts.touched(act.callee, GO)}
+                bits = self._with(bits, tuple(started), number)
+        return bits
+
+    def _with(self, bits: int, axes: tuple[Key, ...], number: dict[Key, int]) -> int:
+        for key in axes:
+            if key is None or isinstance(key, Symbol) is not any(isinstance(each, Symbol) for each in number):
+                return bits | (sum(number.values()))
+            bits |= number.get(key, 0)
+        return bits
+
+    def _keys(self, function: Function) -> list[Key]:
+        found: dict[Key, None] = {}
+        for act in self.facts.acts_of[function]:
+            if act.role in _LOADS:
+                found.update(dict.fromkeys(act.axes))
+        return list(found)

@@ -1,0 +1,63 @@
+"""The check for loops that replace a motion in every iteration.
+
+If no time passes in the loop, none of these motions is ever seen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import walk
+
+Add = Callable[..., None]
+
+_LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+# With one of these in its body, a loop may skip the statement, end, or take time.
+_UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.End, nodes.Label, nodes.Pause,
+           nodes.Input, nodes.Run, *_LOOPS)  # fmt: skip
+# Roles of keywords that load the move buffer, and so wait while it is full.
+_BLOCKS = frozenset(("move", "entry", "course", "path"))
+
+
+def check_iterations(facts: Facts, function: Function, add: Add) -> None:
+    """Report the first motion in each loop that every iteration replaces."""
+    acts = {id(act.node): act for act in facts.acts_of[function]}
+    for node in (node for kind in _LOOPS for node in facts.nodes[function].get(kind, ())):
+        inner = list(walk(node.body))
+        if any(isinstance(each, _UNSURE) for each in inner):
+            continue
+        found = [acts[id(each)] for each in inner if id(each) in acts]
+        if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
+            continue
+        changing = _changing(facts, node)
+        for act in sorted(found, key=lambda act: act.at):
+            if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
+                assert act.row is not None
+                axis = spelt(act.axes[0])
+                message = f"each iteration of this loop starts a motion of axis {axis} without waiting"
+                add("never-waits", message, act.at, "add WAIT = 10 to the loop to give each its time")
+                break
+
+
+def _waits(row: object) -> bool:
+    return getattr(row, "verb", "") == "wait"
+
+
+def _changing(facts: Facts, node: nodes.Node) -> set[Symbol | None]:
+    """Return the variables whose value changes in every iteration."""
+    found: set[Symbol | None] = set()
+    if type(node) is nodes.For:
+        found.add(facts.symbol(node.variable))
+    for each in walk(node.body):  # type: ignore[attr-defined]
+        if type(each) is nodes.Assign and type(each.target) is nodes.Name and each.target.args is None:
+            symbol = facts.symbol(each.target)
+            if symbol is not None and any(_depends(facts, value, {symbol}) for value in each.values):
+                found.add(symbol)
+    return found - {None}
+
+
+def _depends(facts: Facts, value: nodes.Expr, on: set[Symbol | None]) -> bool:
+    return any(type(each) is nodes.Name and facts.symbol(each) in on for each in walk([value]))

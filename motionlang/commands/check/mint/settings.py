@@ -1,0 +1,135 @@
+"""The check for speeds and rates that no move uses.
+
+No move comes between such a setting and the next one, or between it and the end of the program.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from motionlang.commands.check.mint.axis_state import IDLE, Follower
+from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key, spelt
+from motionlang.kernel.mint.resolve.flowgraph import Step
+from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.kernel.mint.syntax import nodes
+
+Add = Callable[..., None]
+# A bit for each property of each axis.
+Bits = dict[tuple[Key, str], int]
+
+TOUCHES = COMMANDS | {"read", "slot", "use"}
+
+
+class Settings:
+    """The check for unused settings; `add` records a warning."""
+
+    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+        self.facts, self.follower, self.add = facts, follower, add
+
+    def check(self, function: Function) -> None:
+        """Report settings that are replaced, or left over, before a move can use them."""
+        graph, bits = self.facts.graphs[function], self._slot_bits(function)
+        if not bits:
+            return
+        everything = (1 << len(bits)) - 1
+        last = self._left_over(function, bits) if function.kind == "main" else everything
+        behind = graph.backward(last, last, partial(self._used, bits, everything))
+        for step in graph.steps:
+            if step in self.follower.before[function]:
+                self._useless(step, behind[step], bits)
+
+    def _slot_bits(self, function: Function) -> Bits:
+        """Assign a bit to each property of each axis that only this function uses."""
+        found: Bits = {}
+        others = self._others(function)
+        if others is None:
+            return found
+        for act in self.facts.acts_of[function]:
+            if act.role == "slot":
+                assert act.row is not None
+                for key in act.axes:
+                    alone = not {key, None} & others and not (isinstance(key, Symbol) and others)
+                    if key is not None and alone:
+                        found.setdefault((key, act.row.gives), 1 << len(found))
+        return found
+
+    def _others(self, function: Function) -> set[Key] | None:
+        """Return the axes that functions running concurrently with this one use.
+
+        Returns None if the function itself runs in more than one task or handler.
+        """
+        mine = self.facts.roots[function]
+        if len(mine) > 1:
+            return None
+        others = [root for root in self.facts.functions if root.kind != "sub" and root not in mine]
+        return set().union(*(self.facts.touched(root, TOUCHES) for root in others))
+
+    def _left_over(self, function: Function, bits: Bits) -> int:
+        """Return the settings that still matter at the end of the parent task, as bits.
+
+        These are the settings of axes that may still be in motion.
+        """
+        found = 0
+        before = self.follower.before[function]
+        for step, state in before.items():
+            if not step.next:
+                for (key, _), bit in bits.items():
+                    if self.follower.known(state, key).motion != IDLE:
+                        found |= bit
+        return found
+
+    def _used(self, bits: Bits, everything: int, step: Step, found: int) -> int:
+        if type(step.node) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
+            return everything
+        for act in reversed(self.facts.acts[step]):
+            assert act.row is not None or act.role == "call"
+            if act.role == "slot" and act.row is not None:
+                if len(set(act.axes)) == len(act.axes):
+                    for key in act.axes:
+                        found &= ~bits.get((key, act.row.gives), 0)
+            elif act.role == "call" or None in act.axes or (act.row is not None and act.row.verb == "wait"):
+                found = everything
+            elif act.role != "scale":
+                for (key, _), bit in bits.items():
+                    if key in act.axes or any(isinstance(each, Symbol) for each in act.axes):
+                        found |= bit
+        return found
+
+    def _useless(self, step: Step, behind: int, bits: Bits) -> None:
+        for act in self.facts.acts[step]:
+            if act.role != "slot":
+                continue
+            assert act.row is not None
+            slot = act.row.gives
+            dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
+            # `SPEED(0, 1, 2) = 10;` followed by an exception for one of the axes is good style.
+            if dead and len(dead) == len(act.axes):
+                self._report_useless(step, act, dead[0], slot)
+
+    def _report_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
+        assert act.row is not None
+        later = self._next_setting(step, key, slot)
+        if later is None:
+            message = f"{act.row.name} of axis {spelt(key)} is set but no longer used"
+            self.add("unused-setting", message, act.at, "remove it, or set it before the move that needs it")
+            return
+        assert later.row is not None
+        by = f"{later.row.name} in line {{line}}"
+        message = f"{act.row.name} of axis {spelt(key)} is replaced by {by} before any move"
+        self.add("unused-setting", message, act.at, "remove one of the two", other=later.at)
+
+    def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
+        """Return the statement that replaces a setting."""
+        seen: set[Step] = set()
+        stack = list(reversed(step.next))
+        while stack:
+            each = stack.pop()
+            if each in seen:
+                continue
+            seen.add(each)
+            for act in self.facts.acts[each]:
+                if act.role == "slot" and key in act.axes and act.row is not None and act.row.gives == slot:
+                    return act
+            stack.extend(reversed(each.next))
+        return None

@@ -1,0 +1,265 @@
+"""Comparison of a recording with a run: residuals, lag and overshoot.
+
+The figures are given in total, and for each move and phase.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motionlang.commands.compare.alignment import Signal, find_delay, fit, lag, simulated
+from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.log.trace import MOTOR, UNITS
+from motionlang.kernel.report import moves as moves_of
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+Array = NDArray[np.float64]
+
+Row = dict[str, Any]
+
+# A recorded motor's position is compared with its commanded position.
+QUANTITIES = (*UNITS, "actual")
+# A fitted scale this far from 1 indicates other units; seconds after an end in which a motor overshoots.
+OTHER_UNITS, AFTER = 0.01, 0.5
+# A time step this many times the usual one is a gap.
+GAP = 3.5
+
+
+class Mapped(NamedTuple):
+    """The meaning of a column: `target` "time" or "position.0", and a `factor`.
+
+    The factor converts the numbers of the column to seconds or user units.
+    """
+
+    target: str
+    column: str
+    factor: float | None
+
+
+class Comparison(NamedTuple):
+    """The result: `delay` of the recording in seconds, and rows `signals` and `moves`.
+
+    The rows are those of the report.
+    """
+
+    run: Run
+    delay: float
+    found: list[Signal]
+    signals: list[Row]
+    moves: list[Row]
+    remarks: list[Diagnostic]
+
+    @property
+    def is_within(self) -> bool | None:
+        """True if everything is within tolerance; None if no tolerance was given."""
+        verdicts = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
+        return all(verdicts) if verdicts else None
+
+
+def compare(
+    run: Run,
+    source: Source,
+    mapping: Sequence[Mapped] = (),
+    *,
+    tolerances: Mapping[str, float] | None = None,
+    delay: float | None = None,
+) -> Comparison:
+    """Compare the recording in `source` with `run`.
+
+    `tolerances` has the largest allowed residual, in user units, by "position.0" or "position". If `delay`
+    (s) is None it is computed from the data. Raises ProgramError if there is nothing to compare.
+    """
+    found, remarks = _signals(run, source, mapping)
+    if delay is None:
+        delay = find_delay(run.trace, found)
+        if delay is None:
+            raise ProgramError.of(
+                "recording",
+                "cannot align in time: nothing moves in the run or in the recording",
+                hint="give the delay of the recording with --delay S",
+            )
+    compared = _Compared(run, delay, tolerances or {})
+    signals = [compared.signal(signal) for signal in found]
+    for row in signals:
+        remarks += _remarks(row)
+    rows: list[Row] = list(moves_of(run))
+    moves = [row for signal in found for row in compared.moves(signal, rows)]
+    return Comparison(run, delay, found, signals, moves, remarks)
+
+
+def _remarks(row: Row) -> Iterator[Diagnostic]:
+    if row["points"] == 0:
+        yield Diagnostic(
+            "recording",
+            f"{row['signal']}: no time of {row['column']} lies within the run",
+            severity="warning",
+            hint="try another --delay, or another unit of time",
+        )
+    elif abs(row["scale"] - 1.0) > OTHER_UNITS and row["moves"]:
+        yield Diagnostic(
+            "recording",
+            f"{row['signal']}: {row['column']} moves {row['scale']:.6g} times as far as the run",
+            severity="warning",
+            hint=f"if its unit differs: --map {row['signal']}={row['column']}*{1.0 / row['scale']:.6g}"
+            if row["scale"]
+            else "",
+        )
+
+
+# ------------------------------------------------------------------------------------------ columns
+
+
+def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[Signal], list[Diagnostic]]:
+    table = read_table(source)
+    remarks = list(table.remarks)
+    named = {each.target: each for each in mapping}
+    clock = named.pop("time", None)
+    name = time_column(table, source, clock.column if clock else None)
+    times = seconds(table, name, clock.factor if clock else None)
+    rows, more = usable_rows(times, table)
+    remarks += more
+    if not named:
+        named = {each.target: each for each in _own(table.columns)}
+    if not named:
+        raise ProgramError.of(
+            "recording",
+            f"the columns of {source.name} are not assigned",
+            hint=f"--map position.0=NAME; its columns are {', '.join(table.columns)}",
+        )
+    found = []
+    remarks += [table.doubts[name]] if name in table.doubts else []
+    for target, each in named.items():
+        quantity, axis = _target(run, target)
+        column = table.find(each.column, source)
+        remarks += [table.doubts[column]] if column in table.doubts else []
+        values = table.columns[column][rows] * (1.0 if each.factor is None else each.factor)
+        good = np.isfinite(values)
+        if good.sum() < 3:
+            raise ProgramError.of("recording", f"{column} has fewer than three numbers that can be compared")
+        found.append(Signal(axis, quantity, column, times[rows][good], values[good]))
+        remarks += _gaps(found[-1])
+    return found, remarks
+
+
+def _target(run: Run, target: str) -> tuple[str, int]:
+    quantity, _, axis = target.partition(".")
+    axes = run.controller.axes
+    if quantity not in QUANTITIES:
+        problem, hint = f"{quantity!r} is no quantity of an axis", f"one of {', '.join(QUANTITIES)}"
+    elif not axis.isdecimal() or int(axis) not in axes:
+        problem = f"{target!r} names no axis of this controller"
+        hint = f"{quantity}.{next(iter(axes))} is that of the first axis"
+    else:
+        return "position" if quantity == "actual" else quantity, int(axis)
+    raise ProgramError.of("recording", problem, hint=hint)
+
+
+def _own(columns: Mapping[str, Array]) -> Iterator[Mapped]:
+    """Yield the columns that are named like the columns of our own trace.
+
+    The measured position precedes the commanded one.
+    """
+    made: dict[str, Mapped] = {}
+    suffixes = {f"{name}_{unit}": name for name, (_, unit) in (UNITS | MOTOR).items() if name in QUANTITIES}
+    for column in columns:
+        axis, _, rest = column.partition("_")
+        quantity = suffixes.get(rest)
+        if axis.startswith("axis") and axis[4:].isdecimal() and quantity is not None:
+            target = f"{'position' if quantity == 'actual' else quantity}.{axis[4:]}"
+            if quantity == "actual" or target not in made:
+                made[target] = Mapped(target, column, None)
+    yield from made.values()
+
+
+def _gaps(signal: Signal) -> Iterator[Diagnostic]:
+    steps = np.diff(signal.times)
+    usual = float(np.median(steps))
+    wide = steps > GAP * usual
+    if wide.any():
+        where = int(np.argmax(steps))
+        yield Diagnostic(
+            "recording",
+            f"{signal.column}: {int(wide.sum())} gap{'s' if wide.sum() > 1 else ''}, the longest {steps[where]:.6g} s "
+            f"from {signal.times[where]:.6g} s on",
+            severity="warning",
+            hint="the gaps are not compared",
+        )
+
+
+# ------------------------------------------------------------------------------------------ figures
+
+
+class _Compared:
+    """One recording against one run, at one delay."""
+
+    def __init__(self, run: Run, delay: float, tolerances: Mapping[str, float]) -> None:
+        self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
+
+    def signal(self, signal: Signal) -> Row:
+        """Return the figures of a signal over its whole length."""
+        times, values, residual = self._within(signal, 0.0, self._trace.end)
+        expected = values - residual
+        scale, offset = fit(expected, values) if len(times) else (1.0, 0.0)
+        row = {"signal": signal.name, "column": signal.column, "points": len(times)}
+        row |= {"scale": scale, "offset": offset, "moves": bool(len(times) and np.ptp(expected) > 0.0)}
+        row |= {"lag": lag(self._trace, signal, self._delay, 0.0, self._trace.end)}
+        return row | self._figures(signal, times, residual)
+
+    def moves(self, signal: Signal, rows: Sequence[Row]) -> Iterator[Row]:
+        """Yield a row per move of the signal's axis, with one per phase."""
+        own = [row for row in rows if row["axis"] == signal.axis]
+        for row, following in zip(own, [*own[1:], None], strict=True):
+            begin, end = row["start_time"], row["start_time"] + row["duration"]
+            times, _, residual = self._within(signal, begin, end)
+            made: Row = {"signal": signal.name, "axis": signal.axis, "command": row["command"]}
+            made |= {"line": row["line"], "start_time": begin, "duration": row["duration"]}
+            made |= self._figures(signal, times, residual)
+            made["lag"] = lag(self._trace, signal, self._delay, begin, end)
+            if signal.quantity == "position":
+                until = min(following["start_time"] if following else self._trace.end, end + AFTER)
+                made["overshoot"] = self._overshoot(signal, row, end, max(end, until))
+            made["phases"] = []
+            for phase in row["phases"]:
+                inside, _, left = self._within(signal, begin, begin + phase["duration"])
+                made["phases"].append({"name": phase["name"]} | self._figures(signal, inside, left))
+                begin += phase["duration"]
+            yield made
+
+    def _within(self, signal: Signal, begin: float, end: float) -> tuple[Array, Array, Array]:
+        """Return run times, measured values and residuals of a signal in an interval."""
+        times = signal.times - self._delay
+        first, last = np.searchsorted(times, (begin, end), "left")
+        last = int(np.searchsorted(times, end, "right"))
+        times, values = times[first:last], signal.values[first:last]
+        return times, values, values - simulated(self._trace, signal, times)
+
+    def _figures(self, signal: Signal, times: Array, residual: Array) -> Row:
+        """Return the largest residual with sign and time, the RMS, and the verdict.
+
+        The verdict is true if the largest residual is within the tolerance of the signal.
+        """
+        tolerance = self._tolerances.get(signal.name, self._tolerances.get(signal.quantity))
+        if not len(times):
+            return {"peak": None, "peak_time": None, "rms": None, "within": None}
+        worst = int(np.argmax(np.abs(residual)))
+        peak = float(residual[worst])
+        return {
+            "peak": peak,
+            "peak_time": float(times[worst]),
+            "rms": float(np.sqrt(np.mean(residual**2))),
+            "within": None if tolerance is None else abs(peak) <= tolerance,
+        }
+
+    def _overshoot(self, signal: Signal, row: Row, end: float, until: float) -> float | None:
+        """Return the overshoot after a move, user units; 0 if there is none."""
+        _, values, _ = self._within(signal, end, until)
+        if not len(values) or not row["distance"]:
+            return None
+        beyond = (values - row["end"]) * (1.0 if row["distance"] > 0.0 else -1.0)
+        return max(0.0, float(beyond.max()))

@@ -1,0 +1,260 @@
+"""How often the runs of a program reach its statements, conditions, handlers and macros.
+
+A debug build counts statements as they begin, and conditions as they turn out; it runs exactly like any other run.
+Iterations of a loop that are skipped count like those that are carried out. Counts of several runs add up.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from typing import Any
+
+from motionlang.commands.verify.scenarios import Scenario, scenario_files
+from motionlang.kernel.execution import Checked, dialect_for, run, settings_next_to
+from motionlang.kernel.lang.debugging import Hook
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Steps, Values
+from motionlang.kernel.lang.structure import Structure
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+# An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
+Event = tuple[int, int, bool]
+_BEGINS = -1
+
+
+class Counts(Hook):
+    """The events of a run; the hook and the observer of a debug build."""
+
+    def __init__(self) -> None:
+        super().__init__(lambda task, time, offset: None)
+        self.events: Counter[Event] = Counter()
+
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        """Count a statement."""
+        self.events[offset, _BEGINS, True] += 1
+        return False
+
+    @property
+    def seen(self) -> Counter[Event]:
+        """The events so far."""
+        return self.events.copy()
+
+    def written(self, steps: Steps) -> None:
+        """Let the conditions among some steps count how they turn out."""
+        for pc, number in conditions(steps):
+            step = steps[pc]
+            assert step.do is not None
+            steps[pc] = step._replace(do=self._counted(step.do, step.at, number))
+
+    def skipped(self, first: Mapping[Event, int], end: Mapping[Event, int], times: int) -> None:
+        """Count the events between two moments so many more times."""
+        for event, count in end.items():
+            self.events[event] += times * (count - first.get(event, 0))
+
+    def failed(self, task: Task) -> None:
+        """A statement that fails has begun."""
+
+    def _counted(self, test: Callable[[Values], Any], at: int, number: int) -> Callable[[Values], Any]:
+        def decide(values: Values) -> Any:
+            holds = test(values)
+            self.events[at, number, bool(holds)] += 1
+            return holds
+
+        return decide
+
+
+def conditions(steps: Iterable[Step]) -> list[tuple[int, int]]:
+    """Return the index of each step that tests a condition, and its number among those of its statement."""
+    numbers: Counter[int] = Counter()
+    found = []
+    for pc, step in enumerate(steps):
+        if step.kind == BRANCH or (step.kind == BACK and step.do is not None):
+            found.append((pc, numbers[step.at]))
+            numbers[step.at] += 1
+    return found
+
+
+@dataclass
+class Condition:
+    """A condition of a statement, and how often it was true and false."""
+
+    at: int
+    line: int
+    text: str
+    true: int
+    false: int
+
+
+@dataclass
+class Part:
+    """A sub, task, handler or macro, and how often it began."""
+
+    kind: str
+    name: str
+    line: int
+    count: int
+
+
+@dataclass
+class Statement:
+    """A statement, and how often it began."""
+
+    at: int
+    line: int
+    text: str
+    count: int
+
+
+@dataclass
+class Coverage:
+    """The statements, conditions and parts that the runs of a program have reached.
+
+    `worlds` are the scenarios that it ran in, "" for its own world.
+    """
+
+    file: str
+    source: Source
+    worlds: Sequence[str]
+    statements: list[Statement]
+    conditions: list[Condition]
+    parts: list[Part]
+
+    @property
+    def lines(self) -> dict[int, int]:
+        """How often each line with statements was reached: as often as the first statement that begins on it."""
+        found: dict[int, int] = {}
+        for each in self.statements:
+            found.setdefault(each.line, each.count)
+        return found
+
+    @property
+    def missed(self) -> dict[int, str]:
+        """The reason for each line that is not covered: a statement, or an outcome of a condition."""
+        found: dict[int, str] = {}
+        lines = self.lines
+        for each in self.statements:
+            if not each.count:
+                text = f"not reached: {each.text}" if lines[each.line] else "not reached"
+                found.setdefault(each.line, text)
+        for one in self.conditions:
+            if bool(one.true) is not bool(one.false):
+                found.setdefault(one.line, f"never {'false' if one.true else 'true'}: {one.text}")
+        return dict(sorted(found.items()))
+
+    @property
+    def statements_reached(self) -> int:
+        """The number of statements that were reached."""
+        return len([each for each in self.statements if each.count])
+
+    @property
+    def outcomes_reached(self) -> int:
+        """The number of outcomes of conditions that came about."""
+        return len([count for each in self.conditions for count in (each.true, each.false) if count])
+
+    @property
+    def reached(self) -> int:
+        """The number of statements that were reached, and of outcomes of conditions."""
+        return self.statements_reached + self.outcomes_reached
+
+    @property
+    def total(self) -> int:
+        """The number of statements, and of outcomes that conditions can have."""
+        return len(self.statements) + 2 * len(self.conditions)
+
+
+def coverage(
+    structure: Structure, offsets: Iterable[int], counts: Mapping[Event, int], worlds: Sequence[str] = ("",)
+) -> Coverage:
+    """Return what events of runs mean for a program with statements at these offsets."""
+    begun = {at: counts.get((at, _BEGINS, True), 0) for at in sorted(offsets)}
+    statements = [
+        Statement(at, structure.line(at), structure.statements[at].text, count) for at, count in begun.items()
+    ]
+    parts = [
+        Part(unit.kind, unit.name, unit.line, begun.get(_first(structure, unit.entry, begun), 0))
+        for unit in structure.units
+        if unit.kind != "program"
+    ]
+    source = structure.source
+    return Coverage(source.name, source, worlds, statements, list(_outcomes(structure, counts)), parts)
+
+
+def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[Condition]:
+    """Yield the conditions of a program in the order of its text; what a task waits for is none."""
+    found: dict[tuple[int, int], Condition] = {}
+    for _, points in groupby(structure.points, lambda point: point.key[0]):
+        steps = [Step(each.kind, _nothing if each.branches else None, at=each.at) for each in points]
+        for pc, number in conditions(steps):
+            at = steps[pc].at
+            statement = structure.statements.get(at)
+            if statement is not None and not statement.waits:
+                true, false = (counts.get((at, number, holds), 0) for holds in (True, False))
+                text = statement.condition or statement.text
+                found[at, number] = Condition(at, statement.line, text, true, false)
+    yield from (found[key] for key in sorted(found))
+
+
+def _first(structure: Structure, entry: int, statements: Container[int]) -> int:
+    """Return the offset of the first statement from a point on."""
+    points, seen = structure.points, set[int]()
+    while entry not in seen and points[entry].at not in statements and points[entry].next:
+        seen.add(entry)
+        entry = points[entry].next[0]
+    return points[entry].at
+
+
+def covered(
+    program: str | Source, *, dialect: str | Dialect | None = None, until: float | None = None
+) -> Coverage:
+    """Run a program in its own world and in all its scenarios; return what the runs have reached together.
+
+    Raises OSError if a file cannot be read, and ProgramError if the program or a machine file has errors.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    language = dialect_for(source, dialect)
+    worlds = worlds_of(program)
+    events: Counter[Event] = Counter()
+    for settings in worlds.values():
+        events += counted(source, language, settings, until)[1]
+    structure = language.structure(source, worlds[""])
+    offsets = language.debug(source, worlds[""]).offsets
+    found = coverage(structure, offsets, events, list(worlds))
+    return found if isinstance(program, Source) else replace(found, file=program)
+
+
+def worlds_of(program: str | Source) -> dict[str, dict[str, object]]:
+    """Return the settings of a program's own world, "", and those of its scenarios, by path."""
+    found = {"": dict(settings_next_to(program))}
+    if isinstance(program, Source):
+        return found
+    return found | {path: Scenario(program, path).settings for path in scenario_files(program)}
+
+
+def counted(
+    source: Source, language: Dialect, settings: Mapping[str, object], until: float | None = None
+) -> tuple[Run, Counter[Event]]:
+    """Return a run in one world, and its events."""
+    counts = Counts()
+    result = run(
+        source, dialect=language, machine=Checked(settings), until=until, hook=counts, observer=counts
+    )
+    return result, counts.events
+
+
+def _nothing(values: Values) -> None:
+    pass
+
+
+def ranges(lines: Sequence[int]) -> Iterator[str]:
+    """Yield consecutive lines as ranges: 3-5."""
+    first = last = 0
+    for line in [*lines, 0]:
+        if first and line != last + 1:
+            yield str(first) if first == last else f"{first}-{last}"
+            first = 0
+        first, last = first or line, line

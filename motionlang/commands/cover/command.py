@@ -1,0 +1,186 @@
+"""`motionlang cover`: what the runs of programs reach, and what they do not."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import count
+from typing import ClassVar
+
+from motionlang.cli.command import Refused, WrongOption, argument, flag, option
+from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.output_files import written
+from motionlang.cli.program_files import PATHS, programs
+from motionlang.cli.readers import machine_time, real
+from motionlang.cli.shared import Jobs, Language, Output, read
+from motionlang.cli.signals import SIGNALS
+from motionlang.commands.cover import Coverage, Event, counted, covered, ranges, worlds_of
+from motionlang.commands.cover.suggestions import Search, scenario_text
+from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
+from motionlang.commands.processes.parallel import in_parallel
+from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated, count_of
+from motionlang.kernel.execution import language_of
+from motionlang.kernel.files import create, replacing
+from motionlang.kernel.source import STDIN, Source
+from motionlang.views.progress import Progress
+from motionlang.views.terminal import table_width, wants_colour
+
+# The time limit of a suggested world, s.
+UNTIL = 300.0
+
+
+@dataclass
+class Cover(Output, Jobs, Language):
+    """Show which statements and conditions of programs their runs reach."""
+
+    title: ClassVar[str] = "coverage"
+    epilog: ClassVar[str] = """\
+Each program runs in its own world, that of the machine file next to it, and in
+all its scenarios. A condition is covered if it was both true and false.
+
+exit status: 0 if enough is covered; 1 if less, or a program cannot run;
+2 the command line is invalid
+
+examples:
+  motionlang cover pick.mnt --all
+  motionlang cover programs --fail-under 90 --lcov coverage.info
+"""
+    files: list[str] = argument("FILE", f"{PATHS}; - reads standard input", many=True, default=["."])
+    all: bool = flag("list each program with the count of every line")
+    fail_under: float | None = option(
+        "PERCENT",
+        "exit with 1 if less is covered, of statements and outcomes of all programs together",
+        read=real("a percentage from 0 to 100", 0.0, 100.0),
+    )
+    suggest: bool = flag(
+        "write scenarios that reach more, with their results as expectations to review, next to each program"
+    )
+    until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
+    html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
+    lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
+
+    def check(self) -> None:
+        super().check()
+        given = [name for name in ("all", "fail_under", "html", "lcov") if getattr(self, name)]
+        if self.suggest and given:
+            raise WrongOption(
+                f"--suggest writes scenarios; run cover again for --{given[0].replace('_', '-')}"
+            )
+        if self.suggest and STDIN in self.files:
+            raise WrongOption("--suggest writes scenarios next to a program, not next to -")
+
+    def run(self) -> int:
+        files = programs(self.files)
+        if not files:
+            sys.stderr.write(f"no programs in {', '.join(self.files)}\n")
+            return 1
+        if self.suggest:
+            return max(map(self._suggest, files))
+        found, failed = list[Coverage](), False
+        work = partial(_covered, replace(self))  # a copy without its parser, for other processes
+        for file, made in zip(files, in_parallel(work, files, self.jobs), strict=True):
+            if isinstance(made, Coverage):
+                found.append(made)
+            else:
+                failed = True
+                complain(made, _named(made, file), file)
+        lines = self._lines(found)
+        self.show(coverage_document(found), "\n".join(lines) + "\n" if found else "")
+        status = self._write(found)
+        share = percentage(found)
+        if self.fail_under is not None and share < self.fail_under:
+            sys.stderr.write(f"{share:.1f} % is covered, less than {self.fail_under:.10g} %\n")
+            return 1
+        return 1 if failed else status
+
+    def _suggest(self, file: str) -> int:
+        """Write scenarios for what no run of a program reaches; return the exit status."""
+        language = language_of(self.lang, file)
+        if language is None:
+            raise Refused([no_dialect(file)], file=file, status=2)
+        source, limit = read(file), UNTIL if self.until is None else self.until
+        progress, ended = Progress(sys.stderr, os.path.basename(file)), False
+        try:
+            worlds = worlds_of(file)
+            before: Counter[Event] = Counter()
+            for settings in worlds.values():
+                before += counted(source, language, settings, limit)[1]
+            search = Search(source, language, worlds[""], before, limit, progress)
+            was = search.coverage
+            try:
+                search.run()
+            except (KeyboardInterrupt, Terminated):
+                ended = True
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=source, file=file) from None
+        finally:
+            progress.done()
+        names = self._write_scenarios(file, search, worlds[""])
+        rows = [replace(each, file=file) for each in (was, search.coverage)]
+        shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
+        text = f"{file}: {shares} with {count_of(len(names), 'scenario')}\n"
+        text += "".join(f"  {name}: {about}\n" for name, about in names.items())
+        missed = ", ".join(ranges(sorted(rows[1].missed)))
+        self.show(coverage_document(rows[1:]), text + (f"  not reached: lines {missed}\n" if missed else ""))
+        return SIGNALS.status if ended else 0
+
+    def _write_scenarios(self, file: str, search: Search, own: dict[str, object]) -> dict[str, str]:
+        """Write a scenario for each world that was found; return what each file is about."""
+        folder, written = os.path.splitext(file)[0] + FOLDER_SUFFIX, dict[str, str]()
+        for world in search.found:
+            os.makedirs(folder, exist_ok=True)
+            path = next(path for n in count(1) if not os.path.lexists(path := f"{folder}/cover-{n}.toml"))
+            create(path, scenario_text(os.path.basename(file), world, own).encode())
+            lines = ", ".join(ranges(world.reaches))
+            written[path] = f"reaches lines {lines}" if lines else "reaches more of some lines"
+        return written
+
+    def _lines(self, found: Sequence[Coverage]) -> list[str]:
+        colour = wants_colour(sys.stdout)
+        lines = [line for each in found for line in [*listing(each, colour), ""]] if self.all else []
+        lines += files_table(found).lines(table_width(sys.stdout), colour=colour)
+        if len(found) > 1:
+            lines += ["", f"{percentage(found):.0f} % of {len(found)} programs"]
+        return lines
+
+    def _write(self, found: Sequence[Coverage]) -> int:
+        """Write the page and the tracefile; return the exit status."""
+        texts: dict[str | None, Callable[[], str]] = {
+            self.html: lambda: page(found),
+            self.lcov: lambda: "\n".join(lcov(found)) + "\n",
+        }
+        return max((_write(path, text) for path, text in texts.items() if path is not None), default=0)
+
+
+def _write(path: str, text: Callable[[], str]) -> int:
+    def write() -> None:
+        with replacing(path) as file:
+            file.write(text().encode())
+
+    return written(path, write)
+
+
+def _covered(options: Cover, file: str) -> Coverage | list[Diagnostic]:
+    """Return the coverage of a program, or why it has none."""
+    language = language_of(options.lang, file)
+    if language is None:
+        return [no_dialect(file)]
+    try:
+        return covered(read(file) if file == STDIN else file, dialect=language, until=options.until)
+    except OSError as error:
+        return [unreadable(str(error.filename or file), error)]
+    except ProgramError as error:
+        return list(error.diagnostics)
+
+
+def _named(found: Sequence[Diagnostic], file: str) -> Source | None:
+    """Return the text that diagnostics are about; None if it cannot be read."""
+    try:
+        return Source.read(file) if any(each.line for each in found) else None
+    except OSError:
+        return None

@@ -1,0 +1,263 @@
+"""`motionlang diff A [B]`: compare two runs, or a run with its golden files.
+
+B may also be a recording from a real controller.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from motionlang.cli.command import Command, Refused, WrongOption, argument, option
+from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.output_files import written
+from motionlang.cli.readers import integer, quantity_names
+from motionlang.cli.shared import Language, Program, World, with_world
+from motionlang.cli.signals import SIGNALS
+from motionlang.commands.compare.options import Compared
+from motionlang.commands.diff.charged import Charge, charged
+from motionlang.commands.diff.golden import golden_files
+from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
+from motionlang.commands.diff.reports import checked, difference
+from motionlang.commands.diff.tolerance import Tolerance
+from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
+from motionlang.commands.quantities import values_of
+from motionlang.commands.scope import write_scope
+from motionlang.commands.sweep import Sweep
+from motionlang.commands.sweep.variants import Variants
+from motionlang.commands.sweep.worlds import SUFFIX
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.execution import dialect_of, run
+from motionlang.kernel.report import build
+from motionlang.kernel.result import Run
+from motionlang.views.terminal import wants_colour
+
+SCHEMA = "motionlang.diff/2"
+# The suffixes of a recording; any other file is a program or a report.
+RECORDED = (".csv", ".tsv", ".dat")
+
+# The name of a quantity, and its value in both runs.
+Kept = tuple[str, object, object]
+# A report, and the run that it is of, unless it was read from a file.
+Side = tuple[dict[str, Any], Run | None]
+
+
+@dataclass
+class A(Command):
+    """The machine, values and inputs of A alone."""
+
+    title: ClassVar[str] = "A alone"
+    machine_a: str | None = option("M.toml", "the machine file of A; default: the one next to it")
+    set_a: list[str] = option("NAME=VALUE", "set a value for A, as --set of run", many=True)
+    variant_a: int | None = option("N", "use variant N of the sweep next to the program as A", read=integer)
+    input_a: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
+    analog_a: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
+    answer_a: list[str] = option("TEXT", "as --answer", many=True)
+    keys_a: list[str] = option("TEXT@S", "as --keys", many=True)
+
+
+@dataclass
+class B(Command):
+    """The machine, values and inputs of B alone."""
+
+    title: ClassVar[str] = "B alone"
+    machine_b: str | None = option("M.toml", "the machine file of B; default: the one next to it")
+    set_b: list[str] = option("NAME=VALUE", "set a value for B, as --set of run", many=True)
+    variant_b: int | None = option("N", "use variant N of the sweep next to the program as B", read=integer)
+    input_b: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
+    analog_b: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
+    answer_b: list[str] = option("TEXT", "as --answer", many=True)
+    keys_b: list[str] = option("TEXT@S", "as --keys", many=True)
+
+
+@dataclass
+class Given(World, Program):
+    """A program of one side, with its machine and what it receives."""
+
+    variant: int | None = None
+
+    @classmethod
+    def of(cls, diff: Diff, side: str, file: str) -> Given:
+        """Return what is given for a side, "a" or "b"."""
+        own = {
+            name: getattr(diff, f"{name}_{side}")
+            for name in ("machine", "set", "variant", "input", "analog", "answer")
+        }
+        made = cls(lang=diff.lang, keys_=getattr(diff, f"keys_{side}"), **own)
+        made.file = file
+        made.check()
+        return made
+
+
+@dataclass
+class Diff(Compared, World, A, B, Language):
+    """Compare two runs: programs, machines or variants, or a program and its golden files."""
+
+    title: ClassVar[str] = "comparison"
+    epilog: ClassVar[str] = """\
+A and B are programs, or reports written by `run --format json`. B may also be a
+recording from a real controller, in columns; it is compared with the run of A
+as in `compare`. Without B, A is compared with its golden files, or with itself
+under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned
+by content, so an inserted program line is no difference.
+
+exit status: 0 no difference; 1 a difference; 2 the command line is invalid
+
+examples:
+  motionlang diff pick.mnt                       compare with the golden files
+  motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
+  motionlang diff pick.mnt --set-b rate=2000     two values of a constant
+  motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
+  motionlang diff pick.mnt drive.csv --map position.0=PosAct
+"""
+    a: str = argument("A", "a program, or a report")
+    b: str | None = argument("B", "another one", default=None)
+    tolerance: list[str] = option(
+        "WHAT=SIZE",
+        "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
+        many=True,
+    )
+    keep: tuple[str, ...] = option(
+        "NAME,…",
+        "quantities to compare, such as peak.0 or cycle(12); motionlang sweep --help lists all",
+        read=quantity_names,
+        default=(),
+    )
+
+    def run(self) -> int:
+        try:
+            tolerance = Tolerance(*self.tolerance)
+        except ValueError as error:
+            raise WrongOption(str(error)) from None
+        other = self.b
+        if other is None and self._has_own_b():
+            other = self.a
+        if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
+            return self._recorded(other, tolerance)
+        if self.map or self.delay is not None:
+            raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
+        if other is None and self.a.lower().endswith(".json"):
+            raise WrongOption("a report needs a second report or program: give B")
+        if other is None:
+            old, old_run = self._golden()
+            new, new_run = self._side("a", self.a)
+        else:
+            old, old_run = self._side("a", self.a)
+            new, new_run = self._side("b", other)
+        if old_run is None or new_run is None:
+            for name in ("keep", "plot"):
+                if getattr(self, name):
+                    raise WrongOption(f"--{name} needs two runs, but one side is a report")
+        found = difference(old, new, tolerance)
+        diverged, charges, changed = None, [], []
+        kept: list[Kept] = []
+        if old_run is not None and new_run is not None:
+            from motionlang.commands.diff.motion import divergence
+
+            diverged = divergence(old_run, new_run, tolerance.size("position"))
+            ran = old_run.program is not None and new_run.program is not None
+            charges = charged(old_run, new_run) if ran and found.time is not None else []
+            changed = changed_literals(old_run, new_run)
+            values = values_of(new_run, self.keep)
+            kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]
+        lines = _lines(found, diverged, charges, changed, self.all, kept)
+        document = diff_document(found, diverged, charges, changed, kept)
+        self.show(document, "\n".join(lines) + "\n")
+        status, page = 0 if found.same else 1, self.plot
+        if page is not None and old_run is not None and new_run is not None:
+            status = max(status, written(page, lambda: write_scope(new_run, page, against=old_run)))
+        return status
+
+    def _has_own_b(self) -> bool:
+        own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)
+        return any(own) or self.variant_b is not None
+
+    def _recorded(self, path: str, tolerance: Tolerance) -> int:
+        """Compare a run with a recording and return the exit status."""
+        if self.a.lower().endswith(".json"):
+            raise WrongOption("a recording is compared with a program, but A is a report")
+        result = self._side("a", self.a)[1]
+        assert result is not None
+        sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
+        return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})
+
+    def _side(self, side: str, path: str) -> Side:
+        """Return the report of one side, and its run if it is a program."""
+        if path.lower().endswith(".json"):
+            return _report(path)
+        given = Given.of(self, side, path)
+        language = given.known_language()
+        settings = with_world(with_world(given.settings(), self.entries()), given.entries())
+        overrides = given.overrides()
+        try:
+            if given.variant is not None:
+                settings, overrides = _variant(path, given.variant, settings, overrides)
+            result = run(path, dialect=language.name, machine=settings, until=self.until, overrides=overrides)
+        except OSError as error:
+            raise Refused([unreadable(str(error.filename or path), error)], file=path) from None
+        except ProgramError as error:
+            raise Refused(error.diagnostics, file=path) from None
+        except ValueError as error:
+            raise Refused([Diagnostic("option", f"{path}: {error}")], file=path) from None
+        complain(result.diagnostics, result.source, path)
+        SIGNALS.end_with(result)
+        return build(result), result
+
+    def _golden(self) -> Side:
+        path = golden_files(self.a)[0]
+        if not os.path.exists(path):
+            missing = Diagnostic("file", f"{self.a}: no {os.path.basename(path)} next to it", hint="give B")
+            raise Refused([missing], file=self.a)
+        return _report(path)
+
+
+def _variant(
+    program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
+) -> tuple[dict[str, object], dict[str, float | str]]:
+    """Return settings and overrides of a variant of the program's sweep; ValueError if there is none."""
+    path = os.path.splitext(program)[0] + SUFFIX
+    if not os.path.isfile(path):
+        raise ValueError(f"there is no {os.path.basename(path)} next to it")
+    variants = Variants.of_file(path)
+    worlds = variants.worlds()
+    made = Sweep(
+        program,
+        variants.space(worlds),
+        machine=settings,
+        overrides=overrides,
+        worlds=worlds,
+        until=variants.until,
+    )
+    if not 0 <= number < len(made.space):
+        raise ValueError(f"no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}")
+    return made.job.of(made.space[number])
+
+
+def _report(path: str) -> Side:
+    """Return a report that is read from a file; Refused if it is none, or is truncated."""
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return checked(json.load(file)), None
+    except OSError as error:
+        raise Refused([unreadable(path, error)], file=path) from None
+    except (ValueError, RecursionError) as error:
+        is_json = not isinstance(error, json.JSONDecodeError | RecursionError)
+        why = "cannot be compared with" if is_json else "is not JSON"
+        raise Refused([Diagnostic("file", f"{path} {why}: {error}")], file=path) from None
+
+
+def _lines(
+    found: Any,
+    diverged: Any,
+    charges: Sequence[Charge],
+    changed: Sequence[ChangedLiteral],
+    everything: bool,
+    kept: Sequence[Kept],
+) -> list[str]:
+    most = 1_000_000 if everything else MAX_LINES
+    lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most)
+    return [*literal_lines(changed, most), *quantity_lines(kept), *(lines or ["no difference"])]

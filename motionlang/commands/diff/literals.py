@@ -1,0 +1,39 @@
+"""The literals that differ between two programs, by address."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from motionlang.kernel.lang.literals import literals
+from motionlang.kernel.result import Run
+
+
+@dataclass(eq=False, slots=True)
+class ChangedLiteral:
+    """A number with a different value; `old_address` is None for the same address."""
+
+    address: str
+    old_address: str | None
+    old: str
+    new: str
+
+
+def changed_literals(old: Run, new: Run) -> list[ChangedLiteral]:
+    """Return the literals with a different value, in the order of the new program.
+
+    The literals of both programs are aligned by what they are assigned to. There are none if the languages
+    differ.
+    """
+    if old.dialect.name != new.dialect.name or old.source.text == new.source.text:
+        return []
+    before, after = (literals(each.source, each.dialect) for each in (old, new))
+    old_bases, new_bases = ([each.base.lower() for each in side] for side in (before, after))
+    found: list[ChangedLiteral] = []
+    for block in SequenceMatcher(None, old_bases, new_bases, autojunk=False).get_matching_blocks():
+        for k in range(block.size):
+            was, is_ = before[block.a + k], after[block.b + k]
+            if was.text != is_.text:
+                old_address = was.address if was.address != is_.address else None
+                found.append(ChangedLiteral(is_.address, old_address, was.text, is_.text))
+    return found

@@ -1,0 +1,1 @@
+"""What a word, a code or a command means: the command help."""

@@ -1,0 +1,127 @@
+"""The keywords of a language as text: a list of all, or a page about one."""
+
+from __future__ import annotations
+
+import sys
+import textwrap
+from collections.abc import Sequence
+
+from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.keyword_facts import facts
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.views.table import Column, Table
+from motionlang.views.terminal import cells, styled
+from motionlang.views.words import dialect_name
+
+# The heading of keywords that are known but not simulated, in the list.
+KNOWN = "known, not simulated"
+UNSIMULATED = "not simulated: the keyword is recognised, and a program that uses it gets a message."
+
+
+def listing(
+    rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False, whole: bool = False
+) -> str:
+    """List all rows by group, one keyword per line.
+
+    Keywords that are not simulated come last, several per line. Lines are truncated at `width` unless `whole` is
+    set, for output that is searched or read by a program.
+    """
+    simulated = [row for row in rows if row.simulated]
+    known = [row.name for row in rows if not row.simulated]
+    count = f"{len(simulated)} simulated, {len(known)} known"
+    lines = [f"{styled(dialect_name(dialect), 'bold', colour)} · {count}"]
+    if not rows:
+        return lines[0] + "\n"
+    name_width = max((len(row.name) for row in simulated), default=0)
+    short_width = max((len(row.short) for row in simulated), default=0)
+    groups: dict[str, list[Keyword]] = {}
+    for row in simulated:
+        groups.setdefault(row.group or row.kind, []).append(row)
+    for group, members in groups.items():
+        lines += ["", styled(group, "bold", colour)]
+        room = sys.maxsize if whole else width
+        lines += [_entry(row, name_width, short_width, room, colour) for row in members]
+    if known:
+        lines += ["", styled(KNOWN, "bold", colour)]
+        lines += textwrap.wrap(", ".join(known), width - 2, initial_indent="  ", subsequent_indent="  ")
+    return "\n".join(lines) + "\n"
+
+
+def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
+    """Return a page with all the table's facts about each keyword in `rows`."""
+    return "\n".join(_page(row, dialect, width, colour) for row in rows)
+
+
+# Fields of a row with another name in data.
+FIELDS = {
+    "below": "excludes_high",
+    "driven": "machine_section",
+    "every": "true_of_all",
+    "gives": "sets",
+    "meant": "synonyms",
+    "solved": "solvable",
+    "tunes": "servo_gain",
+}
+
+
+def keywords_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
+    """Return all facts about keywords, each with its language, as data."""
+    found = []
+    for dialect, row in rows:
+        names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb"))
+        meaning = of_word(dialect, row)["meaning"]
+        found.append({
+            "dialect": dialect,
+            **{FIELDS.get(name, name): getattr(row, name) for name in names},
+            "simulated": row.simulated,
+            "source": meaning.source,
+            "strength": meaning.strength,
+        })  # fmt: skip
+    return Table("keywords", list(map(Column, dict.fromkeys(name for row in found for name in row))), found)
+
+
+def evidence_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
+    """Return how well each fact about keywords is known, as data."""
+    found = [
+        {
+            "dialect": dialect,
+            "keyword": row.name,
+            "fact": fact,
+            "strength": each.strength,
+            "source": each.source,
+        }
+        for dialect, row in rows
+        for fact, each in of_word(dialect, row).items()
+    ]
+    columns = tuple(map(Column, ("dialect", "keyword", "fact", "strength", "source")))
+    return Table("evidence", columns, found)
+
+
+def _entry(row: Keyword, name_width: int, short_width: int, width: int, colour: bool) -> str:
+    name = styled(row.name, "word", colour) + " " * (name_width - len(row.name))
+    short = f"{row.short:<{short_width}}  " if short_width else ""
+    room = max(10, width - name_width - len(short) - 12)
+    help_text = row.help if cells(row.help) <= room else row.help[: room - 1].rstrip() + "…"
+    return f"  {name}  {short}{row.unit:<7} {help_text}".rstrip()
+
+
+def _wrapped(text: str, width: int, indent: int = 2) -> list[str]:
+    return textwrap.wrap(text, width, initial_indent=" " * indent, subsequent_indent=" " * indent)
+
+
+def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
+    title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
+    lines = [title, "", *_wrapped(row.help, min(width, 88))]
+    if not row.simulated:
+        first, *more = _wrapped(UNSIMULATED, min(width, 88))
+        begin, end = first.split(":", 1)
+        lines += ["", f"  {styled(begin.strip(), 'warning', colour)}:{end}", *more]
+    known = [(name, text) for name, text in facts(row, dialect) if text]
+    label = max(len(name) for name, _ in known)
+    lines.append("")
+    for name, text in known:
+        first, *more = _wrapped(text, width, label + 4)
+        lines += [f"  {styled(name, 'dim', colour)}{first[2 + len(name) :]}", *more]
+    if row.example:
+        lines += ["", *(f"    {styled(line, 'word', colour)}" for line in row.example.splitlines())]
+    return "\n".join(lines) + "\n"

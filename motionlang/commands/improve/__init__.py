@@ -1,0 +1,505 @@
+"""A shorter cycle of a program, by other values of the numbers that set its speeds, rates, jerks and blend distances.
+
+Problem. A machine could be faster than its program, but not everywhere: what is not on the critical path gains nothing,
+and what is must not exceed a limit, change the order of what the machine does, or break what a scenario expects.
+
+Idea. Only literals and constants count that set such a quantity of an axis on the critical path. Each is changed as far
+as a run allows: the text is edited, run, certified against `[axis.N.limits]`, and compared with the original run. One
+is changed after the other, on top of what was gained, until none gains more. Of these edits the fewest are chosen that
+reach the wanted gain, by trying all sets of one, of two, and so on.
+
+    must not change    the order of outputs and prints (their figures may), the moves and their ends, the final
+                       positions, the status, limits met and faults, the expectations of scenarios
+    must hold          every limit of the machine file, also that of the motor's torque if there is one
+
+Each change is found by doubling and bisection, because more of a speed is never slower, until it is not allowed. Of
+values with the same gain the one nearest to the original is chosen, rounded to three digits.
+
+Cost: about 25 runs for each literal, and one for each set of edits.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from math import ceil, floor, inf, log10
+from typing import Any
+
+from motionlang.commands.certify import MOTOR, Limit, certificate
+from motionlang.commands.profile.motions import MOVING
+from motionlang.commands.profile.periods import cycle_of
+from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.verify.scenarios import Entry, Scenario, scenario_files, unmet
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import Checked, checked_settings, dialect_for, run, settings_next_to
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.literals import Literal, constants, literals, number_text, replaced
+from motionlang.kernel.log.records import GRAVE
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+# The units of what is not changed: nothing, and the number of a choice.
+CHOICES = frozenset(("", "integer"))
+# A change of the cycle below this share of it is none; one below `WORTH` is not worth an edit.
+NOTHING, WORTH = 1e-9, 2e-3
+# So much less of the cycle is not worth a larger value. What bounds a value that is large enough.
+ENOUGH, SATED = 1e-4, "more gains nothing"
+# What bounds a value is seen at one that is larger by this factor.
+FURTHER = 1.05
+# The largest factor by which a number is changed, and the steps of the bisection between two factors.
+MAX_FACTOR, STEPS = 16.0, 7
+UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
+# Of more edits than this not all sets are tried, but those of the best ones.
+MAX_EDITS = 8
+# A wait that ends less than this after the motion is not too long, s.
+SHORT = 1e-3
+# Positions are equal within this, user units.
+SAME = 1e-6
+_FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+
+
+@dataclass
+class Edit:
+    """Another value of a literal; `share` is the gain of the cycle in seconds, `bound` is why there is not more."""
+
+    literal: Literal
+    value: float
+    share: float = 0.0
+    bound: str = ""
+
+
+@dataclass
+class Improvement:
+    """The edits, the source with them, and its run; `before` and `after` are the cycles, s.
+
+    `skipped` are the remarks about what could not be changed, `waits` those about waits that could go. `edits` is empty
+    if nothing can be gained.
+    """
+
+    source: Source
+    patched: Source
+    before: float
+    after: float
+    edits: list[Edit]
+    result: Run
+    limits: list[Limit]
+    skipped: list[str] = field(default_factory=list)
+    waits: list[str] = field(default_factory=list)
+
+
+@dataclass
+class World:
+    """Settings of a machine, and what is expected of a run there; `name` is that of a scenario."""
+
+    name: str
+    settings: Mapping[str, object]
+    expected: Sequence[Entry] = ()
+
+
+class NotPossible(ValueError):
+    """A program whose cycle cannot be improved, and what to do."""
+
+    def __init__(self, message: str, hint: str, code: str = "beyond-limit") -> None:
+        super().__init__(message)
+        self.message, self.hint, self.code = message, hint, code
+
+
+class Improver:
+    """Improves the cycle of a program in its own `world`.
+
+    `others` are its scenarios. `cycle` is the name of the cycle (`periods.py`); without one it is the whole run, or the
+    longest cycle of a line if the run ends at the time limit. `progress` is called with the number of runs so far.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        language: Dialect,
+        world: World,
+        others: Sequence[World] = (),
+        *,
+        cycle: str = "",
+        until: float | None = None,
+        progress: Callable[[int], object] = lambda runs: None,
+    ) -> None:
+        self.source, self.language, self.world, self.others = source, language, world, others
+        self.until, self._progress, self._runs = until, progress, 0
+        named = constants(source, language)
+        own = {each.offset for each in named}
+        self.literals = [*named, *(each for each in literals(source, language) if each.offset not in own)]
+        self.skipped: list[str] = []
+        self._base = self._run(source, world)
+        self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
+        self.before = self._cost(self._base)
+        fails = self._base.status == "fault"
+        if fails and self._base.diagnostics:
+            raise ProgramError([each for each in self._base.diagnostics if each.severity == "error"])
+        if fails or (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
+            raise NotPossible(
+                f"the program has no cycle to improve: {'it ends with an error' if fails else 'nothing repeats'}",
+                "motionlang run shows what it does; --cycle names what repeats, such as cycle(12)",
+                "option",
+            )
+        self._seen = _Seen(self._base)
+        self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
+        wrong = [each for each in self._limits if each.verdict == "exceeded"]
+        if wrong:
+            raise NotPossible(
+                f"the {wrong[0].name} of axis {wrong[0].axis} exceeds its limit already",
+                "motionlang certify lists the limits",
+            )
+        self._unmet = [unmet(self._run(source, each), list(each.expected)) for each in (world, *others)]
+
+    # ------------------------------------------------------------------------------------------------ the answer
+
+    def improved(self, by: float = 0.0, most: int = 0) -> Improvement:
+        """Return the fewest edits that gain the share `by` of the cycle, or the best ones, at most `most` if given."""
+        edits = self._all()
+        chosen = self._chosen(edits, by, most)
+        values = {each.literal.address: each.value for each in chosen}
+        patched, result = self._patched(values)
+        after = self._cost(result)
+        self._share(chosen)
+        limits = certificate(result.controller, result.machine.settings, result.time)
+        waits = list(dict.fromkeys(_waits(result)))
+        return Improvement(
+            self.source, patched, self.before, after, chosen, result, limits, self.skipped, waits
+        )
+
+    def _all(self) -> list[Edit]:
+        """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
+        candidates = self._candidates()
+        edits: dict[str, Edit] = {}
+        best, before = self.before, inf
+        while best < before:
+            before = best
+            for literal in candidates:
+                values = {each.literal.address: each.value for each in edits.values()}
+                cost, edit = self._search(literal, values, best)
+                worth = ENOUGH if literal.address in edits else WORTH
+                if edit is not None and best - cost > worth * best:
+                    edits[literal.address] = edit
+                    best = cost
+        return list(edits.values())
+
+    def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
+        """Return the fewest of some edits that gain a share, or the best set of at most `most`."""
+        if not (by or most) or len(edits) <= 1:
+            return list(edits)
+        pool = sorted(edits, key=lambda each: self._tried([each]))[:MAX_EDITS]
+        pool.sort(key=lambda each: each.literal.offset)
+        best, lowest = list[Edit](), self.before
+        for size in range(1, min(most or len(pool), len(pool)) + 1):
+            for each in combinations(pool, size):
+                cost = self._tried(each)
+                if cost < lowest * (1.0 - NOTHING):
+                    best, lowest = list(each), cost
+            if by and lowest <= self.before * (1.0 - by):
+                return best
+        return best if most else list(edits)
+
+    def _tried(self, edits: Sequence[Edit]) -> float:
+        """Return the cycle with some edits; infinite if something forbids it."""
+        values = {each.literal.address: each.value for each in edits}
+        cost, reason = self._judge(values)
+        return inf if reason else cost
+
+    def _share(self, edits: Sequence[Edit]) -> None:
+        """Give each edit the gain that it adds to those before it, and what bounds it when all are made."""
+        last, values = self.before, dict[str, float]()
+        for each in edits:
+            values[each.literal.address] = each.value
+            cost = self._judge(values)[0]
+            each.share, last = last - cost, cost
+        for each in edits:
+            was = float(each.literal.text.replace(" ", ""))
+            further = each.value * (FURTHER if abs(each.value) > abs(was) else 1.0 / FURTHER)
+            cost, reason = self._judge({**values, each.literal.address: further})
+            each.bound = reason or (each.bound if cost < last * (1.0 - NOTHING) else SATED)
+
+    # ------------------------------------------------------------------------------------------------ candidates
+
+    def _candidates(self) -> list[Literal]:
+        """Return the literals that set a speed, a rate and so on of a limited axis on the critical path."""
+        spans = TimeProfile(self._base).spans()
+        axes = {axis for _, _, about in spans if about[0] in MOVING for axis in about[3]}
+        axes = axes or {move.axis for move in self._base.moves}  # with a motor, waits are for a condition
+        limited = {each.axis for each in self._limits}
+        if not limited:
+            raise NotPossible(
+                "nothing bounds a faster cycle: the machine file has no limits",
+                "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000",
+            )
+        self.skipped = [f"axis {axis} has no limits, so its speeds stay" for axis in sorted(axes - limited)]
+        bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
+        structure = self.language.structure(self.source, self.world.settings)
+        starts = sorted(structure.statements)
+        uses = [
+            use
+            for statement in structure.statements.values()
+            for use in statement.axes
+            if use.row.topic == "speed" and use.row.unit not in CHOICES
+            if use.axis is None or use.axis in axes & limited
+        ]
+        free: dict[tuple[int, str], None] = {}
+        found = []
+        for literal in self.literals:
+            at = starts[bisect_right(starts, literal.offset) - 1]
+            named = re.compile(rf"\b{re.escape(literal.base)}\b", re.IGNORECASE)
+            mine = [
+                use
+                for use in uses
+                if (use.at == at and literal.text in use.value) or named.search(use.value) is not None
+            ]
+            of_all = sorted(axes & limited)
+            needed = [
+                (axis, _quantity(use.row))
+                for use in mine
+                for axis in (of_all if use.axis is None else [use.axis])
+            ]
+            without = [
+                (axis, name)
+                for axis, name in needed
+                if not {(axis, each) for each in (name, *MOTOR)} & bounded
+            ]
+            free.update(dict.fromkeys(without))
+            if mine and literal.is_write and not without:
+                found.append(literal)
+        self.skipped += [f"axis {axis} has no limit of its {name}, so that stays" for axis, name in free]
+        return found
+
+    # -------------------------------------------------------------------------------------------------- searching
+
+    def _search(
+        self, literal: Literal, values: Mapping[str, float], best: float
+    ) -> tuple[float, Edit | None]:
+        """Return the shortest cycle with another value of one literal, on top of other values."""
+        was = values.get(literal.address, float(literal.text.replace(" ", "")))
+        if not was:
+            return best, None
+        found: tuple[float, Edit | None] = best, None
+        for grows in (True, False):
+            cost, edit = self._along(literal, was, values, best, grows)
+            if edit is not None and cost < found[0] * (1.0 - NOTHING):
+                found = cost, edit
+        return found
+
+    def _along(
+        self, literal: Literal, was: float, values: Mapping[str, float], best: float, grows: bool
+    ) -> tuple[float, Edit | None]:
+        """Return the shortest cycle with a larger, or a smaller, value of a literal."""
+
+        def judged(factor: float) -> tuple[float, str]:
+            value = _rounded(was * factor if grows else was / factor, grows)
+            return self._judge({**values, literal.address: value})
+
+        slower, low, cost, bound = 1.0, 1.0, best, SATED
+        high = 2.0
+        while high <= MAX_FACTOR:
+            made, reason = judged(high)
+            if reason or made >= cost * (1.0 - NOTHING):
+                bound = reason or bound
+                break
+            slower, low, cost, high = low, high, made, 2.0 * high
+        else:
+            bound = UNTRIED
+        for _ in range(STEPS if high <= MAX_FACTOR else 0):
+            middle = 0.5 * (low + high)
+            made, reason = judged(middle)
+            if not reason and made < cost * (1.0 - NOTHING):
+                slower, low, cost = low, middle, made
+            else:
+                high, bound = middle, reason or bound
+        if low == 1.0:
+            return best, None
+        if bound in (SATED, UNTRIED):
+            # It may be more than enough.
+            for _ in range(STEPS):
+                middle = 0.5 * (slower + low)
+                made, reason = judged(middle)
+                if not reason and made <= cost * (1.0 + ENOUGH):
+                    low = middle
+                else:
+                    slower = middle
+            high = 1.02 * low
+        value, beyond = (was * each if grows else was / each for each in (low, high))
+        round_ = _roundest(value, beyond)
+        made, reason = self._judge({**values, literal.address: round_})
+        if reason or made > cost * (1.0 + ENOUGH):
+            round_ = _rounded(value, grows)
+            cost, _ = self._judge({**values, literal.address: round_})
+        else:
+            cost = made
+        return cost, Edit(literal, round_, bound=bound)
+
+    def _patched(self, values: Mapping[str, float]) -> tuple[Source, Run]:
+        edits = {
+            each.offset: (len(each.text), number_text(each.address, values[each.address]))
+            for each in self.literals
+            if each.address in values
+        }
+        source = Source(self.source.name, replaced(self.source.text, edits))
+        return source, self._run(source, self.world)
+
+    def _judge(self, values: Mapping[str, float]) -> tuple[float, str]:
+        """Return the cycle with some values, and why they are not allowed; "" if they are."""
+        source, result = self._patched(values)
+        cost = self._cost(result)
+        reason = self._seen.difference(result) or self._beyond(result)
+        if reason or not 0.0 < cost < inf:
+            return cost, reason or "nothing repeats any more"
+        for world, before in zip((self.world, *self.others), self._unmet, strict=True):
+            if world.expected:
+                after = unmet(
+                    result if world is self.world else self._run(source, world), list(world.expected)
+                )
+                new = [each for each in after if each not in before]
+                if new:
+                    return cost, f"{f'scenario {world.name}: ' if world.name else ''}{new[0]}"
+        return cost, ""
+
+    def _beyond(self, result: Run) -> str:
+        """Return the first limit that a run exceeds; "" if it keeps all."""
+        for each in certificate(result.controller, result.machine.settings, result.time):
+            if each.verdict == "exceeded":
+                return f"{each.name} of axis {each.axis}: {each.limit:.6g} {each.unit}"
+        return ""
+
+    def _run(self, source: Source, world: World) -> Run:
+        self._runs += 1
+        self._progress(self._runs)
+        return run(source, dialect=self.language, machine=Checked(world.settings), until=self.until)
+
+    def _cost(self, result: Run) -> float:
+        """Return the cycle of a run, s; infinite if it has none."""
+        found = cycle_of(result, self.cycle) if self.cycle else result.time
+        return inf if found is None else float(found)
+
+
+def improver_of(program: str | Source, machine: Mapping[str, object] | None = None, **given: Any) -> Improver:
+    """Return the improver of a program in its own world and its scenarios; `given` is as for `Improver`.
+
+    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError
+    for a wrong one, and NotPossible.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    settings = settings_next_to(program) if machine is None else checked_settings(machine)
+    files = [] if isinstance(program, Source) else scenario_files(program)
+    others = [Scenario(str(program), each) for each in files]
+    expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
+    worlds = [World(each.name, each.settings, each.expected) for each in others]
+    return Improver(source, dialect_for(source, None), World("", settings, expected), worlds, **given)
+
+
+def _quantity(row: Keyword) -> str:
+    """Return the limit that bounds what a keyword sets."""
+    if row.unit == "uu/s3" or "jerk" in row.gives:
+        return "jerk"
+    return "speed" if row.unit == "uu/s" else "acceleration"
+
+
+class _Seen:
+    """The behaviour of a run that no edit may change."""
+
+    def __init__(self, run: Run) -> None:
+        self._status = run.status
+        self._happened = list(_happened(run))
+        self._moves = _moves(run)
+        self._ends = _ends(run) if run.status == "ended" else {}
+        self._grave = _grave(run)
+
+    def difference(self, run: Run) -> str:
+        """Return what another run does differently; "" if nothing that matters."""
+        if run.status != self._status:
+            errors = [each.message for each in run.diagnostics if each.severity == "error"]
+            return errors[0] if errors else f"the run {run.status}, not {self._status}"
+        if _grave(run) != self._grave:
+            return "a limit, a fault or a clamp comes or goes"
+        for was, is_ in zip(self._happened, _happened(run), strict=False):
+            if was != is_:
+                return f"the order of outputs and prints: {is_} in place of {was}"
+        others = _moves(run)
+        for axis, moves in self._moves.items():
+            for move, other in zip(moves, others.get(axis, []), strict=False):
+                if move[:2] != other[:2] or abs(move[2] - other[2]) > SAME:
+                    return f"the move of line {move[1]} no longer ends at {move[2]:.6g}"
+        if self._ends and any(abs(end - self._ends[axis]) > SAME for axis, end in _ends(run).items()):
+            return "the final positions"
+        return ""
+
+
+def _happened(run: Run) -> Iterator[str]:
+    """Yield outputs and prints in the order of time; figures that are printed do not count."""
+    log = run.machine.log
+    outputs = [(each.time, 0, f"output {each.channel} = {each.value}") for each in log.outputs]
+    prints = [(each.time, 1, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
+    yield from (text for _, _, text in sorted(outputs + prints, key=lambda each: each[:2]))
+
+
+def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
+    found: dict[int, list[tuple[str, int, float]]] = {}
+    for move in run.moves:
+        if move.ended != "end-of-run":
+            found.setdefault(move.axis, []).append((move.command, move.line, move.end))
+    return found
+
+
+def _ends(run: Run) -> dict[int, float]:
+    return {axis["axis"]: axis["position"] for axis in run.report["axes"]}
+
+
+def _grave(run: Run) -> list[str]:
+    return sorted({f"{each.kind} {each.axis}" for each in run.machine.log.events if each.kind in GRAVE})
+
+
+def _longest(run: Run) -> str:
+    """Return the name of the longest cycle of a line with moves; "" if no line has one."""
+    lines = dict.fromkeys(move.line for move in run.machine.log.moves)
+    periods = {line: cycle_of(run, f"cycle({line})") for line in lines}
+    found = {line: period for line, period in periods.items() if period}
+    return f"cycle({max(found, key=lambda line: (found[line], -line))})" if found else ""
+
+
+def _roundest(one: float, other: float) -> float:
+    """Return the value with the fewest digits between two of the same sign, both included."""
+    low, high = sorted((one, other))
+    for places in range(-floor(log10(max(abs(low), abs(high)))), 12):
+        value = ceil(low * 10.0**places - 1e-9) / 10.0**places
+        if value <= high * (1.0 + 1e-12 * (high > 0.0)):
+            return value
+    return one
+
+
+def _rounded(value: float, grows: bool) -> float:
+    """Return a value with three digits, not beyond it."""
+    size = 10.0 ** (floor(log10(abs(value))) - 2)
+    steps = value / size
+    near = round(steps)
+    is_near = abs(steps - near) < 1e-9 * abs(steps)
+    whole = near if is_near else floor(steps) + (grows is not (value > 0.0))
+    return float(f"{whole * size:.3g}")
+
+
+def _waits(run: Run) -> Iterator[str]:
+    """Yield a remark on each fixed wait that is longer than the motion that goes on during it."""
+    found: dict[int, tuple[float, float, int]] = {}
+    for wait in run.machine.log.waits:
+        ends = [
+            (move.start_time + move.duration, move.axis)
+            for move in run.moves
+            if move.start_time < wait.until and wait.since < move.start_time + move.duration < wait.until
+        ]
+        if wait.cause == "time" and ends and wait.until - max(ends)[0] > SHORT:
+            end, axis = max(ends)
+            line = run.dialect.locate(run.source, wait.at)[0]
+            left = min(wait.until - end, found.get(line, (inf,))[0])
+            found[line] = left, wait.until - wait.since, axis
+    for line, (left, length, axis) in sorted(found.items()):
+        yield (
+            f"line {line} waits {length:.6g} s while axis {axis} moves, which is at rest {left:.6g} s before: "
+            "a wait for the axis would be shorter"
+        )

@@ -1,0 +1,133 @@
+"""`motionlang improve`: a shorter cycle within the limits of the machine."""
+
+from __future__ import annotations
+
+import os
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli import shared
+from motionlang.cli.command import Refused, WrongOption, argument, option
+from motionlang.cli.output_files import written
+from motionlang.cli.readers import machine_time, whole
+from motionlang.cli.shared import Output, Program, with_world
+from motionlang.commands.improve import Improver, NotPossible, World
+from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
+from motionlang.commands.profile.periods import FORM, HELP
+from motionlang.commands.verify.scenarios import Scenario, scenario_files
+from motionlang.kernel.errors import Diagnostic, ProgramError, need
+from motionlang.kernel.files import replacing
+from motionlang.kernel.source import STDIN
+from motionlang.views.progress import Progress
+from motionlang.views.terminal import table_width, wants_colour
+
+# So many runs are the end of the progress line; a search may take fewer or more.
+RUNS = 1000
+
+
+def percent(text: str) -> float:
+    """Return a percentage, such as 10 or 10%, as a share."""
+    try:
+        share = float(text.removesuffix("%")) / 100.0
+    except ValueError:
+        share = -1.0
+    if not 0.0 < share < 1.0:
+        raise ValueError(f"{text!r} is not a percentage such as 10%")
+    return share
+
+
+def cycle(text: str) -> str:
+    """Return the name of a cycle."""
+    if FORM.fullmatch(text) is None:
+        raise ValueError(f"{text!r} is no cycle; write {HELP}")
+    return text
+
+
+@dataclass
+class Improve(Output, shared.World, Program):
+    """Find a shorter cycle within the limits of the machine."""
+
+    title: ClassVar[str] = "improvement"
+    epilog: ClassVar[str] = """\
+Changed are the numbers that set speeds, rates, jerks and blend distances of
+axes with limits, as far as no limit is exceeded, the order of outputs and
+prints, the moves and their ends stay, and no scenario fails. The program itself
+is not changed: apply the difference with patch.
+
+exit status: 0 if the cycle is shorter, or as short as wanted; 1 if not
+
+examples:
+  motionlang improve pick.mnt --by 10%
+  motionlang improve pick.mnt --edits 2 --patch faster.diff
+  motionlang improve line.prg --cycle "cycle(output 3)"
+"""
+    file: str = argument("FILE", "the program")
+    by: float | None = option("PERCENT", "the fewest edits that shorten the cycle by so much", read=percent)
+    edits: int | None = option("N", "the best edits, at most N", read=whole("a number from 1 to 8", 1, 8))
+    cycle: str | None = option(
+        "NAME",
+        "what repeats: cycle(12), cycle(output 3) …; default: the run, or the longest cycle of a line",
+        read=cycle,
+    )
+    patch: str | None = option("FILE", "also write the difference of the program")
+    until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
+
+    def check(self) -> None:
+        super().check()
+        if self.by is not None and self.edits is not None:
+            raise WrongOption("give either --by or --edits, not both")
+        if self.overrides():
+            raise WrongOption(
+                "--set takes keys of the machine only: improve changes the program's numbers itself"
+            )
+
+    def run(self) -> int:
+        need("motionlang improve", "numpy")
+        source, language = self.source(), self.known_language()
+        settings = with_world(self.settings(), self.entries())
+        progress = Progress(sys.stderr, os.path.basename(self.file))
+        try:
+            scenarios = (
+                []
+                if self.file == STDIN
+                else [Scenario(self.file, each) for each in scenario_files(self.file)]
+            )
+            others = [World(each.name, each.settings, each.expected) for each in scenarios]
+            own = World("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
+            improver = Improver(
+                source,
+                language,
+                own,
+                others,
+                cycle=self.cycle or "",
+                until=self.until,
+                progress=lambda runs: progress(min(runs / RUNS, 1.0)),
+            )
+            found = improver.improved(self.by or 0.0, self.edits or 0)
+        except NotPossible as error:
+            raise Refused([Diagnostic(error.code, error.message, hint=error.hint)], file=self.file) from None
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=source, file=self.file) from None
+        finally:
+            progress.done()
+        lines = improvement_lines(
+            found, self.file, width=table_width(sys.stdout), colour=wants_colour(sys.stdout)
+        )
+        self.show(improvement_document(found, self.file), "\n".join(lines) + "\n")
+        wanted = found.before * (1.0 - (self.by or 0.0))
+        if self.by is not None and found.after > wanted * (1.0 + 1e-9):
+            sys.stderr.write(
+                f"not {100.0 * self.by:.10g} %: this is all that the limits and the program allow\n"
+            )
+            return 1
+        path = self.patch
+        if path is None or not found.edits:
+            return 0 if found.edits else 1
+        text = "".join(difference(found, self.file))
+        return written(path, lambda: _write(path, text))
+
+
+def _write(path: str, text: str) -> None:
+    with replacing(path) as file:
+        file.write(text.encode())

@@ -1,0 +1,166 @@
+"""Inputs, outputs and the other devices of a program: what reads and writes each of them, and its name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from motionlang.commands.map.comments import Named
+from motionlang.kernel.lang.keyword import CHANNELS
+from motionlang.kernel.lang.structure import READ, WRITE, ChannelUse, Structure
+
+# The keys of the machine file that assign an input to an axis.
+_WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
+# The tables of the machine file whose entries may name a channel.
+_TABLES = {"input": "input", "analogue input": "analog"}
+
+
+@dataclass(eq=False, slots=True)
+class Channel:
+    """A channel: `kind` is one of `CHANNELS`, `number` its text, "?" for all that are known only at run time.
+
+    The lists have lines: those that read and write it, those at which a task waits for it, and those that assign it to
+    function of an axis. `starts` is what its change starts. `values` are the texts of what is written. `names_at` are
+    the offsets of the keywords that use it.
+    """
+
+    kind: str
+    number: str
+    name: str = ""
+    named_by: str = ""
+    reads: list[int] = field(default_factory=list)
+    writes: list[int] = field(default_factory=list)
+    waits: list[int] = field(default_factory=list)
+    set_up: list[int] = field(default_factory=list)
+    starts: list[str] = field(default_factory=list)
+    values: list[str] = field(default_factory=list)
+    names_at: set[int] = field(default_factory=set)
+
+    @property
+    def title(self) -> str:
+        """Its kind and number, such as "input 3"; an answer has a prompt in place of a number."""
+        return self.kind if self.kind == "answer" else f"{self.kind} {self.number}".strip()
+
+    @property
+    def known_as(self) -> str:
+        """Its kind, number and name, such as "input 3 (start)"."""
+        return f"{self.title} ({self.name})" if self.name else self.title
+
+    @property
+    def direction(self) -> str:
+        """ "in", "out" or "in/out", as the program uses it."""
+        is_read = bool(self.reads or self.waits or (self.starts and "output" not in self.kind))
+        if self.writes:
+            return "in/out" if is_read else "out"
+        return "in" if is_read or "input" in self.kind else "out" if "output" in self.kind else ""
+
+    @property
+    def lines(self) -> list[int]:
+        """All lines that use it."""
+        return sorted({*self.reads, *self.writes, *self.waits, *self.set_up})
+
+    def sentences(self) -> list[str]:
+        """Return what it is and where it is used, a sentence each."""
+        found = [self.known_as]
+        for word, at in (("waited for", self.waits), ("read", self.reads), ("written", self.writes)):
+            if at:
+                found.append(
+                    f"{word} at line {lines(at)}" if len(at) == 1 else f"{word} at lines {lines(at)}"
+                )
+        return found + [f"starts {each}" for each in self.starts]
+
+
+def lines(numbers: Iterable[int]) -> str:
+    """Return line numbers as text, with ranges: "3, 5-7"."""
+    ranges: list[list[int]] = []
+    for each in sorted(set(numbers)):
+        if ranges and each == ranges[-1][1] + 1:
+            ranges[-1][1] = each
+        else:
+            ranges.append([each, each])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in ranges)
+
+
+def channels(
+    structure: Structure, settings: Mapping[str, object], names: Sequence[Named], comments: Mapping[int, str]
+) -> list[Channel]:
+    """Return the channels of a program, in the order of `CHANNELS` and their numbers.
+
+    `names` are those of the comments that list channels, `comments` the comments at the end of lines with code.
+    """
+    found: dict[tuple[str, str], Channel] = {}
+    uses = [
+        (use, bool(statement.waits) or statement.polls)
+        for statement in structure.statements.values()
+        for use in statement.channels
+    ]
+    outputs = {use.number for use, _ in uses if use.channel == "output" and use.access == WRITE}
+    for use, waits in uses:
+        kind = use.channel
+        if kind == "digital" or (kind == "input" and structure.has_one_series):
+            kind = "output" if use.number in outputs else "input"
+        channel = found.setdefault((kind, use.number), Channel(kind, use.number))
+        if kind == "answer":
+            channel.name, channel.named_by = use.number, "program"
+        channel.names_at.add(use.name_at)
+        _enter(channel, use, structure.line(use.at), waits)
+    for key, value in settings.items():
+        wired = _WIRED.fullmatch(key)
+        if wired is not None and isinstance(value, int):
+            given = found.setdefault(("input", str(value)), Channel("input", str(value)))
+            given.starts.append(f"{wired[2].replace('_', ' ')} of axis {wired[1]} (machine file)")
+    for unit in structure.units:
+        if unit.trigger is not None:
+            trigger = unit.trigger.channel, unit.trigger.number
+            found.setdefault(trigger, Channel(*trigger)).starts.append(unit.title)
+    for channel in found.values():
+        _name(channel, settings, names, comments)
+    return sorted(found.values(), key=_place)
+
+
+def _enter(channel: Channel, use: ChannelUse, line: int, waits: bool) -> None:
+    if use.access == READ:
+        _add(channel.waits if waits else channel.reads, line)
+    elif use.access == WRITE:
+        _add(channel.writes, line)
+        if use.value and use.value not in channel.values:
+            channel.values.append(use.value)
+    else:
+        _add(channel.set_up, line)
+        if use.value and use.value not in channel.starts:
+            channel.starts.append(use.value)
+    if use.alias and not channel.name:
+        channel.name, channel.named_by = use.alias, "program"
+
+
+def _add(lines: list[int], line: int) -> None:
+    if line not in lines:
+        lines.append(line)
+        lines.sort()
+
+
+def _name(
+    channel: Channel, settings: Mapping[str, object], names: Iterable[Named], comments: Mapping[int, str]
+) -> None:
+    """Name a channel by the machine file, by a list in comments, or by the comment on its only line."""
+    if channel.name or not channel.number.isdecimal():
+        return
+    entries = settings.get(_TABLES.get(channel.kind, ""), [])
+    for entry in entries if isinstance(entries, list) else []:
+        if str(entry.get("channel")) == channel.number and entry.get("name"):
+            channel.name, channel.named_by = str(entry["name"]), "machine file"
+            return
+    for each in names:
+        if each.kind == channel.kind and str(each.number) == channel.number:
+            channel.name, channel.named_by = each.name, f"comment, line {each.line}"
+            return
+    lines = [line for line in channel.lines if line in comments]
+    if len(lines) == 1:
+        channel.name, channel.named_by = comments[lines[0]], f"comment, line {lines[0]}"
+
+
+def _place(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:
+    parts = channel.number.split(", ")
+    numbers = [(not each.isdecimal(), int(each) if each.isdecimal() else 0, each) for each in parts]
+    return CHANNELS.index(channel.kind) if channel.kind in CHANNELS else len(CHANNELS), numbers

@@ -1,0 +1,136 @@
+"""The map of a program, from its text alone or with what a run of it did."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from motionlang.commands.map.axes import AxisMap, axes
+from motionlang.commands.map.channels import Channel, channels
+from motionlang.commands.map.comments import named
+from motionlang.commands.map.observed import Observed, Taken
+from motionlang.commands.map.states import Diagrams, Transition, diagrams
+from motionlang.commands.map.units import UnitMap, Variable, units, variables
+from motionlang.kernel.execution import Checked, dialect_for, run, settings_next_to
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.structure import Structure
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+# Seconds of machine time of a run without an end of its own.
+UNTIL = 600.0
+# A comment at the end of a line is a name if it is no longer than this.
+MAX_COMMENT = 40
+
+
+@dataclass(eq=False, slots=True)
+class ProgramMap:
+    """The map of a program: channels, axes, units, variables, diagrams of states.
+
+    `unreached` are the first and last lines of statements that nothing reaches. `run` and `observed` are those of a run
+    of the program, None without one.
+    """
+
+    source: Source
+    language: Dialect
+    structure: Structure
+    channels: Sequence[Channel]
+    axes: Sequence[AxisMap]
+    units: Sequence[UnitMap]
+    variables: Sequence[Variable]
+    diagrams: Diagrams
+    unreached: Sequence[tuple[int, int]]
+    run: Run | None = None
+    observed: Observed | None = None
+
+    def taken(self, transition: Transition) -> Taken | None:
+        """Return how often and when the run has taken a transition, None if it has not."""
+        return self.observed.taken.get(transition) if self.observed is not None else None
+
+
+def program_map(
+    source: Source, language: Dialect, settings: Mapping[str, object] | None = None
+) -> ProgramMap:
+    """Return the map of a program on a machine with these settings, without a run.
+
+    Raises ProgramError with all errors of the text.
+    """
+    settings = settings or {}
+    structure = language.structure(source, settings)
+    listed, at_ends = _comments(source, language)
+    names = named(listed)
+    made, unreached = units(structure)
+    return ProgramMap(
+        source,
+        language,
+        structure,
+        channels(structure, settings, names, at_ends),
+        axes(structure, names),
+        made,
+        variables(structure, language.names(source, settings).definitions),
+        diagrams(structure),
+        unreached,
+    )
+
+
+def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -> ProgramMap:
+    """Return the map of a program by its path, on the given machine or on that of the file next to it.
+
+    Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for a wrong file.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    settings = settings_next_to(program) if machine is None else machine
+    return program_map(source, dialect_for(source, None), settings)
+
+
+def channels_of(source: Source, language: Dialect, settings: Mapping[str, object]) -> list[Channel]:
+    """Return only the channels of a program; ProgramError with all errors of the text."""
+    listed, at_ends = _comments(source, language)
+    return channels(language.structure(source, settings), settings, named(listed), at_ends)
+
+
+def map_of_run(
+    source: Source,
+    language: Dialect,
+    settings: Checked,
+    *,
+    until: float | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+) -> ProgramMap:
+    """Return the map of a program with what a run of it does.
+
+    The run ends after `until` seconds of machine time, by default after `run.until` of the settings or `UNTIL`. Raises
+    ProgramError with all errors of the text.
+    """
+    made = program_map(source, language, settings)
+    made.observed = observed = Observed(made.diagrams)
+    end = until if until is not None or "run.until" in settings else UNTIL
+    made.run = run(
+        source,
+        dialect=language,
+        machine=settings,
+        until=end,
+        overrides=overrides,
+        observer=observed,
+        begun=observed.attach,
+    )
+    if made.run.status == "ended":
+        observed.ended()
+    return made
+
+
+def _comments(source: Source, language: Dialect) -> tuple[list[tuple[int, str]], dict[int, str]]:
+    """Return the comments with a line of their own, and the short ones behind code, by line."""
+    own: list[tuple[int, str]] = []
+    behind: dict[int, str] = {}
+    for kind, text, at in language.tokens(source.text):
+        if kind != "comment":
+            continue
+        line, column = source.location(at)
+        if source.line(line)[: column - 1].strip():
+            shown = text.strip().lstrip("'/;").strip()
+            if len(shown) <= MAX_COMMENT:
+                behind[line] = shown
+        else:
+            own.append((line, text))
+    return own, behind

@@ -1,0 +1,183 @@
+"""Who calls whom in a program, its variables, and what is never reached."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from motionlang.kernel.lang.names import Definition
+from motionlang.kernel.lang.steps import CALL, ENTER
+from motionlang.kernel.lang.structure import Structure, Unit
+
+# The kinds of definitions that hold a value.
+_VALUES = ("variable", "parameter", "constant", "define", "register")
+
+
+@dataclass(eq=False, slots=True)
+class UnitMap:
+    """A unit of a program: what it calls and starts, by title, with the lines; and the lines that call it.
+
+    `is_reached` is False if nothing leads to it.
+    """
+
+    title: str
+    kind: str
+    line: int
+    calls: dict[str, list[int]] = field(default_factory=dict)
+    called_by: dict[str, list[int]] = field(default_factory=dict)
+    starts: dict[str, list[int]] = field(default_factory=dict)
+    trigger: str = ""
+    is_reached: bool = True
+
+
+@dataclass(eq=False, slots=True)
+class Variable:
+    """A name with a value, and the lines that read and write it; `home` is the sub that declares it, "" for all."""
+
+    name: str
+    kind: str
+    home: str
+    value: str
+    reads: list[int]
+    writes: list[int]
+    is_retained: bool = False
+
+
+def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
+    """Return the units of a program, and the first and last lines of statements that nothing reaches."""
+    reader = _Reader(structure)
+    made = {id(unit): UnitMap(unit.title, unit.kind, unit.line) for unit in structure.units}
+    by_title = {each.title: each for each in made.values()}
+    for k, unit in enumerate(structure.units):
+        own = made[id(unit)]
+        own.trigger = f"{unit.trigger.channel} {unit.trigger.number}".strip() if unit.trigger else ""
+        own.is_reached = k in reader.reached_units
+        for at, callee in reader.calls[k]:
+            title = structure.units[callee].title
+            line = structure.line(at)
+            _add(own.calls, title, line)
+            _add(by_title[title].called_by, own.title, line)
+        for at, title in reader.starts[k]:
+            _add(own.starts, title, structure.line(at))
+            for each in by_title.values():
+                if is_meant(each.title, title):
+                    _add(each.called_by, own.title, structure.line(at))
+    return list(made.values()), reader.unreached_lines()
+
+
+def variables(structure: Structure, definitions: Iterable[Definition]) -> list[Variable]:
+    """Return the variables, constants and registers of a program, in the order of the text."""
+    retained = {
+        use.number
+        for each in structure.statements.values()
+        for use in each.channels
+        if use.channel == "nv word"
+    }
+    found = []
+    for each in definitions:
+        if each.kind not in _VALUES:
+            continue
+        writes = sorted({structure.line(start) for start, _ in each.uses if start in structure.writes})
+        reads = sorted(
+            {
+                structure.line(start)
+                for start, end in each.uses
+                if start not in structure.writes and (start, end) != each.span
+            }
+        )
+        found.append(
+            Variable(
+                each.name,
+                each.kind,
+                each.home,
+                each.value,
+                reads,
+                writes,
+                each.kind == "variable" and each.name in retained,
+            )
+        )
+    return sorted(
+        found, key=lambda each: (_VALUES.index(each.kind), min([*each.reads, *each.writes, 10**9]), each.name)
+    )
+
+
+def is_meant(title: str, started: str) -> bool:
+    """True if a statement that starts a unit may mean one with this title: a macro may be defined more than once."""
+    return title == started or title.startswith(f"{started} of line ")
+
+
+def _add(to: dict[str, list[int]], title: str, line: int) -> None:
+    lines = to.setdefault(title, [])
+    if line not in lines:
+        lines.append(line)
+
+
+class _Reader:
+    """Follows the graph of a program from its units."""
+
+    def __init__(self, structure: Structure) -> None:
+        self.structure = structure
+        # What each unit calls and starts: the offset of the statement, and the unit.
+        self.calls: list[list[tuple[int, int]]] = [[] for _ in structure.units]
+        self.starts: list[list[tuple[int, str]]] = [[] for _ in structure.units]
+        entries = {unit.entry: k for k, unit in enumerate(structure.units)}
+        self._reached: set[int] = set()
+        self.reached_units: set[int] = set()
+        by_title = {unit.title: k for k, unit in enumerate(structure.units)}
+        calls_unknown = False
+        bodies = [self._body(unit, entries) for unit in structure.units]
+        for k, body in enumerate(bodies):
+            for p in sorted(body):
+                point = structure.points[p]
+                if point.calls in entries:
+                    self.calls[k].append((point.at, entries[point.calls]))
+                elif point.kind in (CALL, ENTER) and point.calls < 0 and not point.next[1:]:
+                    calls_unknown = calls_unknown or point.kind == CALL
+                for each in point.next:
+                    if each in entries and each not in (structure.units[k].entry,) and entries[each] != k:
+                        self.calls[k].append((point.at, entries[each]))
+                statement = structure.statements.get(point.at)
+                if statement is not None:
+                    self.starts[k] += [(point.at, title) for title in statement.starts]
+                    calls_unknown = calls_unknown or any("@" in title for title in statement.starts)
+            self.calls[k] = list(dict.fromkeys(self.calls[k]))
+            self.starts[k] = list(dict.fromkeys(self.starts[k]))
+        roots = [k for k, unit in enumerate(structure.units) if unit.kind in ("program", "event")]
+        stack = list(range(len(structure.units))) if calls_unknown else roots
+        while stack:
+            k = stack.pop()
+            if k not in self.reached_units:
+                self.reached_units.add(k)
+                self._reached |= bodies[k]
+                stack += [callee for _, callee in self.calls[k]]
+                for _, title in self.starts[k]:
+                    stack += [number for each, number in by_title.items() if is_meant(each, title)]
+
+    def _body(self, unit: Unit, entries: dict[int, int]) -> set[int]:
+        """Return the points of a unit, up to the entries of others."""
+        found, stack = {unit.entry}, [unit.entry]
+        while stack:
+            for each in self.structure.points[stack.pop()].next:
+                if each not in found and each not in entries:
+                    found.add(each)
+                    stack.append(each)
+        return found
+
+    def unreached_lines(self) -> list[tuple[int, int]]:
+        """Return the ranges of lines whose statements nothing reaches."""
+        points = self.structure.points
+        reached = {points[p].at for p in self._reached}
+        written = {point.at for point in points}
+        lines: dict[int, bool] = {}
+        for at, statement in self.structure.statements.items():
+            if at in written and not statement.is_silent:
+                lines[statement.line] = lines.get(statement.line, False) or at in reached
+        found: list[tuple[int, int]] = []
+        is_open = False
+        for line, is_reached in sorted(lines.items()):
+            if not is_reached and is_open:
+                found[-1] = found[-1][0], line
+            elif not is_reached:
+                found.append((line, line))
+            is_open = not is_reached
+        return found

@@ -1,0 +1,1 @@
+"""Worker processes, for commands with many programs or variants."""

@@ -1,0 +1,35 @@
+"""Work on many files at once, on all cores, with results in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
+
+from motionlang.commands.processes.cores import cores
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+# With fewer files per process than this, the work is done before a process has started.
+_WORTH = 4
+
+
+def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int = 0) -> Iterator[Result]:
+    """Yield `work(item)` for each item, in order, computed on `jobs` processes.
+
+    0 jobs means one per core, or fewer for little work. Work and items must be picklable. An exception of the work
+    is raised in place of its result.
+    """
+    jobs = min(jobs, len(items)) or min(cores(), len(items) // _WORTH)
+    if jobs <= 1:
+        yield from map(work, items)
+        return
+    from motionlang.commands.processes.workers import Workers
+
+    pool = Workers(jobs)
+    try:
+        yield from pool.map(work, items)
+        pool.shutdown()
+    except BaseException:
+        pool.stop()
+        raise

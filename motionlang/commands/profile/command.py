@@ -1,0 +1,76 @@
+"""`motionlang profile`: where the time of a run goes."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import flag, option
+from motionlang.cli.drawn import refuse_input
+from motionlang.cli.output_files import written
+from motionlang.cli.simulated import Simulated
+from motionlang.commands.profile.paths_view import paths_table
+from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
+from motionlang.commands.profile.view import profile_document, render_profile
+from motionlang.kernel.errors import need
+from motionlang.kernel.result import Run as Result
+from motionlang.views.table import Document
+
+
+@dataclass
+class Profile(Simulated):
+    """Show where the time of a run goes, by line, sub and cause."""
+
+    title: ClassVar[str] = "profile"
+    epilog: ClassVar[str] = """\
+examples:
+  motionlang profile pick.mnt
+  motionlang profile pick.mnt --all --to pick.speedscope.json
+"""
+    all: bool = flag("list every move, phase and line in the tables")
+    paths: bool = flag(
+        "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
+    )
+    to: str | None = option(
+        "FILE", "also write the profile into a file, which speedscope and Perfetto open", suffixes=SUFFIXES
+    )
+
+    @property
+    def lists_all(self) -> bool:
+        return self.all
+
+    def prepare(self) -> None:
+        if self.paths:
+            need("motionlang profile --paths", "numpy")
+        if self.to is not None:
+            refuse_input(self, self.to)
+
+    def print_json(self, result: Result) -> None:
+        self.show(self.document(result), "")
+
+    def document(self, result: Result) -> Document:
+        made = profile_document(TimeProfile(result))
+        if not self.paths:
+            return made
+        from motionlang.commands.profile.paths import paths
+
+        return Document([paths_table(paths(result.trace)), *made.tables], made.values)
+
+    def more(self, result: Result, *, width: int, colour: bool) -> str:
+        shown = ""
+        if self.paths:
+            from motionlang.commands.profile.paths import paths
+
+            lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
+            shown = "\n" + "\n".join(lines) + "\n"
+        made = TimeProfile(result)
+        return shown + "\n" + render_profile(made, width=width, colour=colour, everything=self.all)
+
+    def after(self, result: Result) -> int:
+        to = self.to
+        if to is None:
+            return 0
+        sys.stdout.flush()
+        return written(to, lambda: write_profile(TimeProfile(result), to))

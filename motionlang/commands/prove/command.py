@@ -1,0 +1,62 @@
+"""`motionlang prove`: the motion of a run against the commanded limits."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from motionlang.cli.simulated import Simulated
+from motionlang.commands.prove.checker import Proof
+from motionlang.kernel.errors import Diagnostic, need
+from motionlang.kernel.result import Run as Result
+
+# Profiles of an interrupted run up to which it is still proved: a report comes within a second of the signal.
+PROVED_IN_TIME = 10_000
+
+
+@dataclass
+class Prove(Simulated):
+    """Verify the motion of a run against the commanded limits."""
+
+    title: ClassVar[str] = "proof"
+    epilog: ClassVar[str] = """\
+exit status: 1 if the motion violates a limit, or as in run
+
+examples:
+  motionlang prove pick.mnt
+"""
+    proves: ClassVar[bool] = True
+    proof: Proof | None = field(default=None, init=False, repr=False)
+
+    def prepare(self) -> None:
+        need(f"motionlang {type(self).__name__.lower()}", "numpy")
+
+    def extend(self, result: Result) -> None:
+        self.proof = proof_of(result)
+        if self.proof is not None:
+            result.diagnostics += self.proof.violations
+
+    def conclude(self, result: Result) -> None:
+        if self.proof is not None:
+            sys.stdout.write("\n" if self.format == "text" else "")
+            sys.stdout.write("\n".join(self.proof.lines()) + "\n")
+
+
+def proof_of(result: Result) -> Proof | None:
+    """Return the proof of a run, if possible.
+
+    A run that has crashed, or was interrupted after long motion, has none.
+    """
+    if result.expected_motion is None or result.crash is not None:
+        return None
+    profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
+    if result.status == "interrupted" and profiles > PROVED_IN_TIME:
+        message = f"the run was not verified: it ended after {profiles} profiles of motion"
+        hint = (
+            f"at most {PROVED_IN_TIME} are verified after a signal; a run that --until ends is always "
+            "verified"
+        )
+        result.diagnostics.append(Diagnostic("proof", message, hint=hint))
+        return None
+    return result.proof()

@@ -1,0 +1,209 @@
+"""Checks of paths in a run: geometry, the orders in force, neighbours, and end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import inf, nextafter
+
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.commands.prove.path_bounds import check_along, could_stop, spans_along
+from motionlang.commands.prove.path_layout import PathLayout, end_positions
+from motionlang.commands.prove.segments import Span
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.planners import Profile
+
+# Paths that may overlap.
+MAX_OVERLAP = 2
+
+
+def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+    """Check geometry, speed, acceleration and axis limits of a path for one profile."""
+    path = order.path
+    assert path is not None
+    proof.counts["paths"] += 1
+    begin = master.starts[i]
+    moves = run.members(path)
+    if len(moves) != len(path.members):
+        proof.breaks(order.line, f"path from {begin:.6f} s: the log lacks some of its axes")
+        return
+    profiles = [entry.profile for entry in moves if entry.profile is not None]
+    layout = PathLayout(path, run.origins(path))
+    where = f"path from {begin:.6f} s"
+    fresh = False
+    if run.is_blended(master, begin):
+        proof.excuses("paths blended into each other")
+        along = spans_along([(profile, begin - path.begun) for profile in profiles], layout, end - begin)
+    else:
+        axes = [run.axes[number] for number in path.members]
+        indices = [a.index_at(begin) for a in axes]
+        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, indices, strict=True)]
+        along = spans_along(tracks, layout, end - begin)
+        is_first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
+        fresh = is_first and _speeds_up(run, order, path, master, i)
+        is_endless = min(profile.duration - time for profile, time in tracks) == inf
+        can_move = order.speed and min(order.rates) and layout.length and not path.comes_to_rest
+        if is_endless and can_move:
+            proof.breaks(order.line, f"{where}: it never reaches its end")
+    _check_geometry(proof, order, layout, profiles, along, (begin - path.begun, end - begin), where)
+    if along:
+        plan = order if could_stop(order, layout, along) else in_force(run, master, i, order)
+        check_along(proof, order, plan, layout, along, where, fresh)
+
+
+def check_blended(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+    """Check the earlier paths that are blended with a profile's path while the profile is in force."""
+    path, begin = order.path, master.starts[i]
+    assert path is not None
+    count = 1
+    for tail in path.tails:
+        assert tail.path is not None
+        moves = run.members(tail.path)
+        if len(moves) != len(path.members) or moves[0].profile is None:
+            continue
+        finish = min(end, moves[0].start_time + moves[0].profile.duration)
+        if finish - begin > ROUNDED * (1.0 + begin):
+            count += 1
+            # A stop may come too late for it: then it ends as planned.
+            tail = tail._replace(path=tail.path._replace(leads_on=True))
+            check_rest(
+                proof, run, tail, in_force(run, master, i, tail, is_blended=True), begin, finish - begin
+            )
+    if count > MAX_OVERLAP:
+        words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
+        proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
+
+
+def check_rest(proof: Proof, run: Run, order: Order, plan: Order, begin: float, length: float) -> None:
+    """Check the bounds along a path from a time on, by its entries in the log; see `check_along`."""
+    layout, along = rest_along(run, order, begin, length)
+    if along:
+        assert order.path is not None
+        where = f"path from {order.path.begun:.6f} s at {begin:.6f} s"
+        check_along(proof, order, plan, layout, along, where)
+
+
+def rest_along(run: Run, order: Order, begin: float, length: float) -> tuple[PathLayout, list[Span]]:
+    """Return the layout of a path and its motion along it from a time on, by its entries in the log."""
+    path = order.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    layout = PathLayout(path, run.origins(path))
+    return layout, spans_along([(profile, begin - path.begun) for profile in profiles], layout, length)
+
+
+def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
+    """True if the previous path was not slowing down for one that begins too fast."""
+    earlier = run.expected_motion.of[master.index][i - 1].path
+    if earlier is None or earlier.comes_to_rest or earlier.members != path.members:
+        return False
+    begin, end = master.starts[i - 1], master.starts[i]
+    entries = [(run.axes[number], k) for number, k in zip(path.members, path.scales, strict=True)]
+    first, last = 0.0, 0.0
+    power = 0.0
+    for a, k in entries:
+        n = a.index_at(begin)
+        profile, length = a.profiles[n], end - a.starts[n]
+        state = profile.at(min(length, nextafter(profile.duration, 0.0)))
+        first += (profile.velocity(begin - a.starts[n]) / k) ** 2
+        last += (state.velocity / k) ** 2
+        power += state.velocity * state.acceleration / k**2
+    return power >= 0.0 and first < last * (1.0 - SLACK)
+
+
+def in_force(run: Run, master: WholeTrack, i: int, order: Order, is_blended: bool = False) -> Order:
+    """Return the order of a path at profile i, with the rates of the plans that it may continue.
+
+    A stop that comes too late continues the plan before it, and a path that is resumed may complete its stop. One that
+    `is_blended` with the next may keep any plan that it had.
+    """
+    found = order
+    for earlier in _orders_before(run, master, i, order):
+        assert order.path is not None
+        assert earlier.path is not None
+        if not (is_blended or order.path.comes_to_rest or earlier.path.comes_to_rest):
+            break
+        found, order = _wider(found, earlier), earlier
+    return found
+
+
+def _orders_before(run: Run, master: WholeTrack, i: int, order: Order) -> Iterator[Order]:
+    """Yield the earlier orders of a path, the last one first; it may have been blended with another one."""
+    assert order.path is not None
+    for k in range(i - 1, -1, -1):
+        before = run.expected_motion.of[master.index][k]
+        tails = before.path.tails if before.path is not None else ()
+        same = [
+            each for each in (before, *tails) if each.path is not None and each.path.nth == order.path.nth
+        ]
+        if not same:
+            return
+        yield same[0]
+
+
+def _wider(one: Order, other: Order) -> Order:
+    """Return an order with the shape, rates, jerks and limits of axes that either of two allows."""
+    assert one.path is not None
+    assert other.path is not None
+    path = one.path._replace(
+        most_accel=tuple(map(max, one.path.most_accel, other.path.most_accel)),
+        most_decel=tuple(map(max, one.path.most_decel, other.path.most_decel)),
+    )
+    rates = max(one.rates[0], other.rates[0]), max(one.rates[1], other.rates[1])
+    jerks = max(one.jerks[0], other.jerks[0]), max(one.jerks[1], other.jerks[1])
+    shape = one.shape if other.bends else other.shape
+    return one._replace(rates=rates, jerks=jerks, shape=shape, path=path)
+
+
+def _check_geometry(
+    proof: Proof,
+    order: Order,
+    layout: PathLayout,
+    profiles: Sequence[Profile],
+    along: list[Span],
+    time: tuple[float, float],
+    where: str,
+) -> None:
+    """Check at four times that the axes are on the path; on an arc, at its distance.
+
+    `time` is the start of the profile relative to the start of the path, and how long the profile is in
+    force, s.
+    """
+    first, length = time
+    slack = SLACK * max(
+        1.0, layout.length, *(abs(s / k) for s, k in zip(layout.starts, layout.path.scales, strict=True))
+    )
+    for share in (0.0, 0.3, 0.7, 1.0):
+        positions = [profile.position(first + share * length) for profile in profiles]
+        off = layout.off(positions)
+        if off > slack:
+            proof.breaks(order.line, f"{where}: it is {off:g} off the commanded path")
+            return
+        if along and layout.unit is None:
+            span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
+            along_it = span.at(min(share * length - span.begin, span.length))[0]
+            apart = max(abs(p - w) for p, w in zip(positions, layout.at(along_it), strict=True))
+            if apart > slack * max(map(abs, layout.path.scales)):
+                proof.breaks(order.line, f"{where}: {along_it:g} along it is {apart:g} counts off")
+                return
+
+
+def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
+    """Check that a path ends at its commanded position, and takes time."""
+    profile = move.profile
+    assert profile is not None
+    path = run.order_of(move).path
+    assert path is not None
+    entries = run.members(path)
+    starts = run.origins(path)
+    if len(starts) != len(path.members) or any(entry.offset for entry in entries):
+        return
+    which = path.members.index(move.axis)
+    end = end_positions(path, starts)[which]
+    where = f"axis {move.axis} from {move.start_time:.6f} s"
+    size = max(1.0, abs(end), abs(profile.start))
+    if over and abs(profile.end - end) > SLACK * size:
+        proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, commanded {end:g}")
+    if which == 0 and over and not profile.duration and PathLayout(path, starts).length > SLACK:
+        proof.breaks(move.line, f"{where}: a path in no time")

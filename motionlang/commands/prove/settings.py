@@ -1,0 +1,79 @@
+"""Checks of settings written in motion: the profile is replaced, or it observes them.
+
+Rates may come too late: a motion that could not stop at its end with them continues by its plan.
+"""
+
+from __future__ import annotations
+
+from motionlang.commands.prove.axes import check_bounds
+from motionlang.commands.prove.checker import SLACK, Proof, Run
+from motionlang.commands.prove.path_bounds import could_stop
+from motionlang.commands.prove.paths import check_rest, in_force, rest_along
+from motionlang.commands.prove.segments import spans
+from motionlang.commands.prove.stretches import stopping_distance
+from motionlang.kernel.log.order import Order
+from motionlang.kernel.log.track import WholeTrack
+
+
+def check_settings(proof: Proof, run: Run) -> None:
+    """Check every setting that did not lead to a new profile of its axis."""
+    for (number, time), wanted in run.expected_motion.unheeded.items():
+        a = run.axes[number]
+        i = a.index_at(time)
+        order = run.expected_motion.of[number][i]
+        end = run.span(a, i)[1]
+        if end - time > SLACK * SLACK * (1.0 + time) and order.settings != wanted.settings:
+            _check_setting(proof, run, a, i, order, wanted, (time, end))
+
+
+def _check_setting(
+    proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, wanted: Order, span: tuple[float, float]
+) -> None:
+    time, end = span
+    where = f"axis {a.index} at {time:.6f} s"
+    if order.path is not None and wanted.path is not None:
+        if order.path.entry == wanted.path.entry and not order.path.comes_to_rest:
+            _check_path_setting(proof, run, in_force(run, a, i, order), wanted, time, end - time)
+        return
+    kinds = order.kind, wanted.kind
+    if order.tie is not None and wanted.tie is not None:
+        if order.tie.ratio != wanted.tie.ratio:
+            words = f"it follows at {order.tie.ratio:g}, commanded {wanted.tie.ratio:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    elif kinds in (("move", "stop"), ("jog", "stop")):
+        proof.breaks(order.line, f"{where}: it continues, commanded to stop")
+    elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
+        words = f"it goes to {order.goal:g} counts/s, commanded {wanted.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
+    elif kinds == ("move", "move") and a.profiles[i].pieced:
+        elapsed = time - a.starts[i]
+        state, left = a.profiles[i].at(elapsed), abs(a.profiles[i].end - a.profiles[i].position(elapsed))
+        entry = state.velocity, state.acceleration
+        is_heeded = stopping_distance(wanted, *entry) < left * (1.0 - SLACK)
+        lower = _lower(order, wanted, is_heeded)
+        check_bounds(proof, lower, spans(a.profiles[i], elapsed, end - time), entry, where)
+
+
+def _check_path_setting(
+    proof: Proof, run: Run, order: Order, wanted: Order, time: float, length: float
+) -> None:
+    assert order.path is not None
+    assert wanted.path is not None
+    layout, along = rest_along(run, order, time, length)
+    if not along:
+        return
+    is_heeded = could_stop(wanted, layout, along)
+    if is_heeded and wanted.path.comes_to_rest:
+        where = f"path from {order.path.begun:.6f} s at {time:.6f} s"
+        proof.breaks(order.line, f"{where}: it continues, commanded to stop")
+    elif is_heeded or order.rates == wanted.rates:
+        lower = _lower(order, wanted, is_heeded)
+        path = order.path._replace(most=tuple(map(min, order.path.most, wanted.path.most)))
+        lower = lower._replace(path=path)
+        check_rest(proof, run, lower, lower, time, length)
+
+
+def _lower(order: Order, wanted: Order, is_heeded: bool) -> Order:
+    """Return an order with the lower speed of two; also with the lower rates if they do not come too late."""
+    rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
+    return order._replace(speed=min(order.speed, wanted.speed), rates=rates if is_heeded else order.rates)

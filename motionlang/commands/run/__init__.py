@@ -1,0 +1,1 @@
+"""Run a program and print what it did."""

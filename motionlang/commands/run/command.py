@@ -1,0 +1,72 @@
+"""`motionlang run`: run a program and report what it did."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import flag, option
+from motionlang.cli.readers import quantity_names, real
+from motionlang.cli.simulated import Pace, Simulated, pacer
+from motionlang.kernel.execution import Checked
+from motionlang.kernel.lang.scheduler import Outside
+from motionlang.kernel.result import Run as Result
+from motionlang.kernel.source import STDIN, Source
+
+
+@dataclass
+class Run(Simulated):
+    """Run a program and report what it did."""
+
+    title: ClassVar[str] = "run"
+    epilog: ClassVar[str] = """\
+The language is chosen by file extension: .mnt, .mntx and .prg are Mint, .mcl
+and .mccl are MCCL. Time is machine time: an hour takes a moment, unless you
+give --realtime. To draw a run, sample it, see where its time goes or prove it:
+plot, trace, profile, prove and certify.
+
+exit status: 0 success; 1 the program has an error or a fault, or an axis met an
+unhandled limit, following error or fault (standard error has the line, --allow
+accepts it); 2 the command line is invalid
+
+examples:
+  motionlang run pick.mnt --until 60
+  motionlang run pick.mnt --set controller.axes=2 --set pitch=5
+  generate-program | motionlang run - --lang mint --format json
+"""
+    all: bool = flag("list every move, phase and line in the table")
+    keep: tuple[str, ...] = option(
+        "NAME,…",
+        "quantities to report, such as peak.0 or cycle(12); sweep --help lists all",
+        read=quantity_names,
+        default=(),
+    )
+    realtime: float | None = option(
+        "FACTOR",
+        "run at FACTOR × real time; FACTOR defaults to 1",
+        const=1.0,
+        read=real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True),
+    )
+
+    @property
+    def lists_all(self) -> bool:
+        return self.all
+
+    def simulated(
+        self, source: Source, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+    ) -> Result:
+        if self.realtime is None:
+            return super().simulated(source, settings)
+        simulate, pace = super().simulated, pacer(self.realtime)
+        if self.file != STDIN and sys.stdin.isatty():
+            from motionlang.commands.run.keyboard import run_live
+
+            return run_live(lambda keyboard: simulate(source, settings, keyboard, pace), self.realtime)
+        return simulate(source, settings, None, pace)
+
+    def extend(self, result: Result) -> None:
+        if self.keep:
+            from motionlang.commands.quantities import values_of
+
+            result.quantities = values_of(result, self.keep)

@@ -1,0 +1,232 @@
+"""A sweep for its workers: the program, its results, and the run of a variant.
+
+A job is sent to other processes and machines; each of them computes the expensive derived data once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from hashlib import sha256
+from time import perf_counter
+from typing import Any
+
+from motionlang.commands.certify import certificate, violations
+from motionlang.commands.quantities import ResultValue, quantity
+from motionlang.commands.sweep.space import Value
+from motionlang.kernel.errors import Diagnostic, ProgramError, missing
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.literals import Literal, bound, edited, has_address, literals
+from motionlang.kernel.lang.machine.layers import layered
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+# A variant by its number and its values; a row by its number, its results, and its error.
+Variant = tuple[int, tuple[Value, ...]]
+Problem = dict[str, object]
+Result = tuple[int, tuple[ResultValue, ...], Problem | None]
+
+# Names of a variant that represent complete machine files.
+MACHINE, SCENARIO = "machine", "scenario"
+# Programs that a process caches: their settings decide how they are compiled.
+MAX_PROGRAMS = 32
+
+
+class Job:
+    """The common data of the variants of a sweep, as plain data that can be sent.
+
+    `worlds` has the settings of complete machine files by the names of variants: `{"machine": {"old": …}}`.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        dialect: str,
+        names: Sequence[str],
+        keep: Sequence[str],
+        settings: Mapping[str, object],
+        overrides: Mapping[str, float | str],
+        worlds: Mapping[str, Mapping[str, Mapping[str, object]]],
+        until: float | None,
+        prove: bool,
+        certify: bool = False,
+    ) -> None:
+        self.name, self.text, self.dialect = source.name, source.text, dialect
+        self.names, self.keep = tuple(names), tuple(keep)
+        self.settings, self.overrides = dict(settings), dict(overrides)
+        self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
+        self.until, self.prove, self.certify = until, prove or certify, certify
+        self._digest = ""
+
+    @property
+    def digest(self) -> str:
+        """A digest of the sweep without its variants, the same in all processes."""
+        if not self._digest:
+            fields = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
+            self._digest = sha256("\n".join(fields).encode("utf-8", "surrogatepass")).hexdigest()
+        return self._digest
+
+    def of(self, values: Sequence[Value]) -> tuple[dict[str, object], dict[str, float | str]]:
+        """Return the settings and the overrides of a variant."""
+        settings, overrides = self.settings, dict(self.overrides)
+        for name, value in zip(self.names, values, strict=True):
+            if name in self.worlds:
+                world = self.worlds[name][str(value)]
+                settings = dict(world) if name == MACHINE else layered(settings, world)
+        changed = {name: v for name, v in zip(self.names, values, strict=True) if "." in name}
+        settings = {**settings, **changed} if changed else settings
+        for name, value in zip(self.names, values, strict=True):
+            if "." not in name and name not in self.worlds:
+                overrides[name] = value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
+        return settings, overrides
+
+
+class Worker:
+    """A job in one process, with its compiled programs."""
+
+    def __init__(self, job: Job) -> None:
+        self.job, self.source = job, Source(job.name, job.text)
+        self._dialect = dialect(job.dialect)
+        self._readers = [quantity(name) for name in job.keep]
+        self._programs: dict[tuple[bool, str], Program] = {}
+        self._literals: list[Literal] | None = None
+        # The program with constants in place of literals, and their names; None where that is not possible.
+        self._bound: tuple[Source, dict[str, str]] | None = None
+
+    def result(self, variant: Variant) -> Result:
+        """Return the row of one variant, including its error, if any."""
+        index, values = variant
+        try:
+            settings, given = self.job.of(values)
+            found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
+            if found is None:
+                program = self._program(self.source, settings, given)
+                found = self._run(self.source, settings, given, program)
+                if given and found.status == "fault":  # run again, since a run by itself reports the error
+                    found = self._run(self.source, settings, given, None)
+            results = tuple(self._read(found, *reader) for reader in self._readers)
+            return index, results, self._problem(found)
+        except ProgramError as error:
+            return index, (None,) * len(self._readers), problem_of(error.diagnostics)
+        except (ValueError, KeyError) as error:
+            return index, (None,) * len(self._readers), problem_of([Diagnostic("machine-file", str(error))])
+
+    def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
+        """Run a variant that gives values to literals.
+
+        Returns None if no varied name is a literal. Constants replace the literals where this makes no
+        difference, so that the program is compiled only once.
+        """
+        if self._literals is None:
+            self._literals = literals(self.source, self._dialect)
+            self._bound = bound(self.source, self._dialect, given, self._literals)
+        if self._bound is not None and not any(isinstance(given[name], str) for name in self._bound[1]):
+            source, names = self._bound
+            values = {names.get(name, name): value for name, value in given.items()}
+            try:
+                found = self._run(source, settings, values, self._program(source, settings, values))
+            except ProgramError:
+                found = None  # the edited program says what is wrong, in its own words
+            if found is not None and found.status != "fault":
+                return found
+        source, values, _ = edited(self.source, self._dialect, given, self._literals)
+        return None if source is self.source else self._run(source, settings, values, None)
+
+    def _run(
+        self,
+        source: Source,
+        settings: dict[str, object],
+        overrides: dict[str, float | str],
+        compiled: Program | None,
+    ) -> Run:
+        found = run(
+            source,
+            dialect=self._dialect,
+            machine=settings,
+            until=self.job.until,
+            overrides=overrides,
+            keep_crash=True,
+            prove=self.job.prove,
+            compiled=compiled,
+        )
+        if found.status == "interrupted":
+            raise KeyboardInterrupt
+        return found
+
+    def _program(
+        self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
+    ) -> Program:
+        """Return the program compiled for a machine.
+
+        It is compiled once for all machines whose settings agree in the keys that compiled code depends on,
+        and separately with constants in place of literals.
+        """
+        deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
+        key = source is self.source, repr(sorted(deciding.items())) if deciding else ""
+        found = self._programs.get(key)
+        if found is None:
+            if len(self._programs) >= MAX_PROGRAMS:
+                self._programs.clear()
+            found = self._programs[key] = self._dialect.compile_given(source, settings, overrides)
+        return found
+
+    @staticmethod
+    def _read(found: Run, row: Any, number: int) -> ResultValue:
+        try:
+            results: ResultValue = row.read(found, number)
+        except KeyError:  # no such axis
+            return None
+        return results
+
+    def _problem(self, found: Run) -> Problem | None:
+        """Return the first error of a run, or None."""
+        diagnostics = [each for each in found.diagnostics if each.severity == "error"]
+        if found.crash is not None:
+            diagnostics.append(_failed(found.crash))
+        elif self.job.prove:
+            diagnostics += found.proof().violations
+        if self.job.certify and found.crash is None:
+            lines = certificate(found.controller, found.machine.settings, found.time)
+            diagnostics += violations(lines)
+        return problem_of(diagnostics) if diagnostics else None
+
+
+def _failed(error: Exception) -> Diagnostic:
+    """Return the message for an unexpected error of a run, or for a missing library."""
+    lacking = missing(error, "this run")
+    if lacking is not None:
+        return Diagnostic("extra", lacking.message, hint=lacking.hint)
+    return Diagnostic("crash", f"internal error: {type(error).__name__}: {error}")
+
+
+def problem_of(diagnostics: Sequence[Diagnostic]) -> Problem:
+    """Return the first diagnostic as plain data, with the number of `more` of them."""
+    first = diagnostics[0]
+    return {**first.as_dict(), "length": first.length, "more": len(diagnostics) - 1}
+
+
+# The workers of this process, by their jobs; a pool that is used for several sweeps has several.
+_WORKERS: dict[str, Worker] = {}
+MAX_WORKERS = 8
+
+
+def worker_of(job: Job) -> Worker:
+    """Return the worker of a job in this process."""
+    found = _WORKERS.get(job.digest)
+    if found is None:
+        while len(_WORKERS) >= MAX_WORKERS:
+            _WORKERS.pop(next(iter(_WORKERS)), None)
+        found = _WORKERS.setdefault(job.digest, Worker(job))
+    return found
+
+
+def work(job: Job, variants: Sequence[Variant]) -> tuple[float, list[Result]]:
+    """Run some variants; return the time taken in s, and the rows.
+
+    This is the function that a pool calls.
+    """
+    worker = worker_of(job)
+    began = perf_counter()
+    rows = [worker.result(each) for each in variants]
+    return perf_counter() - began, rows

@@ -1,0 +1,231 @@
+"""The report of a sweep: table, best variant, Pareto front, failures, picture."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Sequence
+from math import inf
+from typing import TYPE_CHECKING, Any
+
+from motionlang.cli.complaints import complain, unwritten
+from motionlang.commands import sweep as sweeps
+from motionlang.commands.quantities import unit_of
+from motionlang.commands.sweep.expression import Expression, pareto
+from motionlang.commands.sweep.job import Problem, Result
+from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
+from motionlang.commands.sweep.table import Row, cell, sweep_table
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.execution import end_of
+from motionlang.views.figure import Figure
+from motionlang.views.figure_files import write_figure
+from motionlang.views.table import Document, Table
+from motionlang.views.terminal import styled, table_width, wants_colour
+
+if TYPE_CHECKING:
+    from motionlang.commands.sweep.command import Sweep
+    from motionlang.commands.sweep.variants import Variants
+
+    # The values and results of each variant without an error, by its number and their name.
+    Good = dict[int, Row]
+
+# Failed variants that are named for each error.
+MAX_FAILED = 3
+_FIGURES = re.compile(r"\d[\d.e+-]*")
+
+
+class SweepReport:
+    """The report of a sweep; `keep` names the results that it needs.
+
+    These are the requested results and those used in expressions. `names` are the varied names.
+    """
+
+    def __init__(self, variants: Variants, names: Sequence[str]) -> None:
+        self.names, self._variants, self._costs = tuple(names), variants, variants.pareto or []
+        expressions = (variants.minimise, variants.maximise, variants.where, *self._costs)
+        needed = [name for each in expressions if each is not None for name in each.names]
+        self.keep = tuple(dict.fromkeys((*variants.keep, *(name for name in needed if name not in names))))
+
+    def table(self, sweep: sweeps.Sweep, rows: dict[int, Result]) -> Table:
+        """Return the table of all rows, in the order of the variants."""
+        return sweep_table(self._units, [self._row(sweep, *rows[index]) for index in sorted(rows)])
+
+    @property
+    def _units(self) -> dict[str, str]:
+        """The varied names and the results with their units."""
+        return {**dict.fromkeys(self.names, ""), **{name: unit_of(name) for name in self.keep}}
+
+    def _row(self, sweep: sweeps.Sweep, index: int, results: Sequence[Any], problem: Problem | None) -> Row:
+        values = zip((*self.names, *self.keep), (*sweep.space[index], *results), strict=True)
+        return {"variant": index, **dict(values), "problem": None if problem is None else problem["message"]}
+
+    def report(self, command: Sweep, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
+        """Print and draw the requested output; 1 if a variant failed or a picture did."""
+        bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
+        good: Good = {n: self._row(sweep, *rows[n]) for n in sorted(rows) if n not in bad}
+        best, front = self._best(good), self._front(good)
+        text = self._text(command.rows, good, best, front) if command.format == "text" and rows else ""
+        command.show(Document([self.table(sweep, rows)]), text)
+        sys.stdout.flush()
+        self._note_limit(sweep, good)
+        if bad:
+            self._report_failures(sweep, bad, len(rows))
+        status = self._draw(command.plot, command.file, good, best, front) if command.plot is not None else 0
+        return 1 if bad else status
+
+    def _note_limit(self, sweep: sweeps.Sweep, good: Good) -> None:
+        """Say that every variant ran to the time limit, so that its time compares nothing."""
+        limit = sweep.job.until if sweep.job.until is not None else end_of(sweep.job.settings)
+        has_cycle = any(name.startswith("cycle(") for name in self.keep)
+        if not has_cycle and len(good) > 1 and all(values.get("time") == limit for values in good.values()):
+            sys.stderr.write(
+                f"note: every variant ran to the time limit of {limit:.10g} s; compare a cycle instead: "
+                'cycle(LINE), "cycle(output N)" or "cycle(print TEXT)"\n'
+            )
+
+    def _cost(self, wanted: Expression, values: dict[str, Any]) -> float | None:
+        """Return the value to minimise, None if it is not a number."""
+        cost = wanted.number(values)
+        return -cost if cost is not None and self._variants.maximise is not None else cost
+
+    def _best(self, good: Good) -> int | None:
+        """Return the number of the best variant, the first of equal ones."""
+        wanted = self._variants.wanted
+        if wanted is None:
+            return None
+        found = [
+            (cost, index)
+            for index in self._where(good)
+            if (cost := self._cost(wanted, good[index])) is not None
+        ]
+        return min(found)[1] if found else None
+
+    def _where(self, good: Good) -> list[int]:
+        where = self._variants.where
+        return [index for index, values in good.items() if where is None or where(values)]
+
+    def _front(self, good: Good) -> list[int]:
+        if not self._costs:
+            return []
+        costs, numbers = [], []
+        for index in self._where(good):
+            cost = [each.number(good[index]) for each in self._costs]
+            if None not in cost:
+                costs.append(tuple(c for c in cost if c is not None))
+                numbers.append(index)
+        return [numbers[n] for n in pareto(costs)]
+
+    # ---------------------------------------------------------------------------------------------- the table
+
+    def _text(self, most: int, good: Good, best: int | None, front: list[int]) -> str:
+        colour = wants_colour(sys.stdout)
+        shown = front if self._costs else self._where(good)
+        what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
+        if not self._costs and self._variants.where is not None and len(shown) < len(good):
+            what = f"{len(shown)} of {len(good)} variants with {self._variants.where.text}"
+        most = most or len(shown)
+        wanted = self._variants.wanted
+        if wanted is not None and not self._costs and len(shown) > most:
+
+            def rank(index: int) -> tuple[float, int]:
+                cost = self._cost(wanted, good[index])
+                return (inf if cost is None else cost), index
+
+            shown = sorted(shown, key=rank)
+        lines = [styled(what, "bold", colour), ""] if what else []
+        if shown:
+            marked = None if best is None else good[best]
+            table = sweep_table(self._units, [good[n] for n in shown[:most]], marked)
+            lines += table.lines(table_width(sys.stdout), colour=colour)
+        if len(shown) > most:
+            lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
+        if self._variants.wanted is not None:
+            lines += ["", self._best_line(good, best, self._variants.wanted)]
+        return "\n".join(lines) + "\n"
+
+    def _best_line(self, good: Good, best: int | None, wanted: Expression) -> str:
+        if best is None:
+            where = self._variants.where
+            return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
+        values = good[best]
+        found = ", ".join(f"{name} = {cell(values[name])}" for name in self.names)
+        which = "largest" if self._variants.maximise is not None else "smallest"
+        return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
+
+    # --------------------------------------------------------------------------------------- failed variants
+
+    def _report_failures(self, sweep: sweeps.Sweep, bad: dict[int, Problem], count: int) -> None:
+        """Report failed variants separately, grouped by error."""
+        groups: dict[str, tuple[str, list[int]]] = {}
+        for index, problem in bad.items():
+            location = f" (line {problem['line']})" if problem["line"] else ""
+            message = f"{problem['code']}: {problem['message']}{location}"
+            # Errors that differ only in figures are grouped.
+            groups.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
+        sys.stderr.write(f"{len(bad)} of {count} variants failed\n")
+        for message, indices in groups.values():
+            named = [
+                ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
+                for index in indices[:MAX_FAILED]
+            ]
+            more = f"; and {len(indices) - MAX_FAILED} more" if len(indices) > MAX_FAILED else ""
+            sys.stderr.write(f"  {message}\n    with {'; '.join(named)}{more}\n")
+
+    # --------------------------------------------------------------------------------------------- the picture
+
+    def _draw(self, path: str, program: str, good: Good, best: int | None, front: list[int]) -> int:
+        figure = self._figure(good, best, front)
+        if figure is None:
+            problem = "no recorded quantity or no varied name is a number"
+            complain([Diagnostic("file", f"{path} was not drawn: {problem}")], None, program)
+            return 1
+        try:
+            write_figure(figure, path)
+        except OSError as error:
+            complain([unwritten(path, error)], None, program)
+            return 1
+        return 0
+
+    def _figure(self, good: Good, best: int | None, front: list[int]) -> Figure | None:
+        """Return a figure that suits the varied names, or None if there are no numbers to draw."""
+        units = {name: unit_of(name) for name in self.keep}
+        if len(self._costs) == 2:
+            by = {
+                n: [c for each in self._costs if (c := each.number(v)) is not None] for n, v in good.items()
+            }
+            points = {n: (cost[0], cost[1]) for n, cost in by.items() if len(cost) == 2}
+            x, y = (each.text.strip() for each in self._costs)
+            return front_figure((x, y), list(points.values()), [points[n] for n in front], units)
+        figures = [name for name in self.keep if any(_is_number(values[name]) for values in good.values())]
+        varied = [
+            name for name in self.names if len({v[name] for v in good.values() if _is_number(v[name])}) > 1
+        ]
+        if not figures or not varied:
+            return None
+        others = [name for name in self.names if name != varied[0]]
+        kinds = {tuple(str(values[name]) for name in others) for values in good.values()}
+        if len(varied) == 1 or len(kinds) <= MAX_LINES:
+            curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
+            for values in good.values():
+                label = ", ".join(f"{name} = {cell(values[name])}" for name in others)
+                for name in figures:
+                    if _is_number(values[name]) and _is_number(values[varied[0]]):
+                        curves[name].setdefault(label, []).append((values[varied[0]], values[name]))
+            for lines in curves.values():
+                for line in lines.values():
+                    line.sort()
+            at = None if best is None else good[best]
+            marks = (
+                {name: (at[varied[0]], at[name]) for name in figures if _is_number(at[name])} if at else None
+            )
+            return line_figure(varied[0], curves, units, marks)
+        x, y, z = varied[0], varied[1], figures[0]
+        samples = [
+            (v[x], v[y], v[z]) for v in good.values() if all(_is_number(v[name]) for name in (x, y, z))
+        ]
+        at = None if best is None else good[best]
+        return map_figure((x, y, z), samples, units, (at[x], at[y]) if at else None)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < inf

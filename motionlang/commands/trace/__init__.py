@@ -1,0 +1,1 @@
+"""The motion of a run as columns of a file."""

@@ -1,0 +1,64 @@
+"""`motionlang trace`: sample the motion of a run into a file."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import argument, option
+from motionlang.cli.drawn import Drawn
+from motionlang.cli.readers import columns, real
+from motionlang.kernel.errors import need
+from motionlang.kernel.result import Run as Result
+from motionlang.views.progress import Progress
+
+TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
+RATE = 1000.0
+# TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
+TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
+HERTZ = real("a rate above 0 and up to 10,000,000 samples per second", 0.0, 10e6, above=True)
+
+
+@dataclass
+class Trace(Drawn):
+    """Sample the motion of a run into a file."""
+
+    title: ClassVar[str] = "trace"
+    epilog: ClassVar[str] = """\
+examples:
+  motionlang trace pick.mnt pick.csv --rate 500 --columns position,velocity.0
+  motionlang trace pick.mcl pick.csv --points
+"""
+    out: str = argument("OUT", "the file to write", suffixes=TRACES)
+    rate: float | None = option(
+        "HZ", f"samples per second ({RATE:.10g}; with --points {SERVO_RATE:.10g})", read=HERTZ
+    )
+    columns: list[str] | None = option(
+        "NAME,…",
+        "the columns in addition to time, for every axis or for one, such as position,velocity.0",
+        read=columns,
+    )
+    points: float | None = option(
+        "HZ",
+        "trace the trajectory points of the controller, joined by straight lines, as the servo loop receives them, "
+        f"instead of the exact curve; HZ defaults to {TRAJECTORY_RATE:.10g}, as on PMC's MultiFlex boards",
+        read=HERTZ,
+        const=TRAJECTORY_RATE,
+    )
+
+    def prepare(self) -> None:
+        super().prepare()
+        need("motionlang trace", "numpy")
+
+    def write(self, result: Result) -> None:
+        from motionlang.commands.trace.export import write_trace
+
+        trace = result.trace if self.points is None else result.trace.as_controller(self.points)
+        if self.columns is not None:
+            trace.choose(self.columns)
+        progress = Progress(sys.stderr, self.out)
+        try:
+            write_trace(trace, self.out, self.rate or (RATE if self.points is None else SERVO_RATE), progress)
+        finally:
+            progress.done()

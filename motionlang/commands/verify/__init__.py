@@ -1,0 +1,1 @@
+"""Do programs still do what they did: golden files, scenarios, sweeps."""

@@ -1,0 +1,214 @@
+"""`motionlang verify`: run programs and compare them with their golden files."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import ClassVar
+
+from motionlang.cli.command import WrongOption, argument, flag
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.crash import crash
+from motionlang.cli.program_files import programs
+from motionlang.cli.shared import Findings, Jobs
+from motionlang.cli.signals import SIGNALS
+from motionlang.commands.check.findings import Found, written
+from motionlang.commands.diff.golden import differences, golden_files, update
+from motionlang.commands.processes.parallel import in_parallel
+from motionlang.commands.verify.further import expectations, further_checks
+from motionlang.commands.verify.log import verify_log
+from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
+from motionlang.commands.verify.scenarios import Scenario, unmet
+from motionlang.commands.verify.verdict import Verdict
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.execution import dialect_of, machine_of, run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+from motionlang.views.diagnostics import diagnostics_table
+from motionlang.views.table import Column, Document, Table
+
+KINDS = ("program", "scenario", "sweep", "log")
+LOG_SUFFIX = ".mcapi-log"
+NO_ANSWER = """\
+--review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
+accept all changes with --update. The golden files of this program are unchanged.
+"""
+
+
+@dataclass
+class Verify(Jobs, Findings):
+    """Compare programs with their golden files."""
+
+    title: ClassVar[str] = "checks"
+    epilog: ClassVar[str] = """\
+The golden files of pick.mnt are pick.golden.json, with its report, and
+pick.golden.txt, with its output. A log of calls, host.mcapi-log, must replay
+without a difference. A missing golden file is an error.
+"""
+    paths: list[str] = argument(
+        "PATH", "programs, or folders of programs; default: this folder", many=True, default=["."]
+    )
+    update: bool = flag("rewrite the golden files that differ")
+    review: bool = flag("ask whether to accept each change")
+
+    def check(self) -> None:
+        super().check()
+        if self.review and (self.update or self.format != "text"):
+            raise WrongOption("--review cannot be combined with --update or --format")
+
+    def run(self) -> int:
+        found = programs(self.paths, LOG_SUFFIX)
+        if not found:
+            sys.stderr.write(f"no programs in {', '.join(self.paths)}\n")
+            return 1
+        form, verdicts, quits = self.format, list[Verdict](), False
+        for each in in_parallel(partial(_verdicts_of, self.update), found, self.jobs):
+            for verdict in each:
+                verdicts.append(verdict)
+                if form in ("text", "json", "csv"):
+                    complain(verdict.diagnostics, verdict.source, verdict.path)
+                if form == "text":
+                    sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
+                if self.review and verdict.failed and verdict.lines and not quits:
+                    try:
+                        _review(each[0].name, verdict)
+                    except Quit:
+                        quits = True
+                    except NoAnswer:
+                        sys.stderr.write(NO_ANSWER)
+                        return 2
+        if form == "text" and not self.quiet:
+            good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
+            what = "have current golden files" if self.update else "match their golden files"
+            sys.stdout.write(f"{good} {what}\n")
+        elif form in ("json", "csv"):
+            self.show(_document(verdicts), "")
+        elif form not in ("text", "none"):
+            document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
+            sys.stdout.write(written(document, form, "verify"))
+        return 1 if any(each.failed for each in verdicts) else 0
+
+
+def _review(program: str, verdict: Verdict) -> None:
+    """Ask about each change; failures unrelated to golden files remain."""
+    sys.stdout.flush()
+    try:
+        if verdict.kind == "sweep":
+            _review_rows(program, verdict)
+        elif verdict.kind == "log":
+            sys.stderr.write(
+                f"{verdict.name}: a log is recorded, not accepted: motionlang mcapi run --record\n"
+            )
+        elif verdict.kind == "program":
+            result = run(program)
+            SIGNALS.end_with(result)
+            matches = review(program, result)
+            verdict.failed = not matches or bool(expectations(result))
+        elif os.path.exists(golden_files(verdict.name)[0]):
+            scenario = Scenario(program, verdict.name)
+            result = scenario.run()
+            SIGNALS.end_with(result)
+            matches = review(verdict.name, result)
+            verdict.failed = not matches or bool(unmet(result, scenario.expected))
+    except (OSError, ValueError, ProgramError) as error:
+        sys.stderr.write(f"{verdict.name}: nothing written: {error}\n")
+
+
+def _review_rows(program: str, verdict: Verdict) -> None:
+    answer = ask(f"{verdict.name}: accept these rows?", "ynq")
+    if answer == "q":
+        raise Quit
+    if answer == "y":
+        (again,) = further_checks(program, True, verdict.name)
+        verdict.failed = again.failed
+        complain(again.diagnostics, again.source, again.path)
+
+
+def _count(verdicts: Sequence[Verdict], kind: str) -> str:
+    """Return how many verdicts of a kind passed, as text; "" if there are none."""
+    of_kind = [each for each in verdicts if each.kind == kind]
+    well = [each for each in of_kind if not each.failed]
+    return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
+
+
+def _document(verdicts: Sequence[Verdict]) -> Document:
+    columns = (
+        Column("file", get=lambda verdict: verdict.name),
+        Column("kind"),
+        Column("matches_golden", get=lambda verdict: not verdict.failed),
+    )
+    findings = ((verdict.name, each) for verdict in verdicts for each in verdict.findings())
+    return Document([Table("verdicts", columns, verdicts), diagnostics_table(findings)])
+
+
+def _verdicts_of(rewrite: bool, program: str) -> list[Verdict]:
+    """Return the verdicts of a program, its scenarios and its sweep, or that of a log."""
+    if program.endswith(LOG_SUFFIX):
+        return [verify_log(program)]
+    verdict = Verdict(program)
+    if _is_readable(verdict):
+        (_update if rewrite else _verify)(verdict)
+    return [verdict, *further_checks(program, rewrite)]
+
+
+def _verify(verdict: Verdict) -> None:
+    report, _ = golden_files(verdict.name)
+    if not os.path.exists(report):
+        verdict.fail(f"no {os.path.basename(report)} next to it; --update writes one")
+        return
+    result = _ran(verdict)
+    if result is None:
+        return
+    try:
+        found = differences(verdict.name, result)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename), error)])
+    except ValueError as error:
+        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
+        verdict.fail(f"{os.path.basename(report)} {what}: {error}")
+    else:
+        verdict.report(expectations(result) + found)
+        if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
+            verdict.diagnostics, verdict.source = result.diagnostics, result.source
+
+
+def _update(verdict: Verdict) -> None:
+    result = _ran(verdict)
+    if result is None:
+        return
+    try:
+        if update(verdict.name, result):
+            verdict.lines.append(f"{verdict.name}: written")
+    except OSError as error:
+        verdict.refuse([unwritten(str(error.filename), error)])
+
+
+def _ran(verdict: Verdict) -> Run | None:
+    """Return the run of a program; None if it or its machine file cannot be read."""
+    program = verdict.name
+    try:
+        result = run(program)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename or program), error)])
+    except ProgramError as error:
+        machine = machine_of(program)
+        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
+    except Exception as error:  # an internal error must not skip the programs after it
+        verdict.refuse([crash(error, (program,))])
+    else:
+        SIGNALS.end_with(result)
+        return result
+    return None
+
+
+def _is_readable(verdict: Verdict) -> bool:
+    program = verdict.name
+    if not os.path.exists(program):
+        verdict.refuse([unreadable(program, FileNotFoundError(2, "no such file or directory"))])
+    elif dialect_of(program) is None:
+        verdict.refuse([no_dialect(program)])
+    return not verdict.failed

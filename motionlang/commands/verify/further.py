@@ -1,0 +1,145 @@
+"""Further checks of `motionlang verify`: expectations, scenarios, sweep."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Callable
+
+from motionlang.cli.complaints import unreadable, unwritten
+from motionlang.cli.signals import SIGNALS
+from motionlang.commands.diff.golden import differences, golden_files, same, update
+from motionlang.commands.sweep import Sweep
+from motionlang.commands.sweep.variants import Variants
+from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
+from motionlang.commands.verify.scenarios import Scenario, scenario_files, unmet
+from motionlang.commands.verify.verdict import Verdict
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.files import replacing
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+
+def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
+    """Check, or rewrite, the scenarios and the sweep of a program, or one of them."""
+    found = [
+        _guarded(Verdict(path, "scenario"), _scenario, program, rewrite)
+        for path in scenario_files(program)
+        if only in ("", path)
+    ]
+    path = os.path.splitext(program)[0] + SWEEP_SUFFIX
+    if only in ("", path) and os.path.isfile(path):
+        found.append(_guarded(Verdict(path, "sweep"), _sweep, program, rewrite))
+    return found
+
+
+def expectations(result: Run) -> list[str]:
+    """Return the machine file's expectations that a run does not meet."""
+    expected = result.machine.settings.get("expect", [])
+    return unmet(result, expected) if expected else []  # type: ignore[arg-type]
+
+
+def _guarded(
+    verdict: Verdict, work: Callable[[str, Verdict, bool], None], program: str, rewrite: bool
+) -> Verdict:
+    """Do the work and return the verdict; it fails if a file is unreadable or invalid."""
+    try:
+        work(program, verdict, rewrite)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename or verdict.name), error)])
+    except ProgramError as error:
+        verdict.refuse(error.diagnostics, Source.read(verdict.name))
+    except ValueError as error:
+        verdict.fail(str(error))
+    return verdict
+
+
+def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
+    """Check a scenario against its expectations and its golden files, if any."""
+    path = verdict.name
+    scenario = Scenario(program, path)
+    result = scenario.run()
+    SIGNALS.end_with(result)
+    found = unmet(result, scenario.expected)
+    golden = os.path.exists(golden_files(path)[0])
+    if rewrite:
+        try:
+            if update(path, result):
+                verdict.lines.append(f"{path}: written")
+        except OSError as error:
+            verdict.refuse([unwritten(str(error.filename), error)])
+            return
+    elif golden:
+        found += differences(path, result)
+    elif not scenario.expected:
+        found.append(
+            "it has neither [[expect]] entries nor a golden file; add [[expect]] or run with --update"
+        )
+    verdict.report(found)
+
+
+def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
+    """Check the rows of a sweep against its golden file."""
+    path = verdict.name
+    variants = Variants.of_file(path)
+    worlds = variants.worlds()
+    sweep = Sweep(
+        program,
+        variants.space(worlds),
+        keep=variants.keep,
+        worlds=worlds,
+        until=variants.until,
+        prove=variants.prove,
+        certify=variants.certify,
+    )
+    names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]
+    rows = [
+        [str(cell) for cell in (index, *sweep.space[index], *results, problem["message"] if problem else "")]
+        for index, results, problem in sorted(sweep.results(), key=lambda row: row[0])
+    ]
+    golden = sweep_golden(path)
+    if rewrite:
+        _write(verdict, golden, names, rows)
+        return
+    if not os.path.exists(golden):
+        verdict.report([f"no {os.path.basename(golden)} next to it; --update writes one"])
+        return
+    with open(golden, encoding="utf-8", newline="") as file:
+        expected = list(csv.reader(file))
+    found = [] if expected[:1] == [names] else [f"its columns are {', '.join(names)}"]
+    if len(expected) - 1 != len(rows):
+        found.append(f"it has {len(rows)} variants instead of {len(expected) - 1}")
+    for old, new in zip(expected[1:], rows, strict=False):
+        for name, was, is_ in zip(names, old, new, strict=False):
+            if not _same(was, is_):
+                found.append(f"variant {new[0]}: {name} is {is_} instead of {was}")
+    verdict.report(found)
+
+
+def _same(was: str, found: str) -> bool:
+    try:
+        return same(float(was), float(found))
+    except ValueError:
+        return was == found
+
+
+def sweep_golden(path: str) -> str:
+    """Return the path of the golden file of a sweep's rows."""
+    return path.removesuffix(".toml") + ".golden.csv"
+
+
+def _write(verdict: Verdict, golden: str, names: list[str], rows: list[list[str]]) -> None:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([names, *rows])
+    try:
+        if os.path.exists(golden):
+            with open(golden, encoding="utf-8", newline="") as file:
+                if file.read() == text.getvalue():
+                    return
+        with replacing(golden, only_copy=True) as out:
+            out.write(text.getvalue().encode())
+    except OSError as error:
+        verdict.refuse([unwritten(str(error.filename), error)])
+        return
+    verdict.lines.append(f"{golden}: written")

@@ -1,0 +1,53 @@
+"""The result of `motionlang verify` for one program, scenario or sweep.
+
+Any process can compute it; the first process reports it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from motionlang.commands.diff.golden import MAX_DIFFERENCES
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.source import Source
+
+
+class Verdict:
+    """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
+
+    `kind` is "program", "scenario" or "sweep".
+    """
+
+    def __init__(self, name: str, kind: str = "program") -> None:
+        self.name = self.path = name
+        self.kind = kind
+        self.failed = False
+        self.lines: list[str] = []
+        self.diagnostics: list[Diagnostic] = []
+        self.source: Source | None = None
+
+    def refuse(self, diagnostics: list[Diagnostic], source: Source | None = None, path: str = "") -> None:
+        """Fail because the program could not run, or golden files not be read or written.
+
+        `source` is the text with the error.
+        """
+        self.failed, self.diagnostics = True, diagnostics
+        self.source, self.path = source, path or self.name
+
+    def fail(self, message: str) -> None:
+        """Fail for a reason of one line."""
+        self.failed = True
+        self.lines.append(f"{self.name}: {message}")
+
+    def report(self, found: Sequence[str]) -> None:
+        """Fail if any differences were found."""
+        if found:
+            self.fail("differs")
+            self.lines += [f"  {each}" for each in found[:MAX_DIFFERENCES]]
+            if len(found) > MAX_DIFFERENCES:
+                self.lines.append(f"  and {len(found) - MAX_DIFFERENCES} more")
+
+    def findings(self) -> list[Diagnostic]:
+        """Return the result as diagnostics, for other tools."""
+        from_golden = [Diagnostic("golden", "\n".join(self.lines))] if self.failed and self.lines else []
+        return self.diagnostics + from_golden

@@ -1,0 +1,272 @@
+"""The functions for other Python programs: `motionlang.run`, `check` and others.
+
+Each function only checks its arguments and calls the layer that does the work, which is imported on use.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from motionlang.kernel import execution
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.execution import Checked, checked_settings, dialect_for, settings_next_to
+from motionlang.kernel.lang.dialect import unknown_model
+from motionlang.kernel.lang.foreign import one_sentence
+from motionlang.kernel.lang.machine.axes import missing_axes
+from motionlang.kernel.lang.machine.entries import Given
+from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.commands.certify import Limit
+    from motionlang.commands.compare.comparison import Comparison
+    from motionlang.commands.cover import Coverage
+    from motionlang.commands.diff.reports import Difference
+    from motionlang.commands.improve import Improvement
+    from motionlang.commands.map.program_map import ProgramMap
+    from motionlang.commands.profile.profile import TimeProfile
+    from motionlang.commands.prove.checker import Proof
+
+Program = str | os.PathLike[str] | Source
+
+Side = Program | Run | Mapping[str, object]
+
+
+def run(
+    program: Program,
+    *,
+    dialect: str | None = None,
+    machine: Mapping[str, object] | None = None,
+    until: float | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+    inputs: Given = (),
+    analog: Given = (),
+    answers: Given = (),
+    keys: Given = (),
+    show: Callable[[str], object] | None = None,
+    nv: str | None = None,
+    prove: bool = False,
+    log_size: float | None = None,
+) -> Run:
+    """Run a program on the virtual controller and return its `Run`.
+
+    `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the file extension
+    decides. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
+    without it they are taken from the machine file next to the program, if there is one. `until` is the machine
+    time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours.
+    `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
+    events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
+    each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run
+    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes, by
+    default the file's `run.log` or 8.
+
+    Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
+    ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
+    """
+    for name, value in (("until", until), ("log_size", log_size)):
+        if value is not None and not value >= 0.0:
+            raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
+    return execution.run(
+        _checked(program),
+        dialect=dialect,
+        machine=machine,
+        until=until,
+        overrides=overrides,
+        inputs=inputs,
+        analog=analog,
+        answers=answers,
+        keys=keys,
+        show=show,
+        nv=nv,
+        prove=prove,
+        log_size=log_size,
+    )
+
+
+def check(
+    program: Program,
+    *,
+    dialect: str | None = None,
+    machine: Mapping[str, object] | None = None,
+    model: str | None = None,
+) -> list[Diagnostic]:
+    """Return all errors and warnings of a program, in order of line; nothing is run.
+
+    `dialect` and `machine` are those of `run`. `model` is the controller that the program is for, such as
+    "mintmt". A diagnostic has `code`, `message`, `line`, `hint` and `severity`, "error" or "warning". Raises
+    OSError if the file cannot be read, ProgramError if the machine file is wrong, and ValueError, with the
+    choices, for an unknown model or language.
+    """
+    program = _checked(program)
+    source = program if isinstance(program, Source) else Source.read(program)
+    language = dialect_for(source, dialect)
+    problem = None if model is None else unknown_model(model, language)
+    if problem is not None:
+        raise ValueError("; ".join(problem))
+    settings = settings_next_to(program) if machine is None else checked_settings(machine)
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    wrong = missing_axes(settings, axes, language.first_axis)
+    if wrong:
+        raise ProgramError(wrong)
+    if model is not None:
+        settings["controller.model"] = model
+    return one_sentence(language, source, language.check(source, settings))
+
+
+def profile(program: Program | Run) -> TimeProfile:
+    """Return how the time of a run is spent, along the critical path.
+
+    The time is split by line, sub, cause and axis. `program` is a `Run`, or a program to run first. All times are
+    seconds. Raises the errors of `run`.
+    """
+    from motionlang.commands.profile.profile import TimeProfile
+
+    return TimeProfile(_run_of(program))
+
+
+def map(
+    program: Program,
+    *,
+    machine: Mapping[str, object] | None = None,
+    run: bool = False,
+    until: float | None = None,
+) -> ProgramMap:
+    """Return what a program does: its channels, axes, units, variables and diagrams of states.
+
+    With `run` the program also runs, and the map has which transitions it takes; `until` ends the run. `machine` is as
+    in the function `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError
+    for a program with errors.
+    """
+    from motionlang.commands.map.program_map import map_of_run, mapped
+
+    source = program if isinstance(program, Source) else Source.read(program)
+    settings = Checked(checked_settings(machine) if machine is not None else settings_next_to(program))
+    if run:
+        return map_of_run(source, dialect_for(source, None), settings, until=until)
+    return mapped(source, settings)
+
+
+def cover(program: Program, *, until: float | None = None) -> Coverage:
+    """Return which statements and conditions of a program its runs reach, in its own world and in its scenarios.
+
+    `until` ends each run, as in `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and
+    ProgramError for a program or a machine file with errors.
+    """
+    from motionlang.commands.cover import covered
+
+    return covered(program if isinstance(program, Source) else os.fspath(program), until=until)
+
+
+def diff(old: Side, new: Side, *tolerances: str) -> Difference:
+    """Return the difference between two runs.
+
+    It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program to run first.
+    Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
+    such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. Raises
+    ValueError for a wrong tolerance or a report of an unknown version, and the errors of `run`.
+    """
+    from motionlang.commands.diff.reports import checked, difference
+    from motionlang.commands.diff.tolerance import Tolerance
+
+    tolerance = Tolerance(*tolerances)
+    return difference(checked(_report_of(old)), checked(_report_of(new)), tolerance)
+
+
+def compare(
+    program: Program | Run,
+    recording: Program,
+    mapping: Mapping[str, str] | None = None,
+    *,
+    tolerances: Mapping[str, float] | None = None,
+    delay: float | None = None,
+) -> Comparison:
+    """Compare a recording of a real controller with a run.
+
+    The result has residuals, lag and overshoot, move by move. `program` is a `Run`, or a program to run first;
+    `recording` is the path of a text file with a table. `mapping` gives columns a meaning: {"time": "t*0.001",
+    "position.0": "PosAct"}; a factor converts their numbers to seconds or user units (uu). `tolerances` are the
+    largest residuals allowed, uu, by "position" or "position.0". `delay` is the delay of the recording relative to the
+    run, in seconds; without it the delay is determined from the data. Raises ProgramError if there is nothing to
+    compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of `run`.
+    """
+    from motionlang.commands.compare.comparison import Mapped, compare
+
+    made = []
+    for target, column in (mapping or {}).items():
+        name, star, factor = column.rpartition("*")
+        try:
+            made.append(
+                Mapped(target, name.strip(), float(factor)) if star else Mapped(target, column.strip(), None)
+            )
+        except ValueError:
+            raise ValueError(f"{column!r}: {factor!r} is not a number to multiply by") from None
+    table = recording if isinstance(recording, Source) else Source.read(recording)
+    return compare(_run_of(program), table, made, tolerances=tolerances, delay=delay)
+
+
+def certify(program: Program | Run) -> list[Limit]:
+    """Return how far a run used each limit of its machine file.
+
+    The result has an entry for each limit of each axis. `program` is a `Run`, or a program to run first. An entry has
+    `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". Raises ValueError if the
+    machine file has no limits, and the errors of `run`.
+    """
+    from motionlang.commands.certify import LIMITS, certificate
+
+    result = _run_of(program)
+    lines = certificate(result.controller, result.machine.settings, result.time)
+    if not lines:
+        raise ValueError(f"the machine has no limits: axis.N.limits with {', '.join(LIMITS)}")
+    return lines
+
+
+def improve(
+    program: Program,
+    *,
+    machine: Mapping[str, object] | None = None,
+    by: float = 0.0,
+    edits: int = 0,
+    cycle: str = "",
+) -> Improvement:
+    """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
+
+    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how
+    many edits there may be. `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or
+    no limit, and the errors of `run`.
+    """
+    from motionlang.commands.improve import improver_of
+
+    program = program if isinstance(program, Source) else os.fspath(program)
+    return improver_of(program, machine, cycle=cycle).improved(by, edits)
+
+
+def prove(program: Program | Run) -> Proof:
+    """Check the motion of a run against the commanded limits.
+
+    The check is independent of the planner. `program` is a `Run` made with `prove=True`, or a program to run first. The
+    result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
+    without `prove`, and the errors of `run`.
+    """
+    return (program if isinstance(program, Run) else run(program, prove=True)).proof()
+
+
+def _run_of(program: Program | Run) -> Run:
+    return program if isinstance(program, Run) else run(program)
+
+
+def _report_of(side: Side) -> dict[str, object]:
+    if isinstance(side, Run):
+        return side.report
+    if isinstance(side, str | os.PathLike | Source):
+        return run(side).report
+    return dict(side)
+
+
+def _checked(program: Program) -> Program:
+    """Return a program; ValueError for program text, which must be in a `Source`."""
+    if isinstance(program, str) and "\n" in program:
+        raise ValueError('this is the text of a program: pass Source("name.mnt", text), or a path')
+    return program

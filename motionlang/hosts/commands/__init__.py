@@ -1,0 +1,1 @@
+"""The commands serve and mcapi, which share their options."""

@@ -1,0 +1,98 @@
+"""`motionlang serve`: a virtual controller on TCP, a serial device or Modbus.
+
+The controller is an MCCL board, or it runs a Mint program. Modbus requires a Mint program.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import WrongOption, argument
+from motionlang.hosts.commands.board import ServedBoard
+from motionlang.hosts.commands.can import ServedDrives
+from motionlang.hosts.commands.line import ServedLine
+from motionlang.hosts.commands.output_queue import never_waiting
+from motionlang.kernel.source import STDIN
+
+
+@dataclass
+class Serve(ServedBoard, ServedLine, ServedDrives):
+    """Let hosts talk to a virtual controller, or to a Mint program over Modbus."""
+
+    epilog: ClassVar[str] = """\
+The board is a PMC controller with ASCII MCCL, which gets FILE first. A Mint
+program has the serial line of its controller, without FILE after --lang mint.
+--set axis.1.travel=[-9000,9000] places the switches of drive 1, in counts.
+Element n of a Mint program's memory is registers 2n (low half) and 2n + 1.
+
+examples:
+  motionlang serve --tcp 127.0.0.1:5010             then: nc 127.0.0.1 5010
+  motionlang serve macros.mcl --tcp 5010 --pty --log
+  motionlang serve packer.mnt --modbus 127.0.0.1:5020 --unit 1
+  motionlang serve --can socketcan:vcan0 --drives 2 --eds drive.eds
+  motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
+"""
+    file: str = argument(
+        "FILE", "commands for the board, or a Mint program; - reads standard input", default=""
+    )
+
+    def check(self) -> None:
+        """Raise WrongOption if what is served does not fit the addresses."""
+        if not (self.tcp or self.pty or self.mcapi or self.modbus or self.can):
+            raise WrongOption(
+                "no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, --pty, or --can "
+                "INTERFACE:CHANNEL"
+            )
+        super().check()
+        if self.can is not None:
+            self._check_can()
+        if self.mcapi is not None and self._speaks_mint:
+            raise WrongOption(
+                "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"
+            )
+        if self.modbus is not None:
+            self._check_modbus()
+
+    def _check_can(self) -> None:
+        if self.file or self.tcp or self.pty or self.modbus or self.mcapi:
+            raise WrongOption(
+                "--can serves drives, which run no program: leave out FILE, --tcp, --pty, --mcapi and --modbus"
+            )
+        if self.clock != "real":
+            raise WrongOption("--can needs --clock real: masters have their own time")
+        if self.echo is not None or self.log:
+            raise WrongOption("--echo and --log have no effect with --can")
+        names = self.overrides()
+        if names:
+            raise WrongOption(f"--set {next(iter(names))}: the drives of --can run no program with names")
+
+    def _check_modbus(self) -> None:
+        lines = self.tcp or self.pty
+        if (self.echo is not None or self.log) and not lines:
+            raise WrongOption("--echo and --log need --tcp or --pty")
+        if not self.file and not (lines and self._speaks_mint):
+            raise WrongOption("--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT")
+        if not self._speaks_mint:
+            raise WrongOption(
+                "--modbus serves a Mint program; for a file with another extension add --lang mint"
+            )
+
+    @property
+    def _speaks_mint(self) -> bool:
+        return self.language is not None and self.language.name == "mint"
+
+    def run(self) -> int:
+        """Serve until a signal; return 0, 1 (an error) or 2 (wrong command line)."""
+        if self.file not in ("", STDIN):
+            self.known_language()
+        source = self.source() if self.file else None
+        with never_waiting() as queues:
+            if self.can is not None:
+                return self.serve_drives(queues)
+            if self._speaks_mint and (self.tcp or self.pty):
+                return self.serve_line(source, queues)
+            if self.modbus is not None:
+                assert source is not None
+                return self.serve_modbus(source, queues)
+            return self.serve_board(source, queues)

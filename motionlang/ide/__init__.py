@@ -1,0 +1,1 @@
+"""Editors: the debugger, its adapter, what an editor shows, the language server."""

@@ -1,0 +1,105 @@
+"""The Markdown page about the name or the keyword under the pointer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from motionlang.commands.map.program_map import channels_of
+from motionlang.commands.probe.keyword_facts import facts
+from motionlang.ide.editor.page import Page
+from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.names import Definition, Span
+
+# The most lines of a comment above a declaration that belong to it.
+_MAX_COMMENT = 20
+# How often a name is used, where there is a word for it.
+_OFTEN = {0: "never used", 1: "used once", 2: "used twice"}
+# Signs with a meaning in Markdown.
+_SIGNS = str.maketrans({sign: f"\\{sign}" for sign in "\\`*_{}[]<>#|"})
+
+
+@dataclass(eq=False, slots=True)
+class Hover:
+    """A text in Markdown about a span."""
+
+    markdown: str
+    span: Span
+
+
+def hover(page: Page, offset: int) -> Hover | None:
+    """Return the description of the word at an offset, None if there is none."""
+    named = page.names.at(offset)
+    if named is not None:
+        return Hover(definition_page(page, named[0]), named[1])
+    word = page.keyword(offset)
+    if word is None:
+        return None
+    row, span = word
+    uses = channel_uses(page, span[0]) if row.channel or row.selects else ""
+    return Hover(uses + keyword_page(row, page.language.name), span)
+
+
+def channel_uses(page: Page, at: int) -> str:
+    """Return a paragraph about each channel that the keyword at an offset uses; "" for a text with errors."""
+    try:
+        channels = channels_of(page.source, page.language, page.settings)
+    except ProgramError:
+        return ""
+    found = ["; ".join(each.sentences()).translate(_SIGNS) for each in channels if at in each.names_at]
+    return "".join(f"{each}\n\n" for each in found)
+
+
+def definition_page(page: Page, definition: Definition) -> str:
+    """Return declaration, comment, type, value and number of uses of a name."""
+    written = definition.text
+    if definition.kind == "macro" and definition.span is not None:
+        start, end = page.line_of(definition.span[0])
+        written = page.text[start:end].strip()
+    lines = [f"```{page.language.name}", written or definition.name, "```"]
+    comment = _comment_above(page, definition)
+    if comment:
+        lines += ["", comment]
+    about = [definition.kind + (f" of {definition.home}" if definition.home else "")]
+    if definition.kind == "define":
+        about.append(f"replaced by `{definition.value}`")
+    elif definition.value:
+        about.append(f"value `{definition.value}`")
+    others = len(definition.uses) - (definition.span is not None)
+    about.append(_OFTEN.get(others, f"used {others} times"))
+    if definition.span is None and definition.kind == "macro":
+        about.append("not defined in this file")
+    return "\n".join([*lines, "", " · ".join(about)])
+
+
+def keyword_page(row: Keyword, language: str) -> str:
+    """Return the page of a keyword: help, facts with their evidence, an example."""
+    lines = [f"**{row.name}** · {row.kind}", "", row.help.translate(_SIGNS)]
+    if not row.simulated:
+        lines += ["", "*not simulated*: the keyword is recognised, and a program that uses it gets a message"]
+    lines.append("")
+    lines += [f"- {name}: {text.translate(_SIGNS)}" for name, text in facts(row, language) if text]
+    if row.example:
+        lines += ["", f"```{language}", row.example, "```"]
+    return "\n".join(lines)
+
+
+def _comment_above(page: Page, definition: Definition) -> str:
+    """Return the comment above a declaration, or at the end of its line."""
+    if definition.span is None:
+        return ""
+    start, end = page.line_of(definition.span[0])
+    found = [piece for kind, piece, _ in page.language.tokens(page.text[start:end]) if kind == "comment"]
+    while start > 0 and len(found) < _MAX_COMMENT:
+        above, stop = page.line_of(start - 1)
+        pieces = [
+            (kind, piece)
+            for kind, piece, _ in page.language.tokens(page.text[above:stop])
+            if not piece.isspace()
+        ]
+        if len(pieces) != 1 or pieces[0][0] != "comment":
+            break
+        found.insert(0, pieces[0][1])
+        start = above
+    text = " ".join(each.lstrip("';# \t").strip() for each in found)
+    return text.translate(_SIGNS)

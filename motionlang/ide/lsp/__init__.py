@@ -1,0 +1,1 @@
+"""The language server: `motionlang.ide.editor` over the Language Server Protocol."""

@@ -1,0 +1,1 @@
+"""The open assumptions of keywords, which a report names."""

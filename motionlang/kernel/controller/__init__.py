@@ -1,0 +1,55 @@
+"""The virtual multi-axis controller, in counts and seconds, without any language.
+
+Start with `controller.Controller`. Its public methods, listed in `verbs.VERBS`, are all that a language may
+use.
+
+Units, unless a docstring says differently:
+
+    position, target, distance, following error      counts, from the zero that the program has set
+    velocity, speed                                  counts/s
+    acceleration, accel, decel, error_decel          counts/s²
+    jerk, accel_jerk, decel_jerk                     counts/s³
+    time, duration                                   s; a time counts from power-up
+    angle                                            degrees
+    ratio of a slave                                 counts of the slave per count of its master
+    override                                         a factor of the speed
+
+Other units are used for
+
+    paths: length, and speed, rates and jerk along it        uu, uu/s, uu/s², uu/s³; positions of axes in counts
+    `Axis.blend_distance`, `Axis.index_every`                uu
+    simulated motors: output; current; torque                V; A; N m; SI units for the plant, except for counts
+    gains                                                    see `kernel/servo/gains.py`
+    log: `value` and `limit` of an event                     uu at that time; a `Setting` in counts and seconds
+    trace                                                    the unit at the end of the column's name
+
+Suffixes and prefixes of names:
+
+    _time                            s: a time (start_time, crossing_time) or duration (accel_time, suspend_time)
+    _speed, _accel, _decel, _jerk    as above; max_ is a limit of the axis
+    _rate                            Hz (servo_rate, trajectory_rate); error_rate is a deceleration, counts/s²
+    _uu                              user units, in `scale.py`, where both are in use
+    _s, _uu, _uu_per_s, _uu_per_s2   units in the names of a trace's columns: time_s, axis0_velocity_uu_per_s
+
+The `Scale` of an axis converts between user units and counts: `counts` is counts per uu, `rate` seconds per
+user unit of time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import ModuleType
+
+
+def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
+    """Return a `__getattr__` for a package that imports its modules on first use.
+
+    `family` is the name of the package. After its import a module is an attribute of the package, as usual.
+    """
+
+    def opened(name: str) -> ModuleType:
+        if name not in modules:
+            raise AttributeError(f"module {family!r} has no attribute {name!r}")
+        return __import__(f"{family}.{name}", fromlist=[name])
+
+    return opened

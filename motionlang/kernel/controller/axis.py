@@ -1,0 +1,390 @@
+"""An axis: its settings, its move buffer, and its motion as a list of profiles.
+
+The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began. The
+last profile never ends (it rests at its end position, or continues at its end velocity), so position and
+velocity are known exactly at any time. Older profiles are packed in the log (`kernel/log/log.py`).
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.controller.watches import Watches
+from motionlang.kernel.log.profiles import Profiles
+from motionlang.kernel.planners import Profile, State, hold
+from motionlang.kernel.planners.limits import LARGEST
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.feedback import Feedback
+    from motionlang.kernel.controller.motion.follow import Follow
+    from motionlang.kernel.controller.move import Move
+    from motionlang.kernel.controller.triggers.limit import Limit
+
+# The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
+DEFAULTS: dict[str, float] = {
+    "speed": 40_000.0,
+    "accel": 100_000.0,
+    "decel": 100_000.0,
+    "accel_jerk": 1_000_000.0,
+    "decel_jerk": 1_000_000.0,
+    "ramp": 0.1,
+    "buffer_size": 2.0,
+}
+# Settings that may act on a move in progress (`motion/feedrate.py`).
+LIVE = frozenset(
+    {
+        "speed",
+        "accel",
+        "decel",
+        "accel_time",
+        "decel_time",
+        "override",
+        "feedrate_mode",
+        "max_speed",
+        "max_accel",
+        "max_decel",
+    }
+)
+# The reasons to suspend an axis: a keyword of the program, or an input. It resumes when none remains.
+BY_WORD, BY_INPUT = 1, 2
+
+# The jerk of a rate that takes effect at once.
+_AT_ONCE = LARGEST
+
+
+class Axis:
+    """State and history of one axis; only `Controller` changes it."""
+
+    __slots__ = (
+        "_accel_jerk",
+        "_decel_jerk",
+        "accel",
+        "accel_jerk_time",
+        "accel_time",
+        "arrival",
+        "blend_distance",
+        "blend_mode",
+        "buffer",
+        "buffer_low",
+        "buffer_size",
+        "contour_angle",
+        "contour_mode",
+        "datum",
+        "decel",
+        "decel_jerk_time",
+        "decel_time",
+        "enabled",
+        "error_decel",
+        "faults",
+        "feedback",
+        "feedrate_mode",
+        "followers",
+        "gains",
+        "index",
+        "index_every",
+        "index_origin",
+        "last_id",
+        "limits",
+        "locks",
+        "max_accel",
+        "max_decel",
+        "max_speed",
+        "move",
+        "move_id",
+        "older",
+        "override",
+        "own_rates",
+        "present",
+        "profiles",
+        "ramp",
+        "s_ramp",
+        "scale",
+        "shape",
+        "speed",
+        "starts",
+        "suspend_reasons",
+        "suspend_time",
+        "target",
+        "watches",
+    )
+
+    # The attributes that `cut` restores.
+    GROWING = ("starts", "profiles", "older")
+
+    def __init__(self, index: int) -> None:
+        self.index = index
+        self.scale = Scale()
+        self.enabled = True
+        self.faults = 0
+        self.locks = 0  # faults that must be cleared before the axis accepts a motion
+        self.shape = "trapezoid"
+        self.speed = DEFAULTS["speed"]
+        self.accel = DEFAULTS["accel"]
+        self.decel = DEFAULTS["decel"]
+        # Seconds from rest to `speed`; None while a rate is in force (the last one written takes effect).
+        self.accel_time: float | None = None
+        self.decel_time: float | None = None
+        self._accel_jerk = DEFAULTS["accel_jerk"]
+        self._decel_jerk = DEFAULTS["decel_jerk"]
+        # Seconds in which a rate builds up, and the fraction of a ramp to `speed` in which it does. None
+        # while a jerk, or the other one of the two, is in force.
+        self.accel_jerk_time: float | None = None
+        self.decel_jerk_time: float | None = None
+        self.s_ramp: float | None = None
+        self.error_decel = DEFAULTS["decel"]
+        self.ramp = DEFAULTS["ramp"]
+        # Mint's FEEDRATEMODE: with bit 0 a move keeps the speed it was loaded with; with bit 1 `override`
+        # multiplies speeds.
+        self.feedrate_mode = 1
+        self.override = 1.0
+        # Speed, acceleration and deceleration of moves loaded from now on; None for those of the axis.
+        self.own_rates: tuple[float | None, float | None, float | None] | None = None
+        self.suspend_reasons = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
+        self.suspend_time = 0.1  # seconds in which the playback of a profile comes to rest
+        # Limits that apply to paths, whatever their master commands.
+        self.max_speed = self.max_accel = self.max_decel = INFINITY
+        # True if paths are run without slowing down at corners up to an angle, degrees.
+        self.contour_mode = False
+        self.contour_angle = 0.0
+        # True if a path begins while the one before it still has a distance to go, user units.
+        self.blend_mode = False
+        self.blend_distance = 0.0
+        self.buffer_size = int(DEFAULTS["buffer_size"])
+        self.buffer_low = -1  # free entries above which the listeners are notified; -1: never
+        self.buffer: list[Move] = []
+        self.move_id = 0  # the identifier of moves loaded from now on
+        self.last_id = 0  # the identifier of the last move that left the buffer
+        self.move: Move | None = None
+        self.arrival: Event | None = None
+        self.target = 0.0
+        self.datum = 0.0
+        self.starts = [0.0]
+        self.profiles: list[Profile] = [hold(0.0)]
+        # The last profile, by which readers know that their cache is valid. None if it is not on the track
+        # yet.
+        self.present: Profile | None = self.profiles[-1]
+        # Profiles that began before those, packed.
+        self.older: Profiles | None = None
+        self.watches = Watches()
+        # Called with each new profile when it begins, such as by an axis that is geared to this one.
+        self.followers: list[Callable[[Profile], None]] = []
+        self.limits: list[Limit] = []
+        # The simulated motor, if there is one, and the gains that the program has set, by keyword.
+        self.feedback: Feedback | None = None
+        self.gains: dict[str, tuple[float, str]] = {}
+        # The distance between the encoder's index marks in user units (0: there are none).
+        self.index_every = 0.0
+        self.index_origin = 0.0  # one of the marks, in counts of the machine
+
+    @property
+    def entries(self) -> tuple[Move, ...]:
+        """The log entries that may still change, oldest first; several during a blend."""
+        move = self.move
+        if move is None or move.action is None:
+            return () if move is None else (move,)
+        return move.action.entries(self, move)
+
+    @property
+    def moves(self) -> bool:
+        """True if a move is in progress."""
+        return self.move is not None
+
+    def put_on(self, start: float, profile: Profile) -> None:
+        """Make `profile`, begun at `start`, the only one of the track."""
+        self.starts[:], self.profiles[:], self.present = [start], [profile], profile
+
+    def extent(self) -> tuple[int, float, Profile]:
+        """Return what `cut` needs to drop all profiles that are added from now on."""
+        older = 0 if self.older is None else self.older.count
+        return older + len(self.starts), self.starts[-1], self.profiles[-1]
+
+    def cut(self, extent: tuple[int, float, Profile]) -> None:
+        """Drop the profiles since `extent` was taken.
+
+        The last one is then the same object as before, by which readers and moves know it.
+        """
+        count, start, last = extent
+        if self.older is not None:
+            self.older.cut_track(self, count)
+            count -= self.older.count
+            if not self.older.count:
+                self.older = None
+        del self.starts[count:], self.profiles[count:]
+        self.starts[-1], self.profiles[-1] = start, last
+
+    def profile(self, number: int) -> Profile:
+        """Return a profile of the track by its number since power-up."""
+        count = 0 if self.older is None else self.older.count
+        if self.older is not None and number < count:
+            return self.older.profile(number)
+        return self.profiles[number - count]
+
+    def idle_reader(self) -> Callable[[], bool]:
+        """Return a function that is true if no move is in progress."""
+        return lambda: self.move is None
+
+    # ---------------------------------------------------------------------------------------- state at a time
+
+    def at(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
+        start, profile = self.in_force(time)
+        return profile.at(time - start)
+
+    def position(self, time: float) -> float:
+        """The commanded position at `time`; without a simulated motor also the actual one."""
+        began = self.starts[-1]
+        if time >= began:
+            return self.profiles[-1].position(time - began)
+        start, profile = self.in_force(time)
+        return profile.position(time - start)
+
+    def cross(self, now: float, position: float) -> None:
+        """Record that the axis is exactly at `position` now.
+
+        The time of a crossing is rounded, so the profile's position at that time is inexact.
+        """
+        self.watches.crossed = now, position, self.profiles[-1]
+
+    def here(self, now: float) -> float:
+        """Return the commanded position now, exact if the axis is just crossing a watch."""
+        crossed = self.watches.crossed
+        if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
+            return crossed[1]
+        return self.position(now)
+
+    def velocity(self, time: float) -> float:
+        """Return the commanded velocity at `time`, counts/s."""
+        began = self.starts[-1]
+        if time >= began:
+            return self.profiles[-1].velocity(time - began)
+        start, profile = self.in_force(time)
+        return profile.velocity(time - start)
+
+    def in_force(self, time: float) -> tuple[float, Profile]:
+        """Return the profile in force at `time`, and the time at which it began."""
+        starts = self.starts
+        if time >= starts[-1]:
+            return starts[-1], self.profiles[-1]
+        if time < starts[0] and self.older is not None:
+            k = self.older.in_force(time)
+            return self.older.start(k), self.older.profile(k)
+        i = bisect_right(starts, time) - 1
+        return starts[i], self.profiles[i]
+
+    def next_start(self, time: float) -> float:
+        """The start of the profile after the one at `time`; infinite for the last one."""
+        starts = self.starts
+        if time >= starts[-1]:
+            return INFINITY
+        if time < starts[0] and self.older is not None:
+            k = self.older.in_force(time) + 1
+            return self.older.start(k) if k < self.older.count else starts[0]
+        return starts[bisect_right(starts, time)]
+
+    def end_of_motion(self) -> float:
+        """Return the end time of the present profile; infinite while jogging."""
+        last = self.profiles[-1]
+        return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
+
+    def end_of_move(self) -> float:
+        """Return when the axis will be idle if nothing else happens; -1 if it is now."""
+        return -1.0 if self.move is None else self.end_of_motion()
+
+    @property
+    def is_at_standstill(self) -> bool:
+        """True if the axis is idle, or at rest until another axis moves.
+
+        The latter is the case while it follows a master at rest.
+        """
+        move = self.move
+        return move is None or (move.action is not None and move.action.resting)
+
+    @property
+    def tie(self) -> Follow | None:
+        """The tie to its master, None if it follows none."""
+        action = self.move.action if self.move is not None else None
+        return action.tie if action is not None else None
+
+    @property
+    def suspended(self) -> bool:
+        """True if the axis has a reason for suspension: it stops and keeps its moves."""
+        return self.suspend_reasons != 0
+
+    @property
+    def index_pitch(self) -> float:
+        """Counts from one index mark to the next; 0 if the encoder has none."""
+        return abs(self.scale.to_counts(self.index_every))
+
+    @property
+    def limited(self) -> bool:
+        """True if the axis limits the speed or the rates of its moves."""
+        return not self.max_speed == self.max_accel == self.max_decel == INFINITY
+
+    def rates(self, speed: float) -> tuple[float, float]:
+        """Return acceleration and deceleration in force, counts/s².
+
+        If a ramp time is set, the rate is `speed` divided by that time.
+        """
+        accel = self.accel if self.accel_time is None else speed / self.accel_time
+        decel = self.decel if self.decel_time is None else speed / self.decel_time
+        return accel, decel
+
+    def speed_and_rates(self, move: Move | None) -> tuple[float, float, float]:
+        """Return speed and rates of a move: its own, or else those of the axis."""
+        speed = self.speed if move is None or move.speed is None else move.speed
+        accel, decel = self.rates(speed)
+        if move is not None and move.rates is not None:
+            accel, decel = move.rates[0] or accel, move.rates[1] or decel
+        return speed, accel, decel
+
+    def jerks(self, speed: float, accel: float, decel: float) -> tuple[float, float]:
+        """Return the jerks of a move by its own speed and rates, counts/s³.
+
+        If a jerk time is set, a jerk is the rate divided by that time.
+        """
+        accel_time, decel_time = self.accel_jerk_time, self.decel_jerk_time
+        return (
+            self._jerk(self._accel_jerk, accel_time, speed, accel),
+            self._jerk(self._decel_jerk, decel_time, speed, decel),
+        )
+
+    @property
+    def accel_jerk(self) -> float:
+        """The jerk in force while speeding up to SPEED, counts/s³."""
+        return self.jerks(self.speed, *self.rates(self.speed))[0]
+
+    @accel_jerk.setter
+    def accel_jerk(self, jerk: float) -> None:
+        self._accel_jerk, self.accel_jerk_time, self.s_ramp = jerk, None, None
+
+    @property
+    def decel_jerk(self) -> float:
+        """The jerk in force while slowing down from SPEED, counts/s³."""
+        return self.jerks(self.speed, *self.rates(self.speed))[1]
+
+    @decel_jerk.setter
+    def decel_jerk(self, jerk: float) -> None:
+        self._decel_jerk, self.decel_jerk_time, self.s_ramp = jerk, None, None
+
+    def _jerk(self, jerk: float, time: float | None, speed: float, rate: float) -> float:
+        if time is None and self.s_ramp is None:
+            return jerk
+        if time is None:
+            time = self.s_ramp * speed / rate if rate else 0.0  # type: ignore[operator]
+        return rate / time if time else _AT_ONCE
+
+    @property
+    def live_speed(self) -> bool:
+        """True if a new speed acts at once on a move in progress.
+
+        This is the inverse of bit 0 of the feed rate mode.
+        """
+        return not self.feedrate_mode & 1
+
+    @live_speed.setter
+    def live_speed(self, live: bool) -> None:
+        self.feedrate_mode = self.feedrate_mode & ~1 | (not live)

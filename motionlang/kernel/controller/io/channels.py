@@ -1,0 +1,141 @@
+"""Digital and analogue channels with listeners, set from outside or by a program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.io.sensor import Sensor
+from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.records import Changed
+from motionlang.kernel.log.stream import Stream
+
+
+class Channels:
+    """Numbered values, 0 until they are set; `changes` is their log, as `Changed`.
+
+    `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
+    channels that are on while their level is low. The value of an input is its level; the value of an output is
+    true if it is on.
+    """
+
+    __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
+
+    def __init__(self, clock: Clock, changes: Stream[Changed] | None = None) -> None:
+        self._clock, self.changes = clock, changes
+        self._values: dict[int, float] = {}
+        self.active_low: frozenset[int] = frozenset()
+        self.listeners: list[Callable[[int, float], None]] = []
+
+    def __getitem__(self, channel: int) -> float:
+        return self._values.get(channel, 0)
+
+    def __setitem__(self, channel: int, value: float) -> None:
+        self.set(channel, value)
+
+    def set(self, channel: int, value: float) -> bool:
+        """Set a channel; return True if that changed it."""
+        if self._values.get(channel, 0) == value:
+            return False
+        self._values[channel] = value
+        if self.changes is not None:
+            self.changes.add((self._clock.now, channel, value))
+        self._notify(channel)
+        return True
+
+    @property
+    def values(self) -> tuple[tuple[int, float], ...]:
+        """The channels that have been set, with their values."""
+        return tuple(self._values.items())
+
+    @property
+    def touched(self) -> list[int]:
+        """Return the channels that have changed since power-up, in order."""
+        return sorted(self._values)
+
+    @property
+    def is_untouched(self) -> bool:
+        """True if no channel has changed since power-up."""
+        return not self._values
+
+    def clear(self) -> None:
+        """Reset all channels to 0 and notify the listeners of those that change."""
+        for channel in sorted(self._values):
+            self[channel] = 0
+
+    def _notify(self, channel: int) -> None:
+        value = self[channel]
+        for listener in tuple(self.listeners):
+            listener(channel, value)
+
+    def listen(self, call: Callable[[int, float], None]) -> None:
+        """Call `call(channel, value)` after a value has changed."""
+        self.listeners.append(call)
+
+    def inverted(self, channel: int) -> bool:
+        """Convert a channel's level to its logical state, or vice versa."""
+        return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
+
+    def set_active_low(self, channels: Iterable[int]) -> None:
+        """Set the channels that are on while low; notify of the states that this changes."""
+        before, self.active_low = self.active_low, frozenset(channels)
+        for channel in sorted(before ^ self.active_low):
+            self._notify(channel)
+
+    def set_bank(self, first: int, count: int, bits: int) -> bool:
+        """Set `count` channels from `first` on; return True if that changed one."""
+        changes = [self.set(first + k, bits >> k & 1) for k in range(count)]
+        return any(changes)
+
+
+class AnalogueInputs(Channels):
+    """Channels with the samples of sensors on axes, computed when they are read.
+
+    `computed` are, by channel, the sensors on moving axes whose samples are not events.
+    """
+
+    __slots__ = ("_computes", "_sampled", "computed")
+
+    def __init__(self, clock: Clock, log: Log) -> None:
+        super().__init__(clock, log.changes_of_analogue_inputs)
+        self._sampled = log.sampled
+        self.computed: dict[int, Sensor] = {}
+        self._computes = False
+        log.settle = self.settle
+
+    def __getitem__(self, channel: int) -> float:
+        if channel in self.computed and (level := self.computed[channel].level()) is not None:
+            return level
+        return self._values.get(channel, 0)
+
+    def set(self, channel: int, value: float) -> bool:
+        """Set a channel; return True if that changed it."""
+        self.settle()
+        return super().set(channel, value)
+
+    @property
+    def values(self) -> tuple[tuple[int, float], ...]:
+        """The channels that have been set, with their values."""
+        self.settle()
+        return super().values
+
+    def listen(self, call: Callable[[int, float], None]) -> None:
+        """Notify a listener of each sample from now on."""
+        super().listen(call)
+        for sensor in tuple(self.computed.values()):
+            sensor.tick()
+
+    def compute(self) -> None:
+        """Compute samples on demand, not by events; each reading records a dependency."""
+        self._computes = True
+
+    def may_compute(self, channel: int) -> bool:
+        """True if the samples of a channel can be computed on demand, without events."""
+        return self._computes and not self.listeners and channel not in self.computed
+
+    def settle(self) -> None:
+        """Log the samples up to now."""
+        for channel, sensor in self.computed.items():
+            value = sensor.log_samples(self._sampled)
+            if value is not None:
+                self._values[channel] = value

@@ -1,0 +1,140 @@
+"""The memory that a controller shares with its host: the comms array and NetData.
+
+Each element is one 32-bit word that can be read as an integer or as a float. The two views share its bits
+without conversion (ABB AN00198 p. 14). For Modbus, the low half of element n is register 2n, the high half is
+2n + 1 (AN00198 p. 5). A text has four characters per element, the first one in the highest byte, and ends at
+a zero byte (AN00200 p. 8).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from math import inf
+
+from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.io.bits import signed
+
+Listener = Callable[[str, int, bool], None]
+
+# Area -> (first element, last element).
+AREAS = {"comms": (1, 99), "netdata": (0, 999), "dpr": (0, 4095)}
+# Their printed names.
+_CALLED = {"comms": "the comms array", "netdata": "NetData", "dpr": "the dual-port RAM"}
+# How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
+PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
+_LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
+
+
+class HostMemory:
+    """The comms array and NetData.
+
+    `listeners` are called with (area, element, changed) for every element that the host writes. Writes by the
+    program itself do not call them, because the documents mention the client's writes only. `mapping` is the area
+    that a Modbus client sees.
+    """
+
+    def __init__(self, mapping: str = "netdata") -> None:
+        self._words = {
+            area: memoryview(bytearray(4 * (last + 1))).cast("i") for area, (_, last) in AREAS.items()
+        }
+        self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
+        self.listeners: list[Listener] = []
+        self.mapping = mapping
+
+    # ------------------------------------------------------------------------------------- the program's side
+
+    def integer(self, area: str, element: int) -> int:
+        return self._words[area][_checked(area, element)]
+
+    def set_integer(self, area: str, element: int, value: int) -> None:
+        self._words[area][_checked(area, element)] = value
+
+    def real(self, area: str, element: int) -> float:
+        return self._floats[area][_checked(area, element)]
+
+    def set_real(self, area: str, element: int, value: float) -> None:
+        if not abs(value) < _LARGEST_FLOAT:
+            value = inf if value > 0 else -inf if value < 0 else value
+        self._floats[area][_checked(area, element)] = value
+
+    # ------------------------------------------------------------------------------------------ the host's side
+
+    def write(self, area: str, first: int, words: Sequence[int]) -> None:
+        """Write elements from the host, given as signed 32-bit integers."""
+        changed = [self.integer(area, first + k) != word for k, word in enumerate(words)]
+        for k, word in enumerate(words):
+            self.set_integer(area, first + k, word)
+        for k, each in enumerate(changed):
+            for listener in tuple(self.listeners):
+                listener(area, first + k, each)
+
+    def registers(self, area: str, first: int, count: int) -> list[int]:
+        """Return Modbus registers of 16 bits each."""
+        words = self._words[area]
+        return [words[n >> 1] >> 16 * (n & 1) & 0xFFFF for n in range(first, first + count)]
+
+    def write_registers(self, area: str, first: int, values: Sequence[int]) -> None:
+        """Write registers from the host; the other half of an element keeps its value."""
+        low, high = first >> 1, first + len(values) - 1 >> 1
+        halves = self.registers(area, 2 * low, 2 * (high - low + 1))
+        halves[first - 2 * low : first - 2 * low + len(values)] = values
+        pairs = zip(halves[::2], halves[1::2], strict=True)
+        self.write(area, low, [signed(half | other << 16) for half, other in pairs])
+
+    def has_registers(self, area: str, first: int, count: int) -> bool:
+        """True if all registers of a range belong to existing elements."""
+        low, high = AREAS[area]
+        return 2 * low <= first and first + count <= 2 * high + 2
+
+    def schedule(self, clock: Clock, area: str, entry: Mapping[str, object]) -> None:
+        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file."""
+        words = _words(area, entry)
+        time, element = float(entry.get("at", 0.0)), int(entry["address" if area == "dpr" else "element"])  # type: ignore[arg-type,call-overload]
+        clock.at(max(time, clock.now), lambda: self.write(area, element, words))
+
+
+def product(model: str) -> str:
+    """Return the product of `PRODUCTS` that a model names; the NextMove e100 if none.
+
+    ES and ESB are "es".
+    """
+    return named_product(model) or "e100"
+
+
+def named_product(model: str) -> str | None:
+    """Return the product of `PRODUCTS` that a model names, or None."""
+    name = "".join(letter for letter in model.lower() if letter.isalnum())
+    for family in ("nextmove", "microflex", "motiflex"):
+        name = name.removeprefix(family)
+    return next((each for each in PRODUCTS if name.startswith(each)), None)
+
+
+def packed(text: str) -> list[int]:
+    """Return the 32-bit words that represent a text, with zeros after its end."""
+    raw = text.encode("latin-1", "replace")
+    raw += bytes(-len(raw) % 4)
+    return [int.from_bytes(raw[k : k + 4], "big", signed=True) for k in range(0, len(raw), 4)]
+
+
+def _words(area: str, entry: Mapping[str, object]) -> list[int]:
+    if "text" in entry:
+        return packed(str(entry["text"]))
+    value: float = entry["value"]  # type: ignore[assignment]
+    view = entry.get("as", "integer" if area != "comms" and isinstance(value, int) else "float")
+    if view == "integer":
+        return [signed(int(value))]
+    scratch = HostMemory()
+    scratch.set_real(area, 1, value)
+    return [scratch.integer(area, 1)]
+
+
+def _checked(area: str, element: int) -> int:
+    first, last = AREAS[area]
+    if not first <= element <= last:
+        what = "address" if area == "dpr" else "element"
+        plural = "addresses" if area == "dpr" else "elements"
+        raise Rejected(
+            "channel", f"{_CALLED[area]} has no {what} {element}", f"its {plural} are {first} to {last}"
+        )
+    return element

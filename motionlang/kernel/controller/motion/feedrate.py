@@ -1,0 +1,74 @@
+"""Speeds that change in motion: at once, for later moves, or by a percentage.
+
+Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on
+loaded ones. In feed rate mode a move keeps the speed that it was loaded with. In both modes the override
+multiplies the speed, at once.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.move import Move
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+_LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
+_SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
+
+
+def changed(controller: Core, a: Axis, name: str) -> None:
+    """Apply a setting of `LIVE` changed during a move; if suspended, apply it later."""
+    entries = a.entries
+    if name == "feedrate_mode":
+        for move in entries:
+            move.overridden = a.feedrate_mode > 1
+    concerned = [move for move in entries if _concerns(move, name)]
+    if a.suspended or not concerned:
+        return
+    if name in _SPEEDS:
+        controller.replan_move(a)
+    elif name in _LIMITS or any(move.speed is None for move in concerned):
+        _new_rates(controller, a)
+
+
+def unchanged(a: Axis, name: str, value: object) -> bool:
+    """True if a setting of `LIVE` already has this value, as when a loop rewrites it.
+
+    A speed or rate of 0 means no motion; it is rejected every time it is written.
+    """
+    if getattr(a, name) != value or (not value and name in ("speed", "accel", "decel")):
+        return False
+    if name in ("accel", "decel"):
+        return getattr(a, f"{name}_time") is None
+    return name != "feedrate_mode" or all(move.overridden is (a.feedrate_mode > 1) for move in a.entries)
+
+
+def _concerns(move: Move, name: str) -> bool:
+    """True if a move in progress depends on the setting."""
+    if move.action is not None and not move.action.live:
+        return name in move.action.live_limits
+    if name == "speed":
+        return move.speed is None
+    return move.overridden if name == "override" else True
+
+
+def _new_rates(controller: Core, a: Axis) -> None:
+    """Apply new rates to the rest of the move, unless they would cause an overshoot.
+
+    If a lower deceleration comes too late, the axis brakes as planned; no source says what a controller does
+    there.
+    """
+    move = a.move
+    assert move is not None
+    if move.action is not None:
+        controller.replan_move(a)
+        return
+    profile = controller.plan_move(a, move)
+    low, high = profile.extrema()
+    ends = sorted((profile.start, move.target))
+    slack = 1e-9 * (high - low) + 1e-9
+    if ends[0] - slack <= low and high <= ends[1] + slack:
+        controller.continue_with(a, profile, "")

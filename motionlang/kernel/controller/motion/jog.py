@@ -1,0 +1,131 @@
+"""Jogging: an axis ramps to a velocity and keeps it until another command."""
+
+from __future__ import annotations
+
+from math import isclose
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.move import Action, Move, keeps_rates
+from motionlang.kernel.controller.triggers.events import clamped
+from motionlang.kernel.planners import Profile, plan_velocity
+from motionlang.kernel.planners.curve import relabelled
+from motionlang.kernel.planners.ramp_down import admitted, onset
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+Rates = tuple[float | None, float | None]
+
+# The relative rounding of a velocity.
+_ROUNDING = 1e-12
+
+
+class Jog(Action):
+    """Motion at a velocity, counts/s; with `ends` a velocity of 0 ends the jog."""
+
+    __slots__ = ("_ramp_settings", "ends", "velocity")
+    live_limits = ("max_speed", "max_accel", "max_decel")
+
+    def __init__(self, velocity: float, ends: bool) -> None:
+        self.velocity, self.ends = velocity, ends
+        # The settings on which the ramp to the velocity depends.
+        self._ramp_settings: tuple[object, ...] = ()
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        return self.planned(controller, a, a.move.rates if a.move is not None else None)
+
+    def replan(self, controller: Core, a: Axis) -> None:
+        super().replan(controller, a)
+        self.aim(a)
+
+    def aim(self, a: Axis) -> None:
+        """Set the target of a jog that comes to an end, now that its end is known."""
+        end = a.profiles[-1].end
+        if self.ends and abs(end) < INFINITY and a.move is not None:
+            a.target = a.move.target = end
+
+    def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
+        """Return the motion from the state of the axis to the velocity."""
+        self._ramp_settings = settings = _ramp_settings(controller, a, own)
+        accel, decel, jerks = settings[:3]
+        eased, position, velocity, acceleration = onset(
+            a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, jerks[0]
+        )
+        if not keeps_rates(a.move):
+            acceleration = admitted(acceleration, velocity, accel, decel)
+        wanted = _wanted(a, self.velocity)
+        if eased is not None and isclose(velocity, wanted, rel_tol=_ROUNDING):
+            velocity = wanted  # the flank leads to it, and no ramp remains
+        try:
+            made = plan_velocity(
+                a.shape,
+                position,
+                velocity,
+                wanted,
+                accel,
+                decel,
+                a.ramp,
+                *jerks,
+                acceleration,
+            )
+            if eased is not None:
+                made = relabelled(eased.then(made), made.shape)
+        except ValueError as problem:
+            raise Rejected("range", f"axis {a.index} cannot jog: {problem}") from None
+        if self.ends and not self.velocity and not a.suspended:
+            return relabelled(made.cut(made.knots[-2]), made.shape)
+        return made
+
+    def goes_on(self, controller: Core, a: Axis, velocity: float, own: Rates | None) -> bool:
+        """True if the axis already jogs at this velocity, or is on the same ramp to it."""
+        if velocity != self.velocity:
+            return False
+        wanted, state = _wanted(a, velocity), a.at(controller.clock.now)
+        at_speed = state.velocity == wanted == a.profiles[-1].end_velocity and not state.acceleration
+        return at_speed or self._ramp_settings == _ramp_settings(controller, a, own)
+
+
+def jog(
+    controller: Core, a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool
+) -> None:
+    """Ramp to a velocity and keep it, at the rates `own` or those of the axis.
+
+    Repeating the command, as the loop of a jog panel does, changes neither profile nor log.
+    """
+    present = a.move
+    if present is None:
+        if ends and not velocity:
+            return
+    elif isinstance(present.action, Jog) and present.command == command:
+        same = present.action.goes_on(controller, a, velocity, own)
+        if same:
+            return
+    move = Move(a.index, command, line, INFINITY)
+    move.rates = own
+    action = move.action = Jog(velocity, ends)
+    move.commanded_speed = abs(velocity)
+    if move.commanded_speed > a.max_speed:
+        clamped(controller, a, line, move.commanded_speed)
+    profile = action.planned(controller, a, own)
+    controller.end_move(a, "retarget")
+    controller.run_profile(a, move, profile)
+    action.aim(a)
+
+
+def _wanted(a: Axis, velocity: float) -> float:
+    return 0.0 if a.suspended else max(-a.max_speed, min(velocity, a.max_speed))
+
+
+def _ramp_settings(
+    controller: Core, a: Axis, own: Rates | None
+) -> tuple[float, float, tuple[float, float], object, object, object]:
+    """Return acceleration, deceleration, jerks and the other settings of the ramps."""
+    accel, decel = own or (None, None)
+    if accel is None or decel is None:
+        rates = controller.rates(a, a.speed)
+        accel, decel = accel or rates[0], decel or rates[1]
+    jerks = a.jerks(a.speed, accel, decel)
+    return min(accel, a.max_accel), min(decel, a.max_decel), jerks, a.shape, a.ramp, _wanted(a, INFINITY)

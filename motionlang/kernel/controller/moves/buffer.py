@@ -1,0 +1,161 @@
+"""The move buffer: entries other than moves, loading, and removal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.move import Action, Move
+from motionlang.kernel.planners.dwell import rest
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+
+def put(a: Axis, move: Move) -> None:
+    """Load an entry, with a copy of the settings that apply to it."""
+    if len(a.buffer) >= a.buffer_size:
+        raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
+    a.buffer.append(stamped(a, move))
+
+
+def put_action(a: Axis, action: Action, command: str, line: int) -> None:
+    """Load an entry that is not a move; it ends where the entry before it does."""
+    move = counted(a, 0.0, command, line)
+    move.action = action
+    put(a, move)
+
+
+def counted(a: Axis, distance: float, command: str, line: int) -> Move:
+    """Return an entry that ends `distance` from the end of the one before it."""
+    base = end(a)
+    move = Move(a.index, command, line, base + distance)
+    if abs(base) < INFINITY:
+        move.base = base
+    return move
+
+
+def resolve(a: Axis, move: Move) -> None:
+    """Compute the end of a relative entry from the axis's position at its start."""
+    move.target = _end_from(move, a.target)
+
+
+def _end_from(move: Move, start: float) -> float:
+    return move.target if move.base is None or move.base == start else move.target + (start - move.base)
+
+
+def keep_ends(a: Axis, shift: float) -> None:
+    """Preserve the ends of relative entries when the present move's end shifts."""
+    for move in a.buffer:
+        if move.base is None:
+            return
+        if move.action is None:
+            move.base += shift
+            return
+        if move.action.keep_end(a, move, shift):
+            return
+
+
+def stamped(a: Axis, move: Move) -> Move:
+    """Return the move with the axis's settings at the time of loading."""
+    move.id = a.move_id
+    mode = a.feedrate_mode
+    if mode & 1:
+        move.speed = a.speed
+    move.overridden = mode > 1
+    if a.own_rates is not None:
+        speed, *rates = a.own_rates
+        move.speed, move.rates = move.speed if speed is None else speed, (rates[0], rates[1])
+    return move
+
+
+def end(a: Axis) -> float:
+    """Return the position of the axis once its buffer is empty.
+
+    Relative moves count from there.
+    """
+    there = a.target
+    for move in a.buffer:
+        there = _end_from(move, there)
+    return there
+
+
+def known_end(a: Axis) -> float:
+    """Like `end`, but raise Rejected while the axis is jogging."""
+    there = end(a)
+    if not abs(there) < 1e300:
+        raise Rejected("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
+    return there
+
+
+def taken(controller: Core, a: Axis) -> None:
+    """Notify if removing an entry makes the number of free ones exceed the level set."""
+    if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
+        controller.notify("buffer-low", a.index)
+
+
+def motions(a: Axis) -> Iterator[Move]:
+    """Return the entries other than outputs, which do not delay a path."""
+    return (move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse)))
+
+
+def motion_at(a: Axis, index: int) -> Move | None:
+    """Return the entry with this index among `motions`; None if there is none."""
+    return next(islice(motions(a), index, None), None)
+
+
+def reach(controller: Core, a: Axis, move: Move) -> None:
+    """Remove an entry from the buffer, and execute the outputs before it."""
+    while a.buffer[0] is not move:
+        head = a.buffer[0]
+        assert head.action is not None
+        controller.take_entry(a)
+        head.action.begin(controller, a, head)
+    controller.take_entry(a)
+
+
+class Dwell(Action):
+    """A rest of `duration` seconds."""
+
+    __slots__ = ("duration",)
+
+    def __init__(self, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Rejected("range", f"an axis cannot dwell for {duration:.10g} seconds")
+        self.duration = duration
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        here = a.position(controller.clock.now)
+        move.target = here
+        controller.run_profile(a, move, rest("dwell", here, self.duration))
+
+
+class Outputs(Action):
+    """A change of digital outputs, which takes no time."""
+
+    __slots__ = ("values",)
+
+    def __init__(self, values: dict[int, float]) -> None:
+        self.values = values
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        for channel, value in self.values.items():
+            controller.outputs[channel] = value
+
+
+class Pulse(Action):
+    """A digital output turned on for `duration` seconds; another pulse prolongs it."""
+
+    __slots__ = ("channel", "duration")
+
+    def __init__(self, channel: int, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Rejected("range", f"a pulse cannot last {duration:.10g} seconds")
+        self.channel, self.duration = channel, duration
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        controller.pulse(self.channel, self.duration)

@@ -1,0 +1,359 @@
+"""A course: the path in progress and the paths that it enters without a stop.
+
+A course plans the distance along its paths over time and derives the motion of each axis. It schedules no
+event and moves no axis: `path_run.PathRun` does that, with the superposition of all blended courses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.moves.buffer import motion_at
+from motionlang.kernel.controller.moves.geometry import Segment, corner
+from motionlang.kernel.planners import Profile, State, hold
+from motionlang.kernel.planners.dwell import with_rest
+from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.ramp_down import onset, stop_in_motion
+from motionlang.kernel.planners.reparametrised import travelled
+from motionlang.kernel.planners.total import total
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.moves.path import PathMove
+
+# How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
+SLACK = 1e-9
+
+
+class Course:
+    """The path in progress, `here`, laid out as `segment`, and the paths `ahead`.
+
+    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are on the
+    paths ahead. It was planned to the end of the path `goal` (None: to rest anywhere). Times and distances are
+    rounded in between, so they cannot decide which path has ended or whether it was the last one. `present` is the
+    profile up to the end of `here`, which comes at the time `end_time`.
+
+    `starts` are the positions of the axes from which the course was laid out. `begins` are those at which it really
+    begins, the end of the course that it is blended with: that may be cut short. `entered` are the paths that it has
+    been on since. `planned_at` is when its profile was last planned: settings that do not act at once have no effect
+    until the next plan. `is_stopping` is set once it only has to come to rest, and `is_over` when it is done, before
+    or after a course that it is blended with.
+    """
+
+    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
+        self._controller, self.here, self.axes = controller, here, here.axes
+        self.segment = here.lay(starts)
+        self.starts, self.begins = list(starts), list(starts)
+        self.ahead: list[tuple[PathMove, Segment]] = []
+        self.entered: list[PathMove] = [here]
+        self.profile: Profile = hold(0.0)
+        self.present = self.profile
+        self.goal: PathMove | None = here
+        self.began = self.planned_at = 0.0
+        self.is_stopping = self.is_over = False
+
+    # ----------------------------------------------------------------------------------------------- reading
+
+    @property
+    def elapsed(self) -> float:
+        """The time since the present profile began."""
+        return self._controller.clock.now - self.began
+
+    @property
+    def end_time(self) -> float:
+        """The end time of the present path if nothing changes; infinite while suspended."""
+        return self.began + self.present.duration
+
+    @property
+    def speed(self) -> float:
+        """The speed along the path now, user units/s."""
+        return self.profile.velocity(self.elapsed)
+
+    @property
+    def remaining(self) -> float:
+        """The remaining distance along the present path, user units."""
+        return max(0.0, self.segment.length - self.profile.position(self.elapsed))
+
+    @property
+    def is_suspended(self) -> bool:
+        """True while any of its axes is suspended."""
+        return any(a.suspended for a in self.axes)
+
+    @property
+    def leads_on(self) -> bool:
+        """True if the profile continues beyond the end of this path."""
+        if self.goal is not None:
+            return self.here is not self.goal
+        return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + SLACK)
+
+    def following(self) -> PathMove | None:
+        """The next path, if it has the same axes, is released and is next on all of them."""
+        entry = motion_at(self.axes[0], 0)
+        action = None if entry is None else entry.action
+        return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
+
+    @property
+    def stops_at_corner(self) -> bool:
+        """True if only the angle to the next path makes it stop at the end of this one."""
+        following, master = self.following(), self.axes[0]
+        if following is None or not master.contour_mode or self.ahead:
+            return False
+        segment = following.lay(self.segment.ends)
+        return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
+
+    @property
+    def ends(self) -> list[float]:
+        """The end positions of the axes on the present path."""
+        return [self._at(k, end) for k, end in enumerate(self.segment.ends)]
+
+    def of(self, k: int) -> Profile:
+        """Return the motion of axis index k on this path, from the time `began`."""
+        end = self._at(k, self.segment.ends[k])
+        present = self.present
+        if not self.segment.length:  # it takes no time, unless it is suspended
+            return hold(end).cut(present.duration)
+        made = travelled(present, self.segment.curves[k])
+        if self.begins[k] != self.starts[k]:
+            made = made.scaled(self._at(k, made.start), 1.0)
+        if self.segment.starts is not None and present.start == 0.0:
+            made.start = self._at(k, self.segment.starts[k])
+        arrives = self.goal is not None or present.end >= self.segment.length * (1.0 - 1e-12)
+        if arrives and present.duration < INFINITY:
+            made.end = end
+        return made
+
+    def positions_at_rest(self) -> list[float]:
+        """Return the positions of its axes once it is at rest."""
+        distance = self.profile.end
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            if distance <= segment.length * (1.0 + SLACK):
+                break
+            distance -= segment.length
+        if not segment.length or distance >= segment.length * (1.0 - 1e-12):
+            positions = segment.ends
+        else:
+            positions = [curve.position(distance) for curve in segment.curves]
+        return [self._at(k, each) for k, each in enumerate(positions)]
+
+    def _at(self, k: int, position: float) -> float:
+        """Convert a laid-out position of axis index k for the actual start of the course."""
+        begin, start = self.begins[k], self.starts[k]
+        return position if begin == start else begin + (position - start)
+
+    # -------------------------------------------------------------------------------------------- execution
+
+    def change(self, profile: Profile, goal: PathMove | None) -> None:
+        """Adopt a profile that has just been planned."""
+        self.planned_at = self._controller.clock.now
+        self.follow(profile, goal)
+
+    def follow(self, profile: Profile, goal: PathMove | None) -> None:
+        """Adopt another profile, or the rest of the present one, from now on."""
+        self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
+        self.present = self.profile
+        if self.leads_on:
+            time = profile.crossing(self.segment.length)
+            self.present = profile if time is None else profile.cut(time)
+
+    def leave(self, whole: bool) -> None:
+        """Leave the path; `whole` is true if its end has been reached."""
+        if self.here.policy is not None:
+            self.here.policy.ends(whole)
+
+    def cut_log(self) -> None:
+        """Close the log entries of the present path now."""
+        now = self._controller.clock.now
+        for move in self.here.moves:
+            move.profile = move.until(now)
+
+    def begin_next(self) -> None:
+        """Enter the next path."""
+        self.here, self.segment = self.ahead.pop(0)
+        self.entered.append(self.here)
+
+    def go_on(self, rest: Profile) -> None:
+        """Run the path just reached on `rest`, the rest of the profile.
+
+        Paths released since the last plan cause a new one.
+        """
+        known = len(self.ahead)
+        self.look_ahead()
+        self.profile = rest.shifted(-rest.start)
+        if len(self.ahead) > known:
+            self.plan_afresh()
+
+    def shift(self, k: int, by: float) -> None:
+        """Shift positions of axis index k by `by` counts for a new zero, without motion."""
+        self.starts[k] += by
+        self.begins[k] += by
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            segment.shift(k, by)
+
+    def begin_at(self, positions: Sequence[float]) -> None:
+        """Begin at `positions`, the changed end of the course before; adjust the log."""
+        if list(positions) == self.begins:
+            return
+        self.begins = list(positions)
+        for k, position in enumerate(positions):
+            for path in self.entered:
+                move = path.moves[k]
+                if move.profile is not None:
+                    move.profile = move.profile.scaled(position, 1.0)
+                    position = move.profile.end
+        by = [position - start for position, start in zip(positions, self.starts, strict=True)]
+        for path in (*self.entered, *(path for path, _ in self.ahead)):
+            path.displace(self._controller, by)
+
+    # ------------------------------------------------------------------------------------------------ planning
+
+    def look_ahead(self, begins: bool = False) -> None:
+        """Lay out the paths of the buffers that can be entered without a stop.
+
+        If the course `begins` superposed on another one, its own path is still in the buffers and is skipped.
+        """
+        if not self.here.may_join or self.is_stopping:
+            return
+        before = self.ahead[-1] if self.ahead else (self.here, self.segment)
+        while (entry := motion_at(self.axes[0], index := len(self.ahead) + begins)) is not None:
+            action = entry.action
+            if not _continues(action, self.axes, index):
+                return
+            segment = action.lay(before[1].ends)  # type: ignore[union-attr]
+            if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]
+                return
+            before = (action, segment)  # type: ignore[assignment]
+            self.ahead.append(before)
+
+    def plan_afresh(self) -> None:
+        """Plan again from the start of the profile; a no-op if the distance is too short."""
+        planned = self.planned(0.0)
+        if planned is not None:
+            self.profile, self.goal = planned
+            self.planned_at = self._controller.clock.now
+
+    def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
+        """Return a profile from the state at `time` to rest, and the last path it reaches.
+
+        None if the distance does not suffice to stop there. If a ramp to rest can reduce its acceleration to zero only
+        at rest, the profile completes that ramp and continues from rest.
+        """
+        pace = self.here.pace(self._controller, self.segment)
+        if self.is_suspended or not pace.speed:
+            stop = self.with_standstill(time)
+            return None if stop is None else (stop, None)
+        if not self.segment.length:
+            return hold(0.0).cut(0.0), self.here
+        stretches, goal = self._stretches(pace)
+        eased, distance, speed, acceleration = onset(self.profile, time, pace.shape, pace.accel_jerk)
+        try:
+            profile = plan_course(stretches, distance, max(speed, 0.0), acceleration)
+        except ValueError as problem:
+            raise Rejected("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
+        if profile is None:
+            return self._from_rest(time, stretches, goal)
+        return profile if eased is None else eased.then(profile), goal
+
+    def _from_rest(
+        self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
+    ) -> tuple[Profile, PathMove | None] | None:
+        """Complete the present ramp to rest, and plan from there.
+
+        None if it does not come to rest within the paths, or leads to a path's end.
+        """
+        still = self.profile.velocity_crossing(0.0, time)
+        if self.goal is not None or still is None or still == INFINITY:
+            return None
+        profile = plan_course(stretches, self.profile.position(still), 0.0)
+        return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
+
+    def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
+        """Return the (length, pace) of each run of paths of equal pace, and the last path.
+
+        They end before a path that may not move now.
+        """
+        stretches, goal = [(self.segment.length, pace)], self.here
+        for action, segment in self.ahead:
+            following = action.pace(self._controller, segment)
+            if not following.speed:
+                break
+            length, before = stretches[-1]
+            if before.key() == following.key():
+                stretches[-1] = (length + segment.length, before)
+            else:
+                stretches.append((segment.length, following))
+            goal = action
+        return stretches, goal
+
+    def stopped(self, decel: float | None, beyond: bool = False) -> Profile | None:
+        """Return the earliest possible stop, by `braking`; None to keep the present plan."""
+        profile = self.braking(self.elapsed, decel, beyond)
+        if profile is None and self.profile.duration == INFINITY:
+            # A profile that rested at its end until it is resumed ends there.
+            rest = self.profile.after(self.elapsed)
+            profile = rest.cut(rest.knots[-2])
+        return profile
+
+    def with_standstill(self, time: float) -> Profile | None:
+        """Return a stop from the state at `time`, then rest; None if the paths end first."""
+        profile = self.braking(time)
+        return None if profile is None else with_rest(profile)
+
+    def braking(
+        self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0
+    ) -> Profile | None:
+        """Return a stop from the state at `time`, at `decel` or at the rates of its paths.
+
+        The limits of the axes apply to both, unless it goes `beyond` them, as in a fault. At `time` the course is on
+        path number `first`. A stop that would enter a path ahead faster than allowed is delayed to the start of that
+        path, since the present plan brakes harder before it. None if the paths end before rest: the course then
+        comes to rest at their end as planned.
+        """
+        if self.profile.velocity(time) <= 0.0:
+            return hold(self.profile.position(time)).cut(0.0)
+        paths = [(self.here, self.segment), *self.ahead]
+        room, most = total(segment.length for _, segment in paths[:first]), INFINITY
+        for k, (action, segment) in enumerate(paths[first:], first):
+            pace = action.pace(self._controller, segment)
+            limit = pace.decel if decel is None else INFINITY if beyond else action.max_decel(segment)
+            distance, room, most = room, room + segment.length, min(most, limit)
+            jerk = max(pace.decel_jerk, _least_jerk(self.profile.at(time)))
+            rates = min(decel or most, most), pace.ramp, pace.accel_jerk, jerk
+            try:
+                stop = stop_in_motion(self.profile, time, pace.shape, *rates)
+            except ValueError as problem:
+                raise Rejected("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+            if k > first and _speed_at(stop, distance) > pace.speed * (1.0 + SLACK):
+                time_at = self.profile.crossing(distance, time)
+                if time_at is not None and _speed_at(stop, distance) > self.profile.velocity(time_at) * (
+                    1.0 + SLACK
+                ):
+                    later = self.braking(time_at, decel, beyond, k)
+                    return None if later is None else self.profile.cut(time_at).after(time).then(later)
+            if stop.extrema()[1] <= room:
+                return stop
+        return None
+
+
+def _least_jerk(state: State) -> float:
+    """Return the least jerk that ends a deceleration before the velocity is zero.
+
+    With a lower one, as set during the stop, the axis would run back along the path: J = A²/(2 V).
+    """
+    if state.acceleration >= 0.0:
+        return 0.0
+    return 0.5 * state.acceleration * state.acceleration / state.velocity
+
+
+def _speed_at(profile: Profile, distance: float) -> float:
+    """Return a profile's speed at a position; 0 if it does not reach it."""
+    time = profile.crossing(distance)
+    return 0.0 if time is None else profile.velocity(time)
+
+
+def _continues(action: object, axes: tuple[Axis, ...], index: int) -> bool:
+    """True if a buffer entry is a released path of the same axes, next on all of them."""
+    return getattr(action, "axes", None) == axes and action.is_next_at(index)  # type: ignore[attr-defined]

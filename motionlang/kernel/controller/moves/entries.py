@@ -1,0 +1,217 @@
+"""Buffer entries that are neither moves nor paths: cams, offsets, timed points.
+
+Each begins when it is first in its buffer and released. An offset on an axis that follows a master does not
+wait for the following to end: it begins as soon as it is released and the previous offset is done.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
+from motionlang.kernel.controller.motion.offset import offset
+from motionlang.kernel.controller.motion.profile_playback import Playback
+from motionlang.kernel.controller.move import Action, Move
+from motionlang.kernel.controller.moves import buffer
+from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
+from motionlang.kernel.planners import Profile
+from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners.table_motion import table_curve
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+Points = tuple[Sequence[float], Sequence[float]]
+
+Table = Callable[[float], Points]
+
+# Positions, velocities there, and the times from each to the next one.
+Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
+
+Make = Callable[[float], Timed]
+
+# ------------------------------------------------------------------------------------------------------ cams
+
+
+class TableCam(Cam):
+    """A cam that reads its table again in every cycle, so a program may change it.
+
+    Its curve begins at 0. The curve is reused as long as `table` returns the same `points`.
+    """
+
+    __slots__ = ("points", "table")
+
+    table: Table
+    points: Points
+
+    def over(self, forward: bool) -> bool:
+        """Continue with the next cycle or the previous one, whose table is read now."""
+        points = self.table(self.end) if self.cyclic and forward else self.points
+        if points is not self.points:
+            self.next_curve(curve_of(self.a, points), True)
+            self.use(points)
+        elif self.cyclic:
+            self.next_curve(self.curve, forward)
+        return self.cyclic
+
+    def use(self, points: Points) -> None:
+        """Store the points of the curve."""
+        self.points = points
+        self.ordered = tuple(points[0]), tuple(points[1]), "linear"
+
+
+class CamEntry(Action):
+    """Follow a table from both axes' positions at its start.
+
+    `first` is the number of its first segment.
+    """
+
+    __slots__ = ("cyclic", "first", "master", "table")
+    can_stand = False
+
+    def __init__(self, master: Axis, table: Table, cyclic: bool, first: int) -> None:
+        self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Tie the axis to its master on a table read now.
+
+        Raises Rejected if the table cannot be followed.
+        """
+        check_chain(a, self.master)
+        here = a.position(controller.clock.now)
+        points = self.table(here)
+        curve = curve_of(a, points)
+        target = INFINITY if self.cyclic else here + curve.end
+        entry = FollowMove(a.index, move.command, move.line, "cam", target)
+        entry.id = move.id
+        cam = TableCam(controller, a, self.master, entry, curve, self.cyclic, self.first)
+        cam.table, cam.lift = self.table, here
+        cam.use(points)
+        cam.engage()
+
+
+def curve_of(a: Axis, points: Points) -> Profile:
+    """Return the curve through a table, which begins at 0."""
+    positions, values = points
+    try:
+        curve = table_curve(positions, [value - values[0] for value in values])
+    except ValueError as problem:
+        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < MIN_CYCLE:
+        raise Rejected("range", f"a cam of {curve.duration:.10g} counts of the master is too short")
+    return curve
+
+
+def load_cam(
+    controller: Core,
+    a: Axis,
+    master: Axis,
+    table: Table,
+    cyclic: bool,
+    first: int,
+    command: str,
+    line: int,
+) -> None:
+    """Load a cam; `table` returns its points for the slave's position at its start.
+
+    Only differences between the slave's positions count. If `table` returns the same object, the curve is the same.
+    """
+    start = _start(controller, a)
+    curve = curve_of(a, table(start))
+    move = Move(a.index, command, line, INFINITY if cyclic else start + curve.end)
+    move.base = None if cyclic else start
+    move.action = CamEntry(master, table, cyclic, first)
+    buffer.put(a, move)
+
+
+def _start(controller: Core, a: Axis) -> float:
+    """Return where an entry will begin, if that is known at loading."""
+    end = buffer.end(a)
+    return end if abs(end) < INFINITY else a.position(controller.clock.now)
+
+
+# --------------------------------------------------------------------------------------------------- offsets
+
+
+class OffsetEntry(Action):
+    """Superposition of a distance on a slave's motion; another axis moves by it."""
+
+    __slots__ = ("distance", "mode", "over")
+    lies_on_top = True
+
+    def __init__(self, distance: float, mode: int, over: float) -> None:
+        self.distance, self.mode, self.over = distance, mode, over
+
+    def begin_on_top(self, controller: Core, a: Axis, move: Move) -> None:
+        offset(controller, a, self.distance, self.mode, self.over, move.command, move.line)
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        move.action = None
+        move.target = a.position(controller.clock.now) + self.distance
+        controller.start_move(a, move)
+
+
+def load_offset(
+    controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
+) -> None:
+    """Load an offset, in one of the modes of OFFSETMODE."""
+    move = buffer.counted(a, distance, command, line)
+    move.action = OffsetEntry(distance, mode, over)
+    buffer.put(a, move)
+
+
+# ------------------------------------------------------------------------------------------------------ points
+
+
+class PointsEntry(Action):
+    """Motion through points made from the axis's position at the start.
+
+    If `again` is set, it repeats with new points.
+    """
+
+    __slots__ = ("again", "make")
+
+    def __init__(self, make: Make, again: Make | None) -> None:
+        self.make, self.again = make, again
+
+    @property
+    def is_sequel(self) -> bool:
+        return self.again is not None and self.make is self.again
+
+    def prolong(self, end: float) -> Profile | None:
+        return plan_pvt(*self.make(end)) if self.again is not None else None
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Make the profile and play it; with `again` the next entry waits in the buffer."""
+        points = self.make(a.position(controller.clock.now))
+        profile = through(a, points)
+        if self.again is not None:
+            following = Move(a.index, move.command, move.line, profile.end)
+            following.action = PointsEntry(self.again, self.again)
+            following.id, following.released = move.id, True
+            a.buffer.insert(0, following)
+        playback = Playback(on_path=True)
+        playback.ordered = points
+        move.target, move.action = profile.end, playback
+        controller.run_profile(a, move, playback.waiting(controller, profile) if a.suspended else profile)
+
+
+def through(a: Axis, points: Timed) -> Profile:
+    """Return the profile through timed points; raise Rejected if it is impossible."""
+    try:
+        return plan_pvt(*points)
+    except ValueError as problem:
+        raise Rejected("range", f"axis {a.index} cannot follow the spline: {problem}") from None
+
+
+def load_points(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
+    """Load timed points; `make` is called with the position at which they begin."""
+    start = _start(controller, a)
+    move = Move(a.index, command, line, through(a, make(start)).end)
+    move.base = start
+    move.action = PointsEntry(make, again)
+    buffer.put(a, move)

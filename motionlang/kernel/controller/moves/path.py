@@ -1,0 +1,316 @@
+"""Paths in the move buffer: one entry per axis, begun together.
+
+They begin when all of them are first in their buffers. The first axis of a path is its master: its speed and
+rates are those of the path, and GO on it releases all entries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.move import Action, Move
+from motionlang.kernel.controller.moves import buffer
+from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corner, limits
+from motionlang.kernel.controller.moves.path_policy import PathPolicy
+from motionlang.kernel.controller.moves.path_run import PathRun
+from motionlang.kernel.planners import Profile
+from motionlang.kernel.planners.lookahead import Pace
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+
+class PathMove(Action):
+    """One path: its `moves`, one per axis, its geometry, and its `run` once started.
+
+    The geometry of a `relative` path counts from the positions of its axes at its start. A `policy` replaces the
+    settings of the axes. `scales` are the counts per user unit of each axis when the path was loaded. `displaced` is
+    how far it was moved from its geometry, on each axis, because a path that it is blended with was cut short.
+    """
+
+    __slots__ = ("axes", "displaced", "geometry", "moves", "policy", "relative", "run", "scales")
+
+    def __init__(
+        self,
+        axes: Sequence[Axis],
+        moves: Sequence[Move],
+        geometry: Line | Arc,
+        relative: bool,
+        policy: PathPolicy | None = None,
+    ) -> None:
+        self.axes, self.moves, self.geometry, self.relative = tuple(axes), tuple(moves), geometry, relative
+        self.policy = policy
+        self.scales = [a.scale.counts for a in axes] if policy is None else policy.scales
+        self.run: PathRun | None = None
+        self.displaced: Sequence[float] = ()
+
+    @property
+    def live(self) -> bool:
+        return self.policy is None
+
+    @property
+    def may_join(self) -> bool:
+        """True if the path may continue into the next one without a stop."""
+        return self.policy is not None or self.axes[0].contour_mode
+
+    def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
+        """True if the path continues into the next one without a stop; both are laid out."""
+        if not its.length or self.scales != following.scales:
+            return False
+        if self.policy is None or following.policy is None:
+            return self.policy is following.policy and corner(own, its) <= self.axes[0].contour_angle
+        return self.policy.joins(own, following.policy, its)
+
+    def lay(self, starts: Sequence[float]) -> Segment:
+        """Lay out the path from `starts`, the positions of its axes."""
+        geometry = self.geometry.moved(starts) if self.relative else self.geometry
+        return geometry.lay(starts, self.scales)
+
+    def pace(self, controller: Core, segment: Segment) -> Pace:
+        """Return speed and rates along the path in user units.
+
+        They are those of the master, within the limits of each axis.
+        """
+        if self.policy is not None:
+            return self.policy.pace()
+        master, move = self.axes[0], self.moves[0]
+        speed, accel, decel = controller.speed_and_rates(master, move)
+        k = abs(self.scales[0])
+        most = self._limits(segment)
+        jerks = master.jerks(speed, accel, decel)
+        factor = master.override if move.overridden else 1.0
+        return Pace(
+            master.shape,
+            min(speed * factor / k, most[0]),
+            min(accel / k, most[1]),
+            min(decel / k, most[2]),
+            master.ramp,
+            jerks[0] / k,
+            jerks[1] / k,
+        )
+
+    def max_decel(self, segment: Segment) -> float:
+        """Return the highest deceleration along the path within the limits of its axes."""
+        return INFINITY if self.policy is not None else self._limits(segment)[2]
+
+    def _limits(self, segment: Segment) -> tuple[float, float, float]:
+        axes = self.axes
+        if not any(a.limited for a in axes):
+            return INFINITY, INFINITY, INFINITY
+        speeds, accels = [a.max_speed for a in axes], [a.max_accel for a in axes]
+        return limits(segment, speeds, accels, [a.max_decel for a in axes])
+
+    # -- as an entry of the buffer
+
+    def release(self, move: Move) -> None:
+        if move is self.moves[0]:
+            for each in self.moves:
+                each.released = True
+
+    def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
+        """True for a line, which keeps its end; an arc keeps its shape and is displaced."""
+        if not isinstance(self.geometry, Line) or move.base is None:
+            return False
+        move.base += shift
+        targets = zip(self.axes, self.geometry.targets, strict=True)
+        self.geometry = Line([target - shift if each is a else target for each, target in targets])
+        return True
+
+    def purge(self, a: Axis) -> list[Move]:
+        """Remove the path from the buffers of its other axes once one has discarded it."""
+        dropped = []
+        for other, move in zip(self.axes, self.moves, strict=True):
+            if move in other.buffer:
+                other.buffer.remove(move)
+                dropped.append(move)
+        return dropped
+
+    def is_next_at(self, index: int) -> bool:
+        """True if it is released and has `index` in every buffer, not counting outputs."""
+        return all(
+            move.released and buffer.motion_at(a, index) is move
+            for a, move in zip(self.axes, self.moves, strict=True)
+        )
+
+    def ready(self, controller: Core, a: Axis, move: Move) -> bool:
+        return all(each.move is None for each in self.axes) and self.is_next_at(0)
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Take the entry out of every axis's buffer and run the path."""
+        for other, each in zip(self.axes, self.moves, strict=True):
+            if other is not a:
+                buffer.reach(controller, other, each)
+        PathRun(controller, self, [each.target for each in self.axes]).start()
+
+    # -- in motion
+
+    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+        return (move,) if self.run is None else self.run.entries(a)
+
+    def displace(self, controller: Core, by: Sequence[float]) -> None:
+        """Displace the path because the one that it is blended with was cut short."""
+        self.displaced = by
+        if controller.expected_motion is not None:
+            controller.expected_motion.displace(self)
+
+    def replan(self, controller: Core, a: Axis) -> None:
+        if self.run is not None and (a is self.axes[0] or a.limited):
+            self.run.replan()
+
+    def more(self, controller: Core, a: Axis) -> None:
+        if self.run is not None:
+            self.run.more()
+
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+        if self.run is None:
+            return False
+        self.run.stop(a, ended, hard)
+        return True
+
+    def is_stopping(self, hard: bool) -> bool:
+        return self.run is not None and self.run.ended != "" and (self.run.hard or not hard)
+
+    def together_with(self, a: Axis) -> tuple[Axis, ...]:
+        return self.axes
+
+    def suspend(self, controller: Core, a: Axis) -> bool:
+        if self.run is not None:
+            self.run.suspend()
+        return True
+
+    def resume(self, controller: Core, a: Axis) -> None:
+        if self.run is not None:
+            self.run.resume()
+
+    def leave(self, controller: Core, a: Axis, ended: str) -> None:
+        """Abandon the path on all axes; a new target for one of them is rejected."""
+        if self.run is None:
+            return
+        if ended == "retarget":
+            raise Rejected(
+                "moving",
+                f"axis {a.index} is on a path with other axes",
+                "wait until the path has ended, or stop it",
+            )
+        self.run.abandon(a, ended)
+
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        """Shift the positions of a path with a policy for a new zero of the axis.
+
+        Raises Rejected on other paths.
+        """
+        if self.policy is not None and self.run is not None:
+            self.run.shift(a, shift)
+            return
+        raise Rejected(
+            "moving",
+            f"axis {a.index} is on a path: its position cannot be set",
+            "wait until the path has ended",
+        )
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        raise AssertionError("a path is planned by its run")
+
+
+def load_line(
+    controller: Core, axes: Sequence[int], targets: Sequence[float], command: str, line: int
+) -> None:
+    """Load a straight line to `targets`, counts, into the buffers of its axes."""
+    members = _members(controller, axes)
+    _put(members, Line(list(targets)), list(targets), command, line)
+
+
+def load_line_by(
+    controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
+) -> None:
+    """Load a straight line by `distances` from the ends of the moves before it."""
+    members = _members(controller, axes)
+    starts = _starts(members)
+    targets = [start + distance for start, distance in zip(starts, distances, strict=True)]
+    _put(members, Line(list(distances)), targets, command, line, starts)
+
+
+def load_arc(
+    controller: Core,
+    axes: Sequence[int],
+    centre: Sequence[float],
+    angle: float,
+    rest: Sequence[float],
+    relative: bool,
+    command: str,
+    line: int,
+) -> None:
+    """Load an arc or a helix into the buffers of its axes.
+
+    If it is `relative`, centre and rest count from its start.
+    """
+    members = _members(controller, axes)
+    starts = _starts(members)
+    if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
+        raise Rejected("range", "the centre and the angle of an arc must be finite numbers")
+    geometry = Arc((centre[0], centre[1]), angle, list(rest))
+    laid = geometry.moved(starts) if relative else geometry
+    ends = laid.ends(starts, [a.scale.counts for a in members])
+    _put(members, geometry, ends, command, line, starts if relative else None)
+
+
+def load_guided(
+    controller: Core, axes: Sequence[int], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
+) -> None:
+    """Load a path with a policy into the buffers of its axes; geometry in counts."""
+    members = [controller.movable(axis) for axis in axes]
+    ends = geometry.ends(_starts(members), policy.scales)
+    _put(members, geometry, ends, command, line, policy=policy)
+
+
+def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
+    if len(set(axes)) != len(axes) or len(axes) < 2:
+        raise Rejected("axis", "a path needs two or more different axes", "use MOVEA or MOVER for one axis")
+    return [controller.movable(axis) for axis in axes]
+
+
+def _starts(members: Sequence[Axis]) -> list[float]:
+    """Return the positions of the axes when the path begins."""
+    starts = [buffer.end(a) for a in members]
+    for a, start in zip(members, starts, strict=True):
+        if not abs(start) < 1e300:
+            raise Rejected(
+                "moving", f"axis {a.index} is jogging: a path cannot start from there", "stop it first"
+            )
+    return starts
+
+
+def _put(
+    members: Sequence[Axis],
+    geometry: Line | Arc,
+    targets: Sequence[float],
+    command: str,
+    line: int,
+    bases: Sequence[float] | None = None,
+    policy: PathPolicy | None = None,
+) -> None:
+    """Load a path into the buffers of its axes.
+
+    `targets` are its ends. Those of a relative path count from `bases`, the ends of the entries before.
+    """
+    for a, target in zip(members, targets, strict=True):
+        if len(a.buffer) >= a.buffer_size:
+            raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
+        if not abs(target) < 1e300:
+            raise Rejected("range", f"axis {a.index} cannot move to {target:.10g}")
+    moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
+    action = PathMove(members, moves, geometry, bases is not None, policy)
+    for k, (a, move) in enumerate(zip(members, moves, strict=True)):
+        move.action = action
+        move.base = None if bases is None else bases[k]
+        a.buffer.append(buffer.stamped(a, move))
+
+
+def run_of(a: Axis) -> PathRun | None:
+    """Return the run of paths that an axis is on."""
+    action = a.move.action if a.move is not None else None
+    return action.run if isinstance(action, PathMove) else None

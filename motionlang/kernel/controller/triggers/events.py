@@ -1,0 +1,114 @@
+"""Reported events of an axis: limits, faults, clamps, velocity jumps, stops.
+
+Each is logged when it happens, as an `Event` in user units by the scale of that time.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.faults import (
+    ABORT,
+    ERROR_INPUT,
+    FOLLOWING_ERROR,
+    LIMIT_FORWARD,
+    LIMIT_REVERSE,
+    SOFT_LIMIT_FORWARD,
+    SOFT_LIMIT_REVERSE,
+    names,
+)
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.core import Core
+
+# The name of a fault of each bit; the others are "fault".
+KINDS = {
+    ABORT: "abort",
+    ERROR_INPUT: "e-stop",
+    LIMIT_FORWARD: "limit",
+    LIMIT_REVERSE: "limit",
+    SOFT_LIMIT_FORWARD: "soft limit",
+    SOFT_LIMIT_REVERSE: "soft limit",
+    FOLLOWING_ERROR: "following error",
+}
+# The name of a limit that homing has searched for.
+HOMING = "homing"
+
+
+def note(
+    controller: Core,
+    kind: str,
+    a: Axis,
+    value: float | None = None,
+    limit: float | None = None,
+    text: str = "",
+) -> None:
+    """Log an event of an axis; `value` and `limit` are in user units."""
+    line = 0 if a.move is None else a.move.line
+    controller.log.note(controller.clock.now, kind, a.index, value, limit, line, text)
+
+
+def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
+    """Log a fault that is about to be raised, and its `action`."""
+    kind, value, limit = KINDS.get(bit, "fault"), None, None
+    if kind in ("limit", "soft limit"):
+        value = a.scale.position_to_user(a.here(controller.clock.now))
+        positions = [each.watch.position for each in a.limits if each.bit == bit and each.watch is not None]
+        limit = a.scale.position_to_user(positions[0]) if positions else None
+    elif a.feedback is not None and bit == FOLLOWING_ERROR:
+        size = abs(a.scale.counts or 1.0)
+        value, limit = abs(a.feedback.error) / size, a.feedback.error_limit / size
+    if a.index in controller.homings:
+        text = HOMING
+    else:
+        text = "" if action == kind else f"{names(bit)}, {action}"
+    note(controller, kind, a, value, limit, text)
+
+
+def cleared(controller: Core, a: Axis) -> None:
+    """Log that the faults of an axis are about to be cleared."""
+    note(controller, "cleared", a, text=names(a.faults))
+
+
+def jumped(controller: Core, a: Axis, ended: str) -> None:
+    """Log an immediate stop; in motion it means infinite acceleration."""
+    velocity = a.velocity(controller.clock.now)
+    if velocity:
+        note(controller, "velocity jump", a, _speed(a, velocity), 0.0, f"{ended}, an infinite acceleration")
+
+
+def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:
+    """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate.
+
+    A stop that changes nothing, because the axis is stopping already, is no event.
+    """
+    if a.move is None:
+        return
+    action = a.move.action
+    if kind == "cancel" or a.buffer or action is None or not action.is_stopping(hard):
+        note(controller, kind, a, _speed(a, a.velocity(controller.clock.now)))
+
+
+def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
+    """Log, once, a commanded speed, counts/s, above the limit of the axis."""
+    _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
+
+
+def clamped_blend(controller: Core, a: Axis, line: int, commanded: float, got: float) -> None:
+    """Log, once, a path of master `a` blended over `got` instead of `commanded`.
+
+    Both are user units.
+    """
+    _clamped(controller, a, "blend distance", line, commanded, got)
+
+
+def _clamped(controller: Core, a: Axis, what: str, line: int, commanded: float, got: float) -> None:
+    about = line, commanded, got
+    if controller.log.clamped.get((a.index, what)) != about:
+        controller.log.clamped[a.index, what] = about
+        controller.log.note(controller.clock.now, "clamp", a.index, commanded, got, line, what)
+
+
+def _speed(a: Axis, speed: float) -> float:
+    return speed / (a.scale.counts or 1.0)

@@ -1,0 +1,288 @@
+"""Homing: find the switch, leave it slowly, take an edge or index mark as datum.
+
+A MintMT controller homes in this sequence: run at the homing speed towards the switch and stop on it, back off
+at a lower speed until it opens, then, for an index, continue at creep speed in the same direction to the next mark.
+The position becomes that of the datum at the exact time of the last edge. The axis continues to its stop and, if
+an offset is given, moves to the position that far from the datum.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.faults import (
+    LIMIT_FORWARD,
+    LIMIT_REVERSE,
+    SOFT_LIMIT_FORWARD,
+    SOFT_LIMIT_REVERSE,
+    Rejected,
+)
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller.triggers.limit import Limit
+from motionlang.kernel.controller.triggers.watch import Watch, watched_position
+from motionlang.kernel.planners import plan
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.controller import Controller
+
+Rates = tuple[float | None, float | None]
+
+# The target of the search: the home switch, the limit switch of its direction, or only an index mark.
+HOME, LIMIT, INDEX = "home", "limit", "index"
+# In order of occurrence; "done" is also the state after any other end of the homing.
+STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
+
+# The endless motion of an axis that has nothing ahead of it.
+_ENDLESS = {
+    "search": "homes away from its {0} and never reaches it",
+    "back-off": "backs off its {0} and never leaves it",
+    "index": "homes and never reaches an index mark",
+}
+_SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
+
+
+class Homing:
+    """One homing in progress on one axis; `found` is set when the datum is known.
+
+    `direction` is that of the search, speeds are counts/s, `rates` its acceleration and deceleration, counts/s²
+    (None: that of the axis), `datum` is the position given to the datum,
+    `offset` how far from the datum the axis ends (None: where it stops). `before` is the datum's position until
+    then; `line` is the program line that began the homing. `provided` is true if the machine has the switch or mark
+    that the homing searches for. `ended` is called at the end, whatever its cause.
+    """
+
+    def __init__(
+        self,
+        controller: Controller,
+        axis: int,
+        direction: int,
+        speed: float,
+        back_off_speed: float,
+        creep_speed: float,
+        *,
+        switch: str = HOME,
+        index: bool = False,
+        datum: float = 0.0,
+        offset: float | None = None,
+        rates: Rates = (None, None),
+        provided: bool = True,
+        ended: Callable[[Homing], None] | None = None,
+        command: str = "HOME",
+        line: int = 0,
+    ) -> None:
+        self._controller, self.axis, self._direction = controller, axis, direction
+        self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
+        self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
+        self._rates = rates
+        self._ended, self._command, self.line = ended, command, line
+        self.provided = provided
+        self._watch: Watch | None = None
+        self._move: Move | None = None
+        self.found = False
+        self.before = 0.0
+        self.state = "done"
+        # Called first when the axis comes to rest, so that no other subscriber sees it at rest in between.
+        controller.homings[axis] = self
+        controller.listeners.put_first(self._on_change)
+        self._allow_limit(False)
+        try:
+            if switch == INDEX:
+                self._seek_index(direction, speed)
+            else:
+                self._search()
+        except Rejected:
+            self._release()
+            raise
+
+    @property
+    def _axis(self) -> Axis:
+        return self._controller.axes[self.axis]
+
+    def cancel(self) -> None:
+        """End the homing, complete or not; the cause of its end then controls the axis."""
+        self.state = "done"
+        if self._move is not None:
+            self._move.rates = None  # a stop that ends the homing is one at the rates of the axis
+        if self._on_change not in self._controller.listeners:
+            return
+        self._release()
+        if self._ended is not None:
+            self._ended(self)
+
+    def replaced(self, move: Move) -> None:
+        """End the homing if `move`, which another motion has replaced, is its own."""
+        if move is self._move:
+            self.cancel()
+
+    def _release(self) -> None:
+        """Return the control of the axis and of its limits."""
+        self._controller.listeners.remove(self._on_change)
+        self._controller.homings.pop(self.axis, None)
+        self._allow_limit(True)
+        self._unwatch()
+
+    @property
+    def endless_motion(self) -> str:
+        """The reason why the motion never ends; "" if it will reach a watch or stop."""
+        a = self._axis
+        velocity = a.profiles[-1].end_velocity
+        if self.state not in _ENDLESS or not velocity:
+            return ""
+        here = self._controller.position(self.axis)
+        deaf = {limit.watch for limit in a.limits if not limit.enabled and limit.bit in _SOFT}
+        ahead = any(
+            0.0 < (watched_position(a, watch) - here) * velocity < math.inf
+            for watch in a.watches
+            if watch not in deaf
+        )
+        if ahead:
+            return ""
+        what = "limit switch" if self._switch == LIMIT else "switch"
+        if self.has_passed_switch:
+            return f"axis {self.axis} ran past its {what} while stopping and does not meet it again"
+        if not self.provided and self.state == "search":
+            return f"axis {self.axis} homes towards a {what} that does not exist"
+        return f"axis {self.axis} {_ENDLESS[self.state].format(what)}"
+
+    @property
+    def has_passed_switch(self) -> bool:
+        """True while the axis returns to a switch that opened during the stop."""
+        return self.state == "back-off" and not self._on_switch()
+
+    def _take(self, step: Callable[[], None]) -> None:
+        """Take the next step; one that is rejected ends the homing with a run-time fault."""
+        try:
+            step()
+        except Rejected as rejected:
+            rejected.line = rejected.line or self.line
+            controller, a = self._controller, self._axis
+            self.cancel()
+            if a.move is not None:
+                controller.come_to_rest(self.axis)
+            if controller.expected_motion is not None:
+                controller.expected_motion.refuse(a)
+            controller.run_time_fault(rejected)
+
+    def _unwatch(self) -> None:
+        if self._watch is not None:
+            self._controller.unwatch(self.axis, self._watch)
+            self._watch = None
+
+    # ---------------------------------------------------------------------------------------------- moving
+
+    def _jog(self, velocity: float) -> None:
+        self._move = None  # this jog may replace the previous one
+        self._controller.jog(self.axis, velocity, self._command, self.line, self._rates)
+        self._move = self._axis.move
+
+    def _search(self) -> None:
+        """Move towards the switch; if the axis is already on it, back off at once."""
+        if self._on_switch():
+            self._back_off()
+            return
+        self.state = "search"
+        self._jog(self._direction * self.speed)
+
+    def _back_off(self) -> None:
+        self.state = "back-off"
+        self._jog(-self._direction * self.back_off_speed)
+
+    def _seek_index(self, direction: int, speed: float) -> None:
+        """Continue to the next mark of the encoder, a machine position."""
+        self.state = "index"
+        mark = next_index(self._controller, self.axis, direction)
+        self._jog(direction * speed)
+        self._watch = self._controller.watch(
+            self.axis, mark, lambda _: self._take(self._datum_found), physical=True
+        )
+
+    def _datum_found(self) -> None:
+        """Set the datum at the last edge; the axis continues to its stop."""
+        controller = self._controller
+        self._unwatch()
+        self.state = "stopping"
+        self.found = True
+        self.before = controller.position(self.axis)
+        controller.define_position(self.axis, self._datum)
+        controller.come_to_rest(self.axis)
+
+    def _go_to_offset(self, offset: float) -> None:
+        """Move from the stop to the offset position, at creep speed."""
+        self.state = "offset"
+        a, controller = self._axis, self._controller
+        accel, decel = self._rates
+        if accel is None or decel is None:
+            its = controller.rates(a, self._creep_speed)
+            accel, decel = accel or its[0], decel or its[1]
+        accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
+        target = self._datum + offset
+        here, speed = a.position(controller.clock.now), min(self._creep_speed, a.max_speed)
+        profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+        controller.play(self.axis, profile, self._command, self.line)
+        self._move = a.move
+
+    # --------------------------------------------------------------------------------------------- switches
+
+    def _limits(self) -> list[Limit]:
+        bit = LIMIT_FORWARD if self._direction > 0 else LIMIT_REVERSE
+        return [limit for limit in self._axis.limits if limit.bit == bit]
+
+    def _on_switch(self) -> bool:
+        if self._switch == HOME:
+            return self._controller.is_on_home_switch(self.axis)
+        return any(limit.active for limit in self._limits())
+
+    def _allow_limit(self, allowed: bool) -> None:
+        """Enable or disable the software limits, and a limit switch used for homing."""
+        searched = self._limits() if self._switch == LIMIT else []
+        for limit in [*searched, *(each for each in self._axis.limits if each.bit in _SOFT)]:
+            limit.enabled = allowed
+
+    def _on_change(self, what: str, axis: int) -> None:
+        if axis != self.axis:
+            return
+        if what == "fault":
+            self.cancel()
+        elif what == self._switch:
+            self._take(self._switch_changed)
+
+    def _switch_changed(self) -> None:
+        active = self._on_switch()
+        if self.state == "search" and active:
+            self.state = "on-switch"
+            self._controller.come_to_rest(self.axis)
+        elif self.state == "back-off" and not active:
+            if self._index:
+                self._seek_index(-self._direction, self._creep_speed)
+            else:
+                self._datum_found()
+
+    def at_rest(self) -> None:
+        """Handle a stop: after the search, on the switch or past it, or at the end."""
+        self._take(self._go_on)
+
+    def _go_on(self) -> None:
+        if self.state == "on-switch":
+            self._back_off()  # also if the stop ran across the complete switch: it returns across it
+            return
+        offset = self._offset
+        here = self._controller.position(self.axis) - self._datum
+        if self.state == "stopping" and offset is not None and here != offset:
+            self._go_to_offset(offset)
+            return
+        self.cancel()
+
+
+def next_index(controller: Controller, axis: int, direction: int) -> float:
+    """Return the next index mark in a direction, machine counts; infinite if none."""
+    a = controller.axes[axis]
+    pitch = a.index_pitch
+    if not pitch > 0:
+        return math.inf * direction
+    here = controller.position(axis) - a.datum - a.index_origin
+    step = here / pitch
+    mark = math.floor(step + 1e-9) + 1 if direction > 0 else math.ceil(step - 1e-9) - 1
+    return mark * pitch + a.index_origin

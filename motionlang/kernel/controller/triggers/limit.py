@@ -1,0 +1,67 @@
+"""Travel limits: software limits of the program and limit switches of the machine.
+
+A limit raises a fault on its axis if the axis passes it, or starts a motion towards it while it is active. The
+axis then takes the limit's `action`. Moving away from an active limit is always allowed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.triggers.conditions import Condition
+from motionlang.kernel.controller.triggers.watch import Watch
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.controller import Controller
+
+
+class Limit(Condition):
+    """One end of an axis's travel: `sign` is +1 or -1, `bit` its fault.
+
+    `position` is in counts; a `physical` limit stays at its position on the machine. A limit without a
+    position is a switch that is operated from outside. Listeners of the controller are notified of the kind "limit"
+    when it changes.
+    """
+
+    __slots__ = ("_switch", "physical", "watch")
+
+    def __init__(
+        self, controller: Controller, axis: int, sign: int, bit: int, action: str, physical: bool = False
+    ) -> None:
+        super().__init__(controller, axis, sign, bit, action)
+        self.physical = physical
+        self._switch = False
+        self.watch: Watch | None = None
+
+    @property
+    def active(self) -> bool:
+        """True if the axis is beyond the limit or its switch is closed."""
+        return self._switch or self.passed
+
+    met = active
+
+    @property
+    def passed(self) -> bool:
+        """True if the axis is at the limit or beyond it."""
+        return self.watch is not None and self.watch.side in (self.sign, 0)
+
+    def set_position(self, position: float | None) -> None:
+        """Set the position of the limit; None removes it."""
+        controller = self.controller
+        if self.watch is not None:
+            controller.unwatch(self.axis, self.watch)
+            self.watch = None
+        if position is not None:
+            self.watch = controller.watch(self.axis, position, self._pass, self.physical)
+        self.check()
+
+    def set_active(self, active: bool) -> None:
+        """Open or close the switch."""
+        changed, self._switch = self._switch is not active, active
+        self.check()
+        if changed:
+            self.controller.notify("limit", self.axis)
+
+    def _pass(self, direction: int) -> None:
+        self.check(direction)
+        self.controller.notify("limit", self.axis)

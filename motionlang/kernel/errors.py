@@ -1,0 +1,365 @@
+"""Errors in a user's program: the message, its location, and a hint.
+
+A `Diagnostic` is one error; a `ProgramError` has all errors of a file. They are displayed by
+`motionlang.views.diagnostics`. Faults of the *machine* are part of an axis's state, not errors. `MissingExtra` is
+raised for a feature whose library is not installed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+
+# The codes of diagnostics and their meanings. `commands/help/explanations.py` has an example and a fix for each.
+CODES: dict[str, str] = {
+    "syntax": "The text does not follow the grammar of the language.",
+    "language": "The file is written in the other language.",
+    "missing-end": "A block was opened and never closed.",
+    "answers": "A controller's answers to a probe cannot be read.",
+    "stray-end": "A block is closed that was never opened.",
+    "unknown-word": "The name is neither a keyword nor declared in the program.",
+    "not-simulated": "The keyword belongs to the language, but is not simulated here.",
+    "values": "The number of axes, arguments or values does not fit the keyword.",
+    "read-only": "The keyword can be read but not written.",
+    "write-only": "The keyword can be written but has no value to read.",
+    "not-a-command": "The keyword is a value and cannot be a statement.",
+    "type": "The types of the values do not match.",
+    "duplicate": "The name is already taken.",
+    "range": "The value lies outside what the keyword accepts.",
+    "axis": "There is no such axis on this controller.",
+    "channel": "There is no such input, output or element.",
+    "output": "No such output is assigned to the keyword.",
+    "no-connection": "The node or the server does not answer.",
+    "terminal": "There is no such terminal.",
+    "one-terminal": "This can be done with one terminal at a time.",
+    "index": "The subscript lies outside the array.",
+    "division-by-zero": "A number was divided by zero.",
+    "overflow": "The number is too large for its type.",
+    "string-overflow": "The text is longer than its String.",
+    "argument": "The function has no value for this argument.",
+    "disabled-axis": "The axis is off, and the command needs it on.",
+    "enable-input": "The hardware enable input of the drive is off.",
+    "brake": "The brake of the axis is set; it accepts no motion until the brake is released.",
+    "axis-error": "The axis has an error; it accepts no motion until the error is cleared.",
+    "blend-distance": "A blend takes at most half of a path, for any BLENDDISTANCE.",
+    "zero-speed": "A move with no speed would never end.",
+    "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
+    "moving": "The command needs the axis at rest.",
+    "contour-and-blend": "Paths are either contoured or blended, not both.",
+    "stopping": "The axis is decelerating to rest and accepts no move until then.",
+    "buffer-in-use": "The size of a move buffer can only be changed while it is empty and the axis at rest.",
+    "buffer-full": "The move buffer is full and will never drain.",
+    "never": "The program waits for something that can no longer happen.",
+    "not-primed": "The error registers were read before an error was read into them.",
+    "capture-running": "A capture is running; its settings cannot change until it ends.",
+    "capture-points": "The capture has too many points.",
+    "capture-stopped": "No capture is running.",
+    "capture-triggered": "The capture does not wait for a trigger.",
+    "event": "The event has no handler, or does not exist, and cannot be raised.",
+    "recursion": "Calls are nested deeper than the controller's stack.",
+    "limit": "The run ended because it produced too much data.",
+    "golden": "The run does not match its golden files, or has none.",
+    "proof": "The motion differs from the commands, exceeds a bound, or is too long to be verified.",
+    "beyond-limit": "A limit of the machine was exceeded, or cannot be checked.",
+    "interrupted": "The run was ended from the keyboard, or by a signal.",
+    "crash": "An internal error of motionlang, not an error of the program.",
+    "window": "A picture or a trace needs data that the run does not have.",
+    "budget": "The run took longer than the machine file's budget allows.",
+    "recording": "The recording cannot be read or compared.",
+    "extra": "An optional library that the command needs is not installed.",
+    "file": "The file could not be read or written.",
+    "address": "The TCP address or serial device cannot be served or reached.",
+    "mcapi": "The library for hosts, a host program or a log of its calls cannot be used.",
+    "machine-file": "The machine file is invalid.",
+    "option": "An option of the command line does not fit the program or its machine file.",
+    "guess": "The result depends on guesses of motionlang init.",
+    "unasked": "An answer was given that no INPUT took.",
+    "command-error": "The controller answered the command with an error code.",
+    "model": "The chosen controller model does not support this.",
+    # Warnings of the linters; docs/lint.md explains each.
+    "never-started": "A move is loaded into the buffer and never started.",
+    "in-motion": "A position is read or set while the move just started is in motion.",
+    "scale-in-motion": "The scale is changed while the axis moves.",
+    "scale-after-speed": "The scale is set after speeds and rates and changes them.",
+    "time-before-speed": "A ramp time is set before the speed it refers to.",
+    "short-ramp": "A ramp is shorter than one trajectory update.",
+    "unused-setting": "A speed or a rate is set and never used.",
+    "nothing-loaded": "A GO starts nothing, because no move is loaded.",
+    "exact-position": "A position is compared for equality while the axis moves.",
+    "wait-condition": "A WAIT, which takes a time, is given a condition.",
+    "busy-loop": "An endless loop that computes and never waits.",
+    "buffer-overfilled": "More moves are loaded before GO than the buffer holds.",
+    "beyond-travel": "A move ends beyond the travel of the axis or its software limits.",
+    "two-tasks": "Two tasks command the same axis.",
+    "endless-wait": "A wait for a condition that nothing can change.",
+    "endless-loop": "A loop that never changes its condition.",
+    "constant-condition": "A condition that is always true or always false.",
+    "mixed-operators": "& or | next to a comparison, without brackets.",
+    "unreachable": "No path leads to the statement.",
+    "unused-label": "A label that is never used.",
+    "unused-variable": "A variable that is never read.",
+    "no-value": "A variable that is read and never given a value.",
+    "never-waits": "A loop starts moves and never waits for one.",
+    "wrong-channel": "An output is switched at a channel that is an input.",
+    "unused-sub": "A sub or a function that is never called.",
+    "unused-task": "A task that is never run.",
+    "motor-off": "A command moves a motor that was never switched on.",
+    "nothing-to-wait-for": "A wait for the end of a move that was never started.",
+    "still-running": (
+        "A move or a wait needs an axis at rest, but the axis runs in velocity mode until it is stopped."
+    ),
+    "else-if": "An Else If on one line is read as an ElseIf, which may not be what you want.",
+    "silenced": "A comment silences a warning that does not exist.",
+}
+
+
+class Diagnostic:
+    """One error: `line` and `column` count from 1, `length` is the width of carets.
+
+    `column` 0 means that only the line is known, `line` 0 that the error is about the whole file. `count` is the
+    number of occurrences in a run, from the machine time `first` to `last`, s. `fix` is the correction of the marked
+    text if it is unambiguous, or "". `candidates` are texts that may have been meant instead of it.
+    """
+
+    __slots__ = (
+        "candidates", "code", "column", "count", "first", "fix", "hint", "last", "length", "line", "message",
+        "severity",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        line: int = 0,
+        column: int = 0,
+        *,
+        length: int = 1,
+        hint: str = "",
+        severity: str = "error",
+        fix: str = "",
+        candidates: Sequence[str] = (),
+    ) -> None:
+        assert code in CODES, code
+        self.code, self.message, self.line, self.column = code, message, line, column
+        self.length, self.hint, self.severity, self.fix = length, hint, severity, fix
+        self.candidates = tuple(candidates)
+        self.count, self.first, self.last = 1, 0.0, 0.0
+
+    def __repr__(self) -> str:
+        return f"Diagnostic({self.code!r}, {self.message!r}, {self.line}, {self.column})"
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """An identity shared by equal diagnostics."""
+        return self.code, self.message, self.line, self.column, self.severity
+
+    def again(self, time: float) -> None:
+        """Count another occurrence."""
+        self.count += 1
+        self.last = time
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the fields of the JSON report, with count and times if there are several."""
+        times: dict[str, object] = {}
+        if self.count > 1:
+            times = {"count": self.count, "first_time": self.first, "last_time": self.last}
+        return {
+            "severity": self.severity,
+            "code": self.code,
+            "message": self.message,
+            "line": self.line,
+            "column": self.column,
+            "hint": self.hint,
+            **times,
+        }
+
+
+# Maximum characters of a value in a message.
+_MAX_SHOWN = 60
+
+
+class ProgramError(Exception):
+    """An invalid or failed program, with all diagnostics in the order of the text."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+    @classmethod
+    def of(cls, code: str, message: str, line: int = 0, column: int = 0, hint: str = "") -> ProgramError:
+        """Return the error with one diagnostic."""
+        return cls([Diagnostic(code, message, line, column, hint=hint)])
+
+
+class Terminated(SystemExit):
+    """A signal such as SIGTERM has ended the command; `code` is its exit status."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        super().__init__(128 + number)
+
+
+class OutOfTime(KeyboardInterrupt):
+    """The run has used up its processor time, `seconds`."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__()
+        self.seconds = seconds
+
+
+def shown(value: object) -> str:
+    """Return a user's value for a message, on one line of limited length."""
+    try:
+        text = repr(value)
+    except (ValueError, RecursionError):  # Python writes no number of more than 4300 digits
+        return "the text there"
+    return clipped(text)
+
+
+def clipped(text: str) -> str:
+    """Return a quoted text, truncated to at most one line."""
+    return text if len(text) <= _MAX_SHOWN else f"{text[:_MAX_SHOWN]}…"
+
+
+class Spellings:
+    """Known words for "did you mean …?"; case does not matter.
+
+    Most words are excluded by an upper bound of their similarity: a letter that only one of two words has cannot match.
+    The bound takes a few machine instructions per word.
+    """
+
+    __slots__ = ("_rows", "_spelt")
+
+    def __init__(self, words: Iterable[str]) -> None:
+        self._spelt = {each.lower(): each for each in words}
+        self._rows = [(each, len(each), _letters(each)) for each in self._spelt]
+
+    def nearest(self, word: str, cutoff: float = 0.6) -> str | None:
+        """Return the most similar word that `word` may be meant as, None if there is none.
+
+        Its `difflib` ratio is at least `cutoff`, and it differs by few letters or is abbreviated by `word`.
+        """
+
+        word = word.lower()
+        size, letters = len(word), _letters(word)
+        likely = [
+            each
+            for each, length, others in self._rows
+            if 2.0
+            * min(size - (letters & ~others).bit_count(), length - (others & ~letters).bit_count())
+            / (size + length or 1)
+            >= cutoff
+        ]
+        found = get_close_matches(word, likely, n=5, cutoff=cutoff)
+        return next((self._spelt[each] for each in found if _is_near(word, each)), None)
+
+
+def _letters(word: str) -> int:
+    """Return the letters of a word as a bit set, in which some letters share a bit."""
+    bits = 0
+    for letter in word:
+        bits |= 1 << (ord(letter) & 63)
+    return bits
+
+
+def _is_near(word: str, other: str) -> bool:
+    """True if the words differ little, or if `word` abbreviates `other`."""
+    letters = iter(other)
+    return differ_little(word, other) or all(letter in letters for letter in word)
+
+
+def differ_little(word: str, other: str) -> bool:
+    """True if a third of the letters differs at most, or one; case does not matter."""
+    return edits(word.lower(), other.lower()) <= max(1, max(len(word), len(other)) // 3)
+
+
+def edits(word: str, other: str) -> int:
+    """Return how many letters to insert, delete, change or swap with their neighbour turn `word` into `other`."""
+    before: list[int] = []
+    last: list[int] = []
+    row = list(range(len(other) + 1))
+    for i, letter in enumerate(word, 1):
+        before, last, row = last, row, [i]
+        for j, wanted in enumerate(other, 1):
+            row.append(min(last[j] + 1, row[-1] + 1, last[j - 1] + (letter != wanted)))
+            if i > 1 and j > 1 and (letter, wanted) == (other[j - 2], word[i - 2]):
+                row[j] = min(row[j], before[j - 2] + 1)
+    return row[-1]
+
+
+def nearest(word: str, words: Iterable[str]) -> str | None:
+    """Return the most similar word of `words`, for "did you mean …?", or None."""
+    return Spellings(words).nearest(word)
+
+
+# Libraries that may be missing, by their import name: the extra of `pyproject.toml` and the name of the
+# distribution. numpy belongs to no extra, because the package depends on it. Some Pythons, such as a
+# browser's, lack it, and most runs do without.
+LIBRARIES = {
+    "matplotlib": ("plot", "matplotlib"),
+    "pyarrow": ("parquet", "pyarrow"),
+    "mcap": ("mcap", "mcap"),
+    "vcd": ("vcd", "pyvcd"),
+    "can": ("can", "python-can"),
+    "canopen": ("can", "canopen"),
+    "msgpack": ("can", "msgpack"),
+    "pygls": ("lsp", "pygls"),
+    "serial": ("serial", "pyserial"),
+    "shtab": ("completion", "shtab"),
+}
+# The libraries that the package depends on and that a run may do without.
+REQUIRED = ("lark", "numpy")
+
+
+def count_of(number: int, noun: str, plural: str = "") -> str:
+    """Return a number with its noun, such as "1 move" or "2 moves"."""
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+def as_hint(description: str) -> str:
+    """Return a description as a hint: without capital and full stop."""
+    second = description[1:2]
+    begin = description[:1].lower() if second.islower() or second == " " else description[:1]
+    return begin + description[1:].removesuffix(".")
+
+
+class MissingExtra(ImportError):
+    """`user`, a feature or an option, needs libraries that are missing, mostly those of an extra.
+
+    `message` names them and `hint` is the command that installs them. It uses double quotes, which every shell accepts.
+    """
+
+    def __init__(self, user: str, libraries: Sequence[str]) -> None:
+        names = " and ".join(LIBRARIES.get(library, ("", library))[1] for library in libraries)
+        self.message = f"{user} needs {names}"
+        self.is_required = libraries[0] in REQUIRED
+        if libraries[0] in LIBRARIES:
+            self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
+        else:
+            self.hint = f"python -m pip install {names}"
+        super().__init__(f"{self.message}: {self.hint}")
+
+
+def need(user: str, *libraries: str) -> None:
+    """Raise MissingExtra if any of the `libraries`, all from one extra or from none, is missing."""
+    missing = [library for library in libraries if not _is_installed(library)]
+    if missing:
+        raise MissingExtra(user, missing)
+
+
+def _is_installed(library: str) -> bool:
+    from importlib.util import find_spec
+
+    try:
+        return find_spec(library) is not None
+    except ModuleNotFoundError:  # an import hook refuses it
+        return False
+
+
+def missing(error: BaseException, user: str) -> MissingExtra | None:
+    """Return the MissingExtra for an error caused by a missing library, or None."""
+    if isinstance(error, MissingExtra):
+        return error
+    if isinstance(error, ImportError) and error.name in REQUIRED:
+        return MissingExtra(user, [error.name])
+    return None

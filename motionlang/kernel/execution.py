@@ -1,0 +1,360 @@
+"""One program, one machine, one run: from a source to a `Run`."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Callable, Mapping
+
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel.lang.debugging import Hook, Observer
+from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
+from motionlang.kernel.lang.foreign import one_sentence
+from motionlang.kernel.lang.literals import edited
+from motionlang.kernel.lang.machine.entries import Given, with_entries
+from motionlang.kernel.lang.machine.file import first_mistake, read_machine
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.nesting import StackSpace
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
+from motionlang.kernel.log.expected_motion import ExpectedMotion
+from motionlang.kernel.result import (
+    Run,
+    interrupted,
+    open_nonvolatile,
+    report_futile_waits,
+    report_guesses,
+    report_keywords_without_effect,
+    report_never_started,
+    report_stuck,
+    report_unasked,
+    save_nonvolatile,
+)
+from motionlang.kernel.source import STDIN, Source
+
+# The default end of a run, because a machine program has none of its own.
+ONE_SHIFT = 8 * 3600.0
+# New objects between two passes of the garbage collector.
+GARBAGE = 200_000
+# The suffix of the machine file next to a program, after its name without suffix.
+MACHINE_SUFFIX = ".machine.toml"
+
+
+class Checked(dict[str, object]):
+    """Settings that have been checked against the machine file's keys."""
+
+    __slots__ = ()
+
+
+def dialect_of(file: str) -> Dialect | None:
+    """Return the dialect of a file extension, or None."""
+    suffix = os.path.splitext(file)[1].lower()
+    for name in dialects():
+        if suffix in dialect(name).suffixes:
+            return dialect(name)
+    return None
+
+
+def language_of(wanted: str | None, file: str) -> Dialect | None:
+    """Return the requested dialect, or that of the file extension; None if there is neither."""
+    return dialect(wanted) if wanted else dialect_of(file)
+
+
+def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
+    """Return the machine file of a program: the given one, or the one next to it.
+
+    For `pick.mnt` this is `pick.machine.toml`, or None if that does not exist. Standard input and a `Source` have no
+    folder, and so no machine file.
+    """
+    if given is not None or program is None or isinstance(program, Source) or program == STDIN:
+        return given
+    path = os.path.splitext(program)[0] + MACHINE_SUFFIX
+    return path if os.path.isfile(path) else None
+
+
+def run(
+    program: str | os.PathLike[str] | Source,
+    *,
+    dialect: str | Dialect | None = None,
+    machine: Mapping[str, object] | None = None,
+    until: float | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+    show: Callable[[str], object] | None = None,
+    pace: Callable[[float], None] | None = None,
+    outside: Outside | None = None,
+    begun: Callable[[Machine], None] | None = None,
+    nv: str | None = None,
+    keep_crash: bool = False,
+    prove: bool = False,
+    log_size: float | None = None,
+    compiled: Program | None = None,
+    hook: Hook | None = None,
+    observer: Observer | None = None,
+    inputs: Given = (),
+    analog: Given = (),
+    answers: Given = (),
+    keys: Given = (),
+) -> Run:
+    """Run a program: a path, or a `Source` with its text.
+
+    `motionlang.run` describes the public parameters and the errors raised. The other parameters are for this
+    package. `pace` is called with the machine time of the next step. `outside` is a world that acts on its own, such
+    as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
+    an observer. `hook` selects a debug build, which calls it before statements. `observer` counts steps. An internal
+    error is raised, or with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the
+    compiled program of this source, made for a machine that agrees with this one in every setting for which
+    `Dialect.compiled_in` is True.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    language = dialect_for(source, dialect)
+    remarks: list[str] = []
+    wrong: list[Diagnostic] = []
+    if overrides and compiled is None:
+        source, overrides, remarks, wrong = _with_literals(source, language, overrides)
+    settings = checked_settings(machine) if machine is not None else settings_next_to(program)
+    if inputs or analog or answers or keys:
+        settings = _with_entries(settings, inputs, analog, answers, keys)
+    virtual = Machine(
+        settings,
+        first_axis=language.first_axis,
+        show=show,
+        overrides=overrides,
+        hook=hook,
+        observer=observer,
+    )
+    result = Run(source, language, virtual)
+    if wrong:
+        result.diagnostics, result.status = wrong, "fault"
+        return result
+    if compiled is None:
+        compiled = _compile(source, language, settings, result)
+    result.program = compiled
+    gigabytes = settings.get("run.log") if log_size is None else log_size
+    if gigabytes is not None:
+        assert isinstance(gigabytes, (int, float))
+        result.machine.log.store.disk = int(gigabytes * 1e9)
+    if nv is not None and compiled is not None and not open_nonvolatile(result, nv):
+        compiled = None
+    if compiled is not None:
+        last = end_of(settings) if until is None else until
+        _perform(result, compiled, last, pace, outside, begun, prove, keep_crash)
+        result.notes += remarks
+    _finish(result, settings)
+    return result
+
+
+def run_on(
+    source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
+) -> Run:
+    """Continue a run from the state of its machine, which a debugger has put back; return another result."""
+    result = Run(source, language, machine)
+    result.program = program
+    last = end_of(machine.settings) if until is None else until
+    _perform(result, program, last, None, None, None, False, False)
+    _finish(result, machine.settings)
+    return result
+
+
+def _with_entries(
+    settings: dict[str, object], inputs: Given, analog: Given, answers: Given, keys: Given
+) -> dict[str, object]:
+    """Return settings with the inputs, answers and keys that are given for one run."""
+
+    return with_entries(settings, inputs, analog, answers, keys)
+
+
+def _perform(
+    result: Run,
+    compiled: Program,
+    until: float,
+    pace: Callable[[float], None] | None,
+    outside: Outside | None,
+    begun: Callable[[Machine], None] | None,
+    prove: bool,
+    keep_crash: bool,
+) -> None:
+    """Execute a compiled program and collect remarks on the run."""
+    if prove:
+        result.expected_motion = ExpectedMotion(result.controller)
+    if begun is not None:
+        begun(result.machine)
+    result.diagnostics += compiled.warnings
+    try:
+        with StackSpace():
+            _execute(result, compiled, until, pace, outside)
+    except Exception as error:
+        if not keep_crash:
+            raise
+        result.crash, result.status = error, "fault"
+    result.diagnostics[:0] = result.machine.diagnostics
+    if result.machine.has_motors:
+        from motionlang.kernel.log.history import notes
+
+        result.notes += notes(result.controller)
+    result.notes += result.machine.notes
+    if result.machine.without_effect or result.machine.assumed:
+        report_keywords_without_effect(result)
+    if result.machine.nv is not None:
+        save_nonvolatile(result)
+
+
+def _with_literals(
+    source: Source, language: Dialect, overrides: Mapping[str, float | str]
+) -> tuple[Source, Mapping[str, float | str] | None, list[str], list[Diagnostic]]:
+    """Return a source in which addressed literals are replaced.
+
+    Also returns the other overrides, remarks, and the errors of addresses.
+    """
+
+    try:
+        return *edited(source, language, overrides), []
+    except ProgramError as error:
+        return source, None, [], error.diagnostics
+
+
+def _finish(result: Run, settings: Mapping[str, object]) -> None:
+    """Close the resources of a run, and report the consequences of its end."""
+    if result.machine.nv is not None:
+        result.machine.nv.close()
+    result.machine.close_terminals()
+    result.time = result.machine.clock.now
+    if result.program is not None and result.machine.log.moves:
+        result.notes += result.program.remarks
+    if settings:
+        report_guesses(result)
+    if "answer" in settings and result.status in ("ended", "until"):
+        report_unasked(result)
+    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
+        from motionlang.commands.profile.budget import over_budget
+
+        result.diagnostics += over_budget(result, settings)
+
+
+def end_of(settings: Mapping[str, object]) -> float:
+    """Return the machine time, s, at which a run on this machine ends by default."""
+    until = settings.get("run.until", ONE_SHIFT)
+    assert isinstance(until, (int, float))
+    return until
+
+
+def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, object]:
+    """Return the settings of the machine file next to a program with a path."""
+    path = machine_of(program)
+    if path is None:
+        return {}
+
+    return read_machine(Source.read(path))
+
+
+def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
+    """Return a caller's settings, checked against the machine file's keys."""
+    if machine and not isinstance(machine, Checked):
+        mistake = first_mistake(machine)
+        if mistake:
+            raise ValueError(mistake)
+    return dict(machine)
+
+
+def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
+    """Return the requested dialect, or that of the file extension.
+
+    Raises ValueError if there is none.
+    """
+    if wanted is not None:
+        return dialect(wanted) if isinstance(wanted, str) else wanted
+    found = dialect_of(source.name)
+    if found is None:
+        raise ValueError(
+            f"{source.name}: unknown file extension; choose the language with --lang mint or mccl"
+        )
+    return found
+
+
+def _compile(
+    source: Source,
+    language: Dialect,
+    settings: dict[str, object],
+    result: Run,
+) -> Program | None:
+    """Return the compiled program; None if it has errors."""
+    try:
+        if result.machine.hook is not None:
+            compiled = language.debug(source, settings)
+        else:
+            compiled = language.compile(source, settings)
+    except (KeyboardInterrupt, Terminated) as error:
+        result.diagnostics.append(interrupted(result, None, error))
+        result.status = "interrupted"
+        return None
+    except ProgramError as error:
+        result.diagnostics = one_sentence(language, source, error.diagnostics)
+        result.status = "fault"
+        return None
+    if compiled.is_doubtful:
+        found = one_sentence(language, source, language.check(source, settings))
+        if [each.code for each in found] == ["language"]:
+            result.diagnostics, result.status = found, "fault"
+            return None
+    return compiled
+
+
+def _execute(
+    result: Run,
+    compiled: Program,
+    until: float,
+    pace: Callable[[float], None] | None,
+    outside: Outside | None,
+) -> None:
+    """Run to the end or to an error; earlier results remain in `result`."""
+    scheduler = result.machine.scheduler
+    # The log of a run lives as long as the run: repeated collections would find nothing.
+    thresholds, collecting = _thresholds(), gc.isenabled()
+    if thresholds:
+        gc.set_threshold(GARBAGE, *thresholds[1:])
+    gc.enable()
+    try:
+        if scheduler is None:
+            if outside is not None:
+                outside.start(result.machine)
+            parent = compiled.start(result.machine)
+            scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
+        result.status = scheduler.run(until)
+        if result.status == "until":
+            report_futile_waits(result, scheduler)
+        left = result.machine.never_started() if result.status == "ended" else []
+        if left:
+            report_never_started(result, left)
+        jogging = result.machine.moving()
+        if jogging and result.status == "ended":
+            names = ", ".join(map(str, jogging))
+            result.notes.append(f"axis {names} was still jogging when the program ended")
+    except (KeyboardInterrupt, Terminated) as error:
+        result.status = "interrupted"
+
+        result.controller.finish_updates()
+        result.diagnostics.append(interrupted(result, scheduler, error))
+    except Stuck as stuck:
+        report_stuck(result, stuck)
+    except Exception as error:
+        from motionlang.kernel.lang.run_errors import explain
+
+        diagnostic = explain(result.dialect, result.source, scheduler.current if scheduler else None, error)
+        if diagnostic is None:
+            raise
+        result.status = "fault"
+        # The warning of the check has the same cause.
+        where = diagnostic.code, diagnostic.line, diagnostic.column
+        result.diagnostics = [
+            each for each in result.diagnostics if (each.code, each.line, each.column) != where
+        ]
+        result.diagnostics.append(diagnostic)
+    finally:
+        if thresholds:
+            gc.set_threshold(*thresholds)
+        if not collecting:
+            gc.disable()
+
+
+def _thresholds() -> tuple[int, ...]:
+    """Return the garbage collector's thresholds; () if it has none, as in PyPy."""
+    return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()

@@ -1,0 +1,270 @@
+"""A dialect: the interface of a language to the layers above.
+
+`motionlang.kernel.mint.DIALECT` and `motionlang.kernel.mccl.DIALECT` implement it. Each method imports its modules when
+it is called, so that a command imports only what it needs.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.errors import Diagnostic, nearest, shown
+from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.keyword import Keyword
+    from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.machine.switch import Switch
+    from motionlang.kernel.lang.names import LineLayout, Names
+    from motionlang.kernel.lang.program import Program
+    from motionlang.kernel.lang.step_list import ListedUnit
+    from motionlang.kernel.lang.structure import Structure
+    from motionlang.kernel.lang.task import Task
+    from motionlang.kernel.lang.vocabulary import Vocabulary
+
+
+# The package of each dialect, imported by name on demand, as nothing below may import it.
+PACKAGES = {"mint": "motionlang.kernel.mint", "mccl": "motionlang.kernel.mccl"}
+
+
+def dialects() -> tuple[str, ...]:
+    """Return the names of the dialects."""
+    return tuple(PACKAGES)
+
+
+def dialect(name: str) -> Dialect:
+    """Return a dialect by its name; ValueError, with the choices, if there is none."""
+    if name not in PACKAGES:
+        raise ValueError(f"there is no dialect {name!r}: {' or '.join(PACKAGES)}")
+    __import__(PACKAGES[name])
+    found: Dialect = sys.modules[PACKAGES[name]].DIALECT
+    return found
+
+
+def parse(text: str, language: str) -> object:
+    """Return the syntax tree of a text in "mint" or "mccl".
+
+    A tree is a `Module` of `motionlang.kernel.mint.syntax.nodes` or of `motionlang.kernel.mccl.syntax.tree`. Raises
+    ProgramError with all syntax errors, and ValueError for another language.
+    """
+
+    return dialect(language).parse(Source("", text))
+
+
+def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str] | None:
+    """Return message and hint for a controller name that is unknown, or known in another language only.
+
+    Returns None if it is known. Without a language those of all languages are known.
+    """
+
+    languages = [dialect(each) for each in dialects()] if language is None else [language]
+    if any(each.knows_model(name) for each in languages):
+        return None
+    near = nearest(name, [model for each in languages for model in each.models()])
+    known = [f"{each.title} runs on {', '.join(each.models())}" for each in languages]
+    hint = f"did you mean {near}?" if near else "; ".join(known)
+    return f"{shown(name)} is not a known controller{f' of {language.title}' if language else ''}", hint
+
+
+@dataclass(eq=False, slots=True)
+class Target:
+    """The controller model that a program is written for, with the reasons; "" if nothing decides it.
+
+    `others` are models that fit the program as well.
+    """
+
+    model: str
+    reasons: list[str]
+    others: list[str]
+
+
+class Dialect:
+    """A dialect: `name` for users, `title` for sentences, file `suffixes`, first axis."""
+
+    name: str
+    title: str
+    suffixes: tuple[str, ...]
+    first_axis: int
+    # The sign that begins a comment.
+    comment: str
+    # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
+    constant = ""
+    # Control words that declare a name, that a statement may follow, and that a condition follows; and the words of
+    # a counting loop, whose first one precedes its variable.
+    declaring: frozenset[str] = frozenset()
+    before_statements: frozenset[str] = frozenset()
+    before_conditions: frozenset[str] = frozenset()
+    counting: tuple[str, ...] = ()
+    # What of a program changes a variable while a task waits, for hints.
+    others = "another task"
+    # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
+    jumps: frozenset[str] = frozenset()
+
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Parse and check; raise ProgramError with all errors of the text."""
+        raise NotImplementedError
+
+    def compile_given(
+        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+    ) -> Program:
+        """Return a program for runs with many `values` of names; same as `compile` by default."""
+        return self.compile(source, settings)
+
+    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Return a program that counts its statements, for a machine with a `hook`.
+
+        It runs exactly like the program that `compile` returns, bit for bit. Raises ProgramError with all
+        errors of the text.
+        """
+        raise NotImplementedError
+
+    def parse(self, source: Source) -> object:
+        """Return the syntax tree of a text; ProgramError with all its syntax errors."""
+        raise NotImplementedError
+
+    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+        """Return the steps of a program on a machine with these settings, for people to read.
+
+        Raises ProgramError with all errors.
+        """
+        raise NotImplementedError
+
+    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
+        """Return the statements, units and graph of a program on a machine with these settings.
+
+        Raises ProgramError with all errors.
+        """
+        raise NotImplementedError
+
+    def compiled_in(self, key: str) -> bool:
+        """True if the check of a program depends on a key of the machine file."""
+        return False
+
+    def check(
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        known: dict[object, object] | None = None,
+    ) -> list[Diagnostic]:
+        """Return all errors and warnings without a run.
+
+        `settings` are the settings of the machine file. `known` is a dict, empty at first, that is passed
+        from one check of a text to the next: a language may cache its findings there, so that it checks only
+        what has changed. The result is the same.
+        """
+        raise NotImplementedError
+
+    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
+        """Return the definitions, uses and blocks of a text.
+
+        Lines with syntax errors have none.
+        """
+        raise NotImplementedError
+
+    def layout(self, source: Source) -> list[LineLayout] | None:
+        """Return the indentation of each line of a text.
+
+        The result is None for a language without blocks.
+        """
+        return None
+
+    def forms(self, row: Keyword) -> tuple[str, ...]:
+        """Return the spellings of a keyword, with a for an axis and n for a number.
+
+        The result is () if the keyword's row states them.
+        """
+        return ()
+
+    def models(self) -> tuple[str, ...]:
+        """Return the names of the controllers that use the dialect."""
+        return ()
+
+    def knows_model(self, name: str) -> bool:
+        """True if a name is that of a controller of the dialect, in any spelling."""
+        return name in self.models()
+
+    def written_for(self, source: Source) -> Target:
+        """Return the controller model that a program is written for."""
+        return Target("", [], [])
+
+    def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
+        """Return message and hint for a key of the dialect's own section, None if valid."""
+        return None
+
+    def switches(self) -> Mapping[str, Switch]:
+        """Return the assumptions that the machine file may set, by name."""
+        return {}
+
+    def input_reads(self, source: Source) -> list[InputRead]:
+        """Return the lines where a program depends on digital inputs and keys."""
+        return []
+
+    def remarks(self, source: Source, settings: Mapping[str, object]) -> list[str]:
+        """Return the chosen defaults that the result of a program depends on, a line each."""
+        return []
+
+    def driven_by(self, why: str) -> list[str]:
+        """Return the tables and keys of the machine file that could end a wait.
+
+        `why` is the text that describes the wait.
+        """
+        return []
+
+    def table(self) -> Vocabulary:
+        """Return the vocabulary."""
+        raise NotImplementedError
+
+    def locate(self, source: Source, at: int) -> tuple[int, int, int]:
+        """Return line, column and length of the source position `at` of a task or a node."""
+        raise NotImplementedError
+
+    def locations(self, source: Source, offsets: Sequence[int]) -> list[tuple[int, int, int]]:
+        """Return line, column and length for each of many source positions."""
+        return [self.locate(source, at) for at in offsets]
+
+    def blocks(self, source: Source) -> list[tuple[str, int, int]]:
+        """Return name, first and last line of each sub, task and handler of a program."""
+        return []
+
+    def has_code(self, line: str) -> bool:
+        """True if a line has more than blanks and a comment.
+
+        The test is cheap, because a profile calls it after every run.
+        """
+        return bool(line.strip())
+
+    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        """Return a function that maps an offset to the readings of its loop or wait.
+
+        The function returns None if the readings are not known.
+        """
+        return lambda offset: None
+
+    def interactive(self, machine: Machine) -> Interactive:
+        """Return an interpreter for lines that are typed one after another."""
+        raise NotImplementedError
+
+    def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
+        """Yield kind, text and offset of each token, for highlighting; never fails."""
+        raise NotImplementedError
+
+
+class Interactive:
+    """An interpreter that remembers the names of a program from line to line.
+
+    `keeps_columns` is true if diagnostics about an earlier text, such as a macro, have columns of that text.
+    """
+
+    keeps_columns = False
+
+    def is_complete(self, text: str) -> bool:
+        """False while `text` leaves a block open, so that more lines must follow."""
+        return True
+
+    def task(self, source: Source) -> Task:
+        """Return the task that executes `source`; ProgramError if it is invalid."""
+        raise NotImplementedError

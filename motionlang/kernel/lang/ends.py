@@ -1,0 +1,134 @@
+"""Hints for a wait that nothing can end: `--input 2=1@0.5`, GO, STOP.
+
+The wait itself may state its purpose; if it does not, the condition at its source offset is analysed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.loop_dependencies import Read
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.waits import Wait
+
+# Seconds from now at which the suggested option acts.
+SOON = 0.5
+# A hint names so many inputs.
+MAX_NAMED = 3
+
+
+def what_ends(
+    dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait, at_prompt: bool = False
+) -> str:
+    """Return a hint with the option to type, or "" if no option ends the wait.
+
+    `at_prompt` is for the interactive prompt, whose commands have the names of the options and count time
+    from now.
+    """
+    dash, now = (".", 0.0) if at_prompt else ("--", machine.clock.now)
+    at = f"{round(now + SOON, 1):.10g}"
+    driven = dialect.driven_by(wait.why)
+    leaves = _reads(dialect, source, task, wait)
+    channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
+    levels = machine.controller.inputs
+    if not channels and driven == ["input"]:
+        channels = _channels_of_bank(dialect, source, machine, task)
+    options = []
+    if channels:
+        options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
+        driven = driven or ["input"]
+    if wait.cause == "operator":
+        question = machine.operator.question.strip(" ?:")
+        options.append(f'{dash}answer "{question}=1"' if question else f"{dash}answer 1")
+        driven = ["answer"]
+    elif "key" in driven:
+        options.append(f"{dash}keys R@{at}")
+    elif "analogue" in driven:
+        channel = next((n for kind, n in leaves if kind == "analogue" and n is not None), 0)
+        options.append(f"{dash}analog {channel}=25@{at}")
+    entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
+    if options:
+        verb = "ends" if len(options) == 1 else "end"
+        return f"{' '.join(options)} {verb} it, as does {entries} of the machine file"
+    if any("." in each for each in driven):
+        for axis in (int(each.split(".")[1]) for each in driven if each.startswith("axis.")):
+            if machine.controller.axes[axis].move is None:
+                edge = "edge" if driven[0].endswith("switch") else "mark"
+                return f"axis {axis} does not move and never finds the {edge}: start it before the search"
+        return f"the machine file says where it is: {entries}"
+    return f"{entries} of the machine file says when it comes" if entries else ""
+
+
+def _channels_of_bank(dialect: Dialect, source: Source, machine: Machine, task: Task) -> list[int]:
+    """Return the inputs that have to change for a value of a bank; empty if they are unknown or too many to name."""
+    if not source.text.strip():
+        return []
+    line, _, _ = dialect.locate(source, task.at)
+    levels = machine.controller.inputs
+    found = {
+        each.channel
+        for each in dialect.input_reads(source)
+        if each.kind in ("wait", "poll") and each.line == line and each.channel is not None
+        if each.level is not None and each.level != levels[each.channel]
+    }
+    return sorted(found) if len(found) <= MAX_NAMED else []
+
+
+def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait) -> str:
+    """Return a hint about what a wait lacks, such as a GO; "" if there is none."""
+    if wait.cause == "axis":
+        axes = [("axis", number) for number in wait.what]
+    else:
+        leaves = _reads(dialect, source, task, wait)
+        if not leaves and _is_of_program(dialect, source, task):
+            return f"let {dialect.others} change it: this task does nothing while it waits"
+        axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
+    found = next(filter(None, (_frees(machine.controller, kind, axis) for kind, axis in axes)), "")
+    return found or _raises(dialect, source, machine)
+
+
+def _is_of_program(dialect: Dialect, source: Source, task: Task) -> bool:
+    """Return True if a task waits for a condition that the program states."""
+    return bool(source.text.strip()) and dialect.loop_dependencies(source)(task.at) is not None
+
+
+def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
+    """Return the option that calls a handler of an input; "" if there is none."""
+    reads = dialect.input_reads(source) if source.text.strip() else []
+    handler = next((each for each in reads if each.kind == "event" and each.channel is not None), None)
+    if handler is None or handler.channel is None:
+        return ""
+    level, at = 1 - machine.controller.inputs[handler.channel], round(machine.clock.now + SOON, 1)
+    option = f"--input {handler.channel}={level:d}@{at:.10g}"
+    return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
+
+
+def _frees(controller: Controller, kind: str, axis: int) -> str:
+    a = controller.axes[axis]
+    if a.suspended and (a.move is not None or a.buffer):
+        return f"resume axis {axis} first: it is suspended"
+    if a.move is None and a.buffer and not a.buffer[0].released:
+        return f"write GO({axis}) first: it starts the buffered moves"
+    end = a.scale.position_to_user(a.target)
+    if kind == "axis":
+        return f"stop axis {axis} first: it runs without an end" if abs(end) == INFINITY else ""
+    if abs(end) == INFINITY:
+        return f"axis {axis} runs without an end and never gets there: check its direction"
+    return f"axis {axis} stops at {end:.10g}" if len(a.starts) > 1 else ""
+
+
+def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
+    """Return the values that the condition of a wait reads."""
+    if wait.cause == "input" and wait.what:
+        return frozenset(("input", channel) for channel in wait.what)
+    if not source.text.strip():
+        return frozenset()
+    found = dialect.loop_dependencies(source)(task.at)
+    return frozenset() if found is None else found.leaves

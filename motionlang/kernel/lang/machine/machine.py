@@ -1,0 +1,257 @@
+"""The machine that a program runs on: controller, terminal and world.
+
+The machine file describes the world.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.controller.clock import Clock, WatchedClock
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+from motionlang.kernel.controller.io.wiring import World
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.machine.axes import missing_axes
+from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
+from motionlang.kernel.lang.machine.operator import Operator
+from motionlang.kernel.lang.machine.terminal import Terminal, labelled
+from motionlang.kernel.lang.statement_time import StatementTime
+from motionlang.kernel.log.log import Log
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.debugging import Hook, Observer
+    from motionlang.kernel.lang.scheduler import Scheduler
+
+DEFAULT_AXES = 8
+# The number of the terminal that is the console.
+CONSOLE = 1
+INSTRUCTION_TIME = 10e-6
+# The section of the assumptions that the owner of a controller has settled; `switch` defines the values of
+# each.
+ASSUMPTIONS = "assumptions."
+# The number of different diagnostics that a run reports; further ones add nothing new.
+MAX_DIAGNOSTICS = 200
+
+
+class Machine:
+    """A controller with its terminal, its world and the settings that a language needs.
+
+    `world` is what the machine file describes, or None if it describes only the controller.
+    """
+
+    def __init__(
+        self,
+        settings: Mapping[str, object] | None = None,
+        *,
+        first_axis: int = 0,
+        show: Callable[[str], object] | None = None,
+        overrides: Mapping[str, float | str] | None = None,
+        hook: Hook | None = None,
+        observer: Observer | None = None,
+    ) -> None:
+        self.settings = dict(settings or {})
+        get = self.settings.get
+        # Called before statements of a debug build.
+        self.hook = hook
+        self.observer = observer
+        self.model = str(get("controller.model", ""))
+        self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
+        # The assumptions that this controller settles differently from the default, by name.
+        self.assumptions = {
+            key.removeprefix(ASSUMPTIONS): value
+            for key, value in self.settings.items()
+            if key.startswith(ASSUMPTIONS)
+        }
+        self.clock = Clock() if hook is None else WatchedClock(hook.advancing)
+        self.statements = StatementTime(self.instruction_time)
+        self._host: HostMemory | None = None
+        self._operators: dict[int, Operator] = {}
+        self.log = Log()
+        self.log.hurried = self._hurried
+        self.terminal = Terminal(self.clock, self.log.prints, show)
+        # The output to other terminals and to serial ports, by label.
+        self.terminals: dict[str, Terminal] = {}
+        # Called for a line of the console when the program wants one; None if there is no operator.
+        self.ask: Callable[[], str | None] | None = None
+        # The values that `--set NAME=VALUE` gives to the program's own names.
+        self.overrides = dict(overrides or {})
+        # The keywords that the program used and that have no effect here, in order of use, with their lines.
+        self.without_effect: dict[str, list[int]] = {}
+        # The keywords that it read and whose value is assumed, in order of use, with their lines.
+        self.assumed: dict[str, list[int]] = {}
+        # Facts about other devices that this run could not know, in the order in which the program met them.
+        self.notes: dict[str, None] = {}
+        # Each returns, as rows of the report, the data that the program wrote into other devices.
+        self.written: list[Callable[[], list[dict[str, object]]]] = []
+        # Data that outlives the run, if a file for it is given.
+        self.nv: NonVolatile | None = None
+        # Mistakes of the program that did not end it: MCCL answers with a code and continues.
+        self.diagnostics: list[Diagnostic] = []
+        self._reported: dict[tuple[object, ...], Diagnostic] = {}
+        # Called with a diagnostic that a person would want before the run is over; all of these are in
+        # `warned`.
+        self.warn: Callable[[Diagnostic], object] | None = None
+        self.warned: list[Diagnostic] = []
+        # Runs the tasks, so that a program can start further ones; set by the code that starts the program.
+        self.scheduler: Scheduler | None = None
+        axes: int = get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        if not _is_plain(self.settings):
+            _check_axes(self.settings, axes, first_axis)
+        self.controller = Controller(axes, first_axis, self.clock, self.log)
+        self.world = _world(self.controller, self.settings)
+
+    def add_entries(self, settings: Mapping[str, object]) -> None:
+        """Add inputs, answers and keys to the world; their times count from now."""
+        if "answer" in settings or "key" in settings:
+            self.operator.add(settings, self.clock.now)
+        if "input" not in settings and "analogue" not in settings:
+            return
+        if self.world is None:
+            self.world = World(self.controller, self.settings)
+        self.world.wire_inputs(settings)
+
+    def complain(self, diagnostic: Diagnostic) -> None:
+        """Report a mistake that does not end the program; repeated ones are counted."""
+        if not self.diagnostics:
+            self._reported.clear()  # the caller that cleared the list has reported them
+        before = self._reported.setdefault(diagnostic.key, diagnostic)
+        if before is not diagnostic:
+            before.again(self.clock.now)
+        elif len(self._reported) <= MAX_DIAGNOSTICS:
+            diagnostic.first = diagnostic.last = self.clock.now
+            self.diagnostics.append(diagnostic)
+        else:
+            del self._reported[diagnostic.key]
+
+    def _hurried(self, move: Move, count: int, span: float) -> None:
+        """Warn about a line that starts one move after another without waiting."""
+
+        message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
+        hint = "wait for each to end, or let time pass between them"
+        if not any(
+            each.profile is None or each.profile.duration for each in self.controller.log.moves[-count:]
+        ):
+            message = f"{move.command} moves its axis to its present position {count} times in {span:.3g} s"
+            hint = "such a move takes no time: end the loop, or let time pass in it"
+        found = Diagnostic("never-waits", message, move.line, hint=hint, severity="warning")
+        self.complain(found)
+        if self.warn is not None and self.diagnostics[-1] is found:
+            self.warned.append(found)
+            self.warn(found)
+
+    def moving(self) -> list[int]:
+        """The axes that are not idle."""
+        return self.controller.moving()
+
+    def never_started(self) -> list[Move]:
+        """Return the moves in the move buffers that were never released."""
+        return [move for axis in self.controller.axes.values() for move in axis.buffer if not move.released]
+
+    @property
+    def moves_made(self) -> int:
+        """Return the number of moves started so far."""
+        return len(self.log.moves)
+
+    @property
+    def has_motors(self) -> bool:
+        """True if the machine file gives an axis a simulated motor."""
+        return any(".plant." in key for key in self.settings)
+
+    def settling(self) -> list[int]:
+        """The idle axes whose simulated motors are not yet at rest."""
+        return self.controller.settling()
+
+    def rest_time(self, axis: int) -> float:
+        """Return when an idle axis's motor is at rest, or when to check it next."""
+        return self.controller.rest_time(axis)
+
+    def idle_time(self, axis: int) -> float:
+        """Return the time at which an axis will be idle if nothing else happens."""
+        return self.controller.idle_time(axis)
+
+    @property
+    def host(self) -> HostMemory:
+        """The memory shared with a host, created on first use.
+
+        It includes the writes that the machine file schedules for the host.
+        """
+        if self._host is None:
+            self._host = HostMemory(PRODUCTS[product(self.model)])
+            for area in AREAS:
+                for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
+                    self._host.schedule(self.clock, area, entry)
+        return self._host
+
+    @property
+    def nonvolatile(self) -> NonVolatile:
+        """Data that outlives the run; without a file it lasts only as long as the run."""
+        if self.nv is None:
+            self.nv = NonVolatile()
+        return self.nv
+
+    @property
+    def has_operator(self) -> bool:
+        """True if the program reads the keyboard."""
+        return CONSOLE in self._operators
+
+    @property
+    def operator(self) -> Operator:
+        """The operator who presses keys and types at the console, created on first use."""
+        return self.operator_at(CONSOLE)
+
+    def operator_at(self, number: int) -> Operator:
+        """Return the operator at terminal `number`, created on first use."""
+        found = self._operators.get(number)
+        if found is None:
+            found = self._operators[number] = Operator(
+                self.clock, self.terminal_at(number), self.settings, number
+            )
+        return found
+
+    def unasked(self) -> list[str]:
+        """Return the answers in the settings that no INPUT has used."""
+        answers = self.settings.get("answer", ())
+        return [
+            text
+            for number in dict.fromkeys(each.get("terminal", CONSOLE) for each in answers)  # type: ignore[attr-defined]
+            for text, _ in self.operator_at(number).lines
+        ]
+
+    def terminal_at(self, number: int) -> Terminal:
+        """Return terminal `number`; one of the terminals is the console."""
+        return self.terminal if number == CONSOLE else self.stream(f"terminal {number}")
+
+    def stream(self, label: str) -> Terminal:
+        """Return the terminal of other output; its lines are shown with a label."""
+        found = self.terminals.get(label)
+        if found is None:
+            found = self.terminals[label] = labelled(label, self.terminal, self.clock, self.log.new_prints())
+        return found
+
+    def close_terminals(self) -> None:
+        """End all unfinished lines, that of the console last."""
+        for terminal in (*self.terminals.values(), self.terminal):
+            terminal.close()
+
+
+def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> None:
+    """Raise ProgramError if the settings name axes that do not exist."""
+
+    if wrong := missing_axes(settings, axes, first_axis):
+        raise ProgramError(wrong)
+
+
+def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
+    """Return the world of a machine file, or None if it describes only the controller."""
+    if _is_plain(settings):
+        return None
+
+    return World(controller, settings)
+
+
+def _is_plain(settings: Mapping[str, object]) -> bool:
+    """True if the settings describe only the controller."""
+    return all(key.startswith(("controller.", "mint.", ASSUMPTIONS)) for key in settings)

@@ -1,0 +1,135 @@
+"""The operator at the terminal, from the machine file or live.
+
+A key in the machine file is an event of the clock, so that a wait for it need not poll. Lines in the machine
+file are available from the start and consumed when the program asks for one. The keys of a live operator form
+a line while the program asks for one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+
+from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.lang.machine.terminal import Terminal
+
+Entry = Mapping[str, object]
+
+# How long a key is held by default, in seconds.
+PRESS_TIME = 0.1
+# More than anyone types ahead.
+MAX_KEYS = 10_000
+_ENTER, _BACK = "\r\n", "\b\x7f"
+
+
+class Operator:
+    """Keys and lines of one terminal that the program has not read yet.
+
+    The program sets `asking` while it waits for a line. `number` is the number of the terminal.
+    """
+
+    def __init__(
+        self, clock: Clock, terminal: Terminal, settings: Mapping[str, object], number: int = 1
+    ) -> None:
+        self._clock, self._terminal = clock, terminal
+        self.keys: list[int] = []
+        self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
+        self.asking = False
+        self._typed = ""
+        self._held_key, self._until = 0, -1.0
+        # The lines typed ahead: the text, and the prompt that it answers ("" for any).
+        self.lines: list[tuple[str, str]] = []
+        self._number = number
+        self.add(settings)
+
+    def add(self, settings: Mapping[str, object], since: float = 0.0) -> None:
+        """Add the `[[answer]]` and `[[key]]` entries of this terminal.
+
+        Times of keys count from `since`.
+        """
+        answers: Sequence[Entry] = settings.get("answer", ())  # type: ignore[assignment]
+        self.lines += [
+            (str(each["text"]), str(each.get("prompt", "")))
+            for each in answers
+            if each.get("terminal", 1) == self._number
+        ]
+        presses: Sequence[Entry] = settings.get("key", ())  # type: ignore[assignment]
+        for entry in presses:
+            if entry.get("terminal", 1) != self._number:
+                continue
+            time: float = entry.get("at", 0.0)  # type: ignore[assignment]
+            duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
+            moment = max(since + time, self._clock.now)
+            self._clock.at(moment, partial(self.press, str(entry["text"]), duration))
+
+    def press(self, text: str, duration: float = PRESS_TIME) -> None:
+        """Press keys one after another and hold the last one for `duration` seconds."""
+        codes = [ord(each) & 0xFF for each in text]
+        if not codes or len(self.keys) + len(codes) > MAX_KEYS:
+            return
+        self.keys += codes
+        self._held_key, self._until = codes[-1], self._clock.now + duration
+        self._clock.at(self._until, _nothing)  # a wait for the release of the key must check again
+        for listener in self.listeners:
+            listener()
+
+    def next_key(self) -> int:
+        """Return the next pressed key, or 0 if there is none."""
+        return self.keys.pop(0) if self.keys else 0
+
+    def held_key(self) -> int:
+        """Return the key that is held down now, or 0."""
+        return self._held_key if self._clock.now < self._until else 0
+
+    @property
+    def question(self) -> str:
+        """Return the prompt of the current INPUT.
+
+        It is the unfinished line, or the line above it if that is empty.
+        """
+        begun = self._terminal.begun
+        if begun.strip(" ?") or not self._terminal.prints:
+            return begun
+        return self._terminal.prints[-1].text
+
+    def has_answer(self) -> bool:
+        """True if a line answers the current INPUT."""
+        return self._matching() is not None
+
+    def take_answer(self) -> str:
+        """Remove the first line that answers the current INPUT, and return its text."""
+        found = self._matching()
+        assert found is not None, "an INPUT goes on when there is an answer"
+        return self.lines.pop(found)[0]
+
+    def _matching(self) -> int | None:
+        if not self.lines:
+            return None
+        question = self.question.lower()
+        named = (n for n, (_, prompt) in enumerate(self.lines) if prompt and prompt.lower() in question)
+        others = (n for n, (_, prompt) in enumerate(self.lines) if not prompt)
+        return next(named, next(others, None))
+
+    def type(self, text: str) -> None:
+        """Type as a live operator: keys for the program, or a line while it asks for one."""
+        for letter in text:
+            if not self.asking:
+                self.press(letter)
+            elif letter in _ENTER:
+                self._echo("\b \b" * len(self._typed))  # the program shows the line itself
+                self.lines.append((self._typed, ""))
+                self._typed, self.asking = "", False
+            elif letter in _BACK:
+                self._echo("\b \b" if self._typed else "")
+                self._typed = self._typed[:-1]
+            else:
+                self._typed += letter
+                self._echo(letter)
+
+    def _echo(self, text: str) -> None:
+        if self._terminal.show is not None:
+            self._terminal.show(text)
+
+
+def _nothing() -> None:
+    """Do nothing; an event at which something may have changed."""

@@ -1,0 +1,120 @@
+"""Analysis of the variables of a loop of steps, once for each loop; `loops.py` uses it.
+
+The facts are those of an analysis of liveness, backward through the steps (`Uses`):
+
+    overwritten   every iteration sets the variable before it reads it, so no iteration depends on it
+    linear        its value is only added, subtracted and compared, directly or after it has been copied
+    used          the value that a step stores in it is used for more than tests
+
+A reading that is only stored in a variable that nothing uses may change without changing the loop (`Copy`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, GO, JUMP, RETURN, Steps, Uses
+
+NONE: frozenset[int] = frozenset()
+
+
+@dataclass(slots=True)
+class Body:
+    """The use of variables in an iteration that stays within the steps of its loop."""
+
+    # Every iteration sets these before it reads them.
+    overwritten: frozenset[int] = NONE
+    # These are somewhere used for more than sums and comparisons; None if that is not known.
+    nonlinear: frozenset[int] | None = None
+    # By the index of a step: the variables whose values are then used for more than tests.
+    used_after: Sequence[frozenset[int]] = ()
+    first: int = 0
+
+    def is_linear(self, variable: int) -> bool:
+        """True if a variable is only added and compared."""
+        return self.nonlinear is not None and variable not in self.nonlinear
+
+    def is_only_copied(self, copy: Copy) -> bool:
+        """True if no iteration uses what a step has stored for more than tests."""
+        return (
+            copy.variable in self.overwritten
+            and copy.variable not in self.used_after[copy.step + 1 - self.first]
+        )
+
+
+UNKNOWN = Body()
+
+
+@dataclass(slots=True, eq=False)
+class Copy:
+    """A dependency of a reading that a step stores in a variable: it concerns only those who use the variable."""
+
+    step: int
+    variable: int
+
+    def __call__(self, until: Callable[..., float], *about: Any) -> float:
+        return until(*about)
+
+
+def body_of(steps: Steps, first: int, last: int) -> Body:
+    """Return what the steps from `first` to the jump back at `last` do with variables."""
+    uses = steps.uses[first : last + 1]
+    inside = list(enumerate(steps[first:last], first))
+    if None in uses or any(
+        step.kind in (CALL, ENTER) or (step.kind in (BACK, GO) and step.to <= pc) for pc, step in inside
+    ):
+        return UNKNOWN
+    live = _backward(steps, first, last, False, lambda use, after: (after - use.sets) | use.reads)
+    used = _backward(
+        steps, first, last, False, lambda use, after: (after - use.sets) | (use.reads - use.tests)
+    )
+    nonlinear = _backward(
+        steps,
+        first,
+        last,
+        True,
+        lambda use, after: (after - use.sets) | use.nonlinear | (use.reads if use.sets & after else NONE),
+    )
+    overwritten = NONE.union(*(each.sets for each in uses if each)) - live[0]
+    return Body(overwritten, NONE.union(*nonlinear), [*used, NONE], first)
+
+
+def _backward(
+    steps: Steps,
+    first: int,
+    last: int,
+    goes_on: bool,
+    before: Callable[[Uses, frozenset[int]], frozenset[int]],
+) -> list[frozenset[int]]:
+    """Return a set of variables for each step of a loop: `before` of its uses and the sets of those that follow it.
+
+    `goes_on`: the first step follows the jump back.
+    """
+    found = [NONE] * (last - first + 1)
+    following = [
+        [each - first for each in _following(steps, pc, first, last, goes_on) if first <= each <= last]
+        for pc in range(first, last + 1)
+    ]
+    changed = True
+    while changed:
+        changed = False
+        for k in reversed(range(len(found))):
+            uses = steps.uses[first + k]
+            assert uses is not None
+            new = before(uses, NONE.union(*(found[each] for each in following[k])))
+            changed |= new != found[k]
+            found[k] = new
+    return found
+
+
+def _following(steps: Steps, pc: int, first: int, last: int, goes_on: bool) -> list[int]:
+    kind, to = steps[pc].kind, steps[pc].to
+    if pc == last:
+        return [first] if goes_on else []
+    if kind in (RETURN, END):
+        return []
+    if kind in (JUMP, GO):
+        return [to]
+    return [pc + 1, to] if kind in (BRANCH, BACK) else [pc + 1]

@@ -1,0 +1,207 @@
+"""The log of a run: all records in order, by kind.
+
+Report, trace and proof read nothing else. The log only grows. Records are columns (`stream.py`), in memory and then in
+an unnamed file, so the memory of a run does not depend on its length.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import Any
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.moves import Moves
+from motionlang.kernel.log.profiles import Profiles
+from motionlang.kernel.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Waited
+from motionlang.kernel.log.samples import AnalogueChanges
+from motionlang.kernel.log.stream import DISK, Store, Stream
+from motionlang.kernel.log.time_slices import Mark as SliceMark
+from motionlang.kernel.log.time_slices import TimeSliceStream
+
+# How many waits and time slices there are.
+Mark = tuple[int, SliceMark]
+
+# Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
+# those of each axis that are never packed.
+MAX_PROFILES, MAX_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
+# The number of profiles after which a loop that starts motion after motion is detected: more than one in half
+# a millisecond, from no more than a few lines.
+FIRST_CHECK, HURRY, FEW_LINES = 1024, 5e-4, 4
+
+
+def _most(axes: Collection[Axis]) -> int:
+    return MAX_PROFILES if all(a.feedback is None for a in axes) else MAX_FOLLOWED
+
+
+def _nothing() -> None:
+    """Do nothing, because all samples are already in the log."""
+
+
+def nowhere() -> int:
+    """Return the source offset of events without a program."""
+    return -1
+
+
+class Log:
+    """The streams of a run, all of them in one store.
+
+    moves      every `Move` that was started, in order of start; updated until it is over
+    dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
+    inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
+    sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
+    settings   `Setting`, written if the value has changed
+    waits      `Waited`, each when it is over
+    loops      `Looped`, each loop of more than a hundred statements, when it is over
+    slices     `TimeSlices`, if there is more than one task
+    prints     `Printed`, lines of the console
+    events     `Event`: limits, faults, clamps, stops and the like
+
+    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`.
+    `WholeTrack` of `track.py` reads them as one sequence.
+    """
+
+    def __init__(self, disk: int = DISK) -> None:
+        self.store = store = Store(disk=disk)
+        self.moves, self.dropped = Moves(store), Moves(store)
+        self.inputs: Stream[Changed] = Stream(store, Changed)
+        self.outputs: Stream[Changed] = Stream(store, Changed)
+        self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
+        self.sampled: Stream[Sampled] = Stream(store, Sampled)
+        # Logs the samples of analogue inputs up to now.
+        self.settle: Callable[[], None] = _nothing
+        self.analogue_outputs: Stream[Changed] = Stream(store, Changed)
+        self.settings: Stream[Setting] = Stream(store, Setting)
+        self.waits: Stream[Waited] = Stream(store, Waited)
+        self.loops: Stream[Looped] = Stream(store, Looped)
+        self.slices = TimeSliceStream(store)
+        self.prints: Stream[Printed] = Stream(store, Printed)
+        self.events: Stream[Event] = Stream(store, Event)
+        # The last clamp of each axis and quantity, which is reported once, and the source offset of the
+        # program.
+        self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
+        self.where: Callable[[], int] = nowhere
+        self.others: list[Stream[Printed]] = []
+        # How many profiles may be made before some are packed.
+        self.room = FIRST_CHECK
+        self._is_checked = False
+        # Called with a move, the number of those before it and the time from the first of them to it.
+        self.hurried: Callable[[Move, int, float], object] | None = None
+
+    @property
+    def analogue_inputs(self) -> AnalogueChanges:
+        """The changes of analogue inputs so far."""
+        self.settle()
+        return AnalogueChanges(self.changes_of_analogue_inputs, self.sampled, self.moves.axes)
+
+    def power_up(self, axes: Mapping[int, Axis]) -> None:
+        """Connect the axes of a controller."""
+        self.moves.axes = self.dropped.axes = axes
+
+    def locate_by(self, where: Callable[[], int]) -> None:
+        """Set the function that returns the source offset of an event."""
+        self.where = where
+
+    def note(
+        self,
+        time: float,
+        kind: str,
+        axis: int | None = None,
+        value: float | None = None,
+        limit: float | None = None,
+        ordered: int = 0,
+        text: str = "",
+    ) -> None:
+        """Write an event with the current source offset."""
+        self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
+
+    def repeat_waits(self, task: str, began: float, period: float, count: int) -> None:
+        """Log that the waits of a task since `began` repeat, each `period` later.
+
+        They are the waits of an iteration whose repetitions are skipped.
+        """
+        mine: list[Waited] = []
+        for wait in reversed(self.waits):
+            if wait.until < began or wait.task != task or wait.since < began:
+                break
+            mine.append(wait)
+        self.waits.repeat(len(self.waits) - len(mine), count, period)
+        if mine:
+            self.slices.rested(count, mine)
+
+    def mark_period(self) -> Mark:
+        """Return how much has been recorded of waits and time slices, for `repeat_period`."""
+        return len(self.waits), self.slices.mark()
+
+    def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
+        """Log that the waits and time slices since `mark` repeat so many times.
+
+        The period took from `began` to `now`, and its repetitions take up to `until`.
+        """
+        waits, slices = mark
+        self.waits.repeat(waits, times, now - began)
+        self.slices.repeat_since(slices, now, until, times)
+
+    def new_prints(self) -> Stream[Printed]:
+        """Create another stream of printed lines, such as those of another terminal."""
+        made: Stream[Printed] = Stream(self.store, Printed)
+        self.others.append(made)
+        return made
+
+    def make_room(self, axes: Collection[Axis]) -> None:
+        """Pack profiles; the first call only checks how quickly moves follow each other."""
+        self._check_hurry()
+        if not self._is_checked:
+            self._is_checked, self.room = True, _most(axes) - FIRST_CHECK
+            return
+        self.pack(axes)
+
+    def pack(self, axes: Collection[Axis]) -> None:
+        """Pack the profiles of axes except the newest, after packing their moves."""
+        self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
+        retained = 0
+        for a in axes:
+            self._pack_profiles(a, len(a.starts) - LEFT_PROFILES)
+            retained += len(a.starts)
+        self.room = max(_most(axes) - retained, LEFT_PROFILES)
+
+    def _pack_profiles(self, a: Axis, count: int) -> None:
+        """Pack the `count` oldest profiles of an axis."""
+        if count > 0:
+            a.older = a.older or Profiles(self.store)
+            a.older.take_from(a, count)
+
+    def _check_hurry(self) -> None:
+        """Report a loop that starts one motion after another without time to execute them."""
+        moves, count = self.moves, min(len(self.moves), FIRST_CHECK)
+        if count < FIRST_CHECK // 2 or self.hurried is None:
+            return
+        last = moves[-1]
+        span = last.start_time - moves[-count].start_time
+        if span < HURRY * count and len({move.line for move in moves[-count:]}) <= FEW_LINES:
+            self.hurried(last, count, span)
+
+    def forget(self, retained: int, axes: Iterable[Axis]) -> None:
+        """Drop all but about `retained` records per kind, and ten times as many profiles."""
+        for stream in self.streams():
+            stream.forget(retained)
+        for a in axes:
+            if len(a.starts) > 20 * retained:
+                self._pack_profiles(a, len(a.starts) - 10 * retained)
+            if a.older is not None and self.moves:
+                a.older.forget_before(self.moves[self.moves.first].start_time)
+
+    def finish_updates(self, axes: Iterable[Axis]) -> None:
+        """Complete or drop what an interrupt has left half done."""
+        for stream in self.streams():
+            stream.finish_updates()
+        for a in axes:
+            if a.older is not None:
+                a.older.complete(a)
+                a.older = a.older if a.older.count else None
+
+    def streams(self) -> tuple[Stream[Any] | Moves, ...]:
+        """Return all streams except the profiles."""
+        return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
+                self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
+                *self.others)  # fmt: skip

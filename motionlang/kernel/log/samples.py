@@ -1,0 +1,55 @@
+"""The changes of analogue inputs, with the samples of sensors on moving axes.
+
+A sensor on an axis is sampled every millisecond, which gives 100 million values in 28 hours of motion. They follow from
+the track of the axis, so the log only has when a sensor was sampled, and a sample is computed when it is read. The
+sensor computes the samples that a program reads with the same function, so they are equal to the last bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from heapq import merge
+from operator import attrgetter
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.scale import in_unit
+from motionlang.kernel.log.records import Changed, Sampled
+from motionlang.kernel.log.stream import Stream
+from motionlang.kernel.planners import Profile
+
+# The period of the profiler, seconds.
+PERIOD = 1e-3
+
+
+def value_at(sampled: Sampled, position: float) -> float:
+    """Return what a sensor measures at a position, in counts."""
+    distance = in_unit(position - sampled.datum, sampled.factors) - sampled.origin
+    return sampled.value + sampled.per_unit * distance
+
+
+def sample(sampled: Sampled, profile: Profile, tick: int) -> float:
+    """Return the sample at a tick of the profiler."""
+    return value_at(sampled, profile.position(tick * PERIOD - sampled.start))
+
+
+class AnalogueChanges(Iterable[Changed]):
+    """The changes of analogue inputs in order of time; a sample that equals the one before it is none."""
+
+    def __init__(self, changes: Stream[Changed], sampled: Stream[Sampled], axes: Mapping[int, Axis]) -> None:
+        self._changes, self._sampled, self._axes = changes, sampled, axes
+
+    def __iter__(self) -> Iterator[Changed]:
+        samples = [self._samples(channel) for channel in sorted({each.channel for each in self._sampled})]
+        levels: dict[int, float] = {}
+        for each in merge(*samples, self._changes, key=attrgetter("time")):
+            if levels.get(each.channel, 0) != each.value:
+                levels[each.channel] = each.value
+                yield each
+
+    def _samples(self, channel: int) -> Iterator[Changed]:
+        """Yield all samples of a channel."""
+        for each in self._sampled:
+            if each.channel == channel:
+                _, profile = self._axes[each.axis].in_force(each.start)
+                for tick in range(each.first, each.past):
+                    yield Changed(tick * PERIOD, channel, sample(each, profile, tick))

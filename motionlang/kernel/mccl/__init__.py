@@ -1,0 +1,169 @@
+"""MCCL, PMC's Motion Control Command Language.
+
+`DIALECT` is its only interface; everything else is imported on first use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.dialect import Dialect, Interactive, Target
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.machine.switch import Switch
+from motionlang.kernel.lang.names import Names
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.structure import Structure
+    from motionlang.kernel.mccl.syntax.tree import Module
+
+
+class Mccl(Dialect):
+    """MCCL as an implementation of the dialect interface."""
+
+    name, title = "mccl", "MCCL"
+    # PMC's own tools have one suffix per controller.
+    suffixes = (
+        ".mcl", ".mccl", ".dc2", ".stn", ".pc1", ".at1", ".at2", ".at3", ".pci1", ".pci3", ".mfx1",
+    )  # fmt: skip
+    first_axis = 1
+    comment = ";"
+    jumps = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
+
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Compile a file; this never fails.
+
+        A command that the board would answer with `?` runs and gets that answer.
+        """
+        from motionlang.kernel.mccl.runtime.program import MacroFile
+
+        return MacroFile(source)
+
+    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        from motionlang.kernel.mccl.runtime.program import MacroFile
+
+        return MacroFile(source, debug=True)
+
+    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
+        from motionlang.kernel.mccl.runtime.listing import step_list
+
+        return step_list(source, settings)
+
+    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
+        from motionlang.kernel.mccl.runtime.structure import structure
+
+        return structure(source, settings)
+
+    def parse(self, source: Source) -> Module:
+        """Return the lines of a text and their commands.
+
+        Raises ProgramError with all syntax errors.
+        """
+        from motionlang.kernel.errors import ProgramError
+        from motionlang.kernel.mccl.syntax.parser import parse
+        from motionlang.kernel.mccl.syntax.tree import Wrong
+
+        module = parse(source.text)
+        commands = [each for line in module.lines for each in line.commands]
+        positions = {source.location(each.start) for each in commands if isinstance(each, Wrong)}
+        if positions:
+            mistakes = [each for each in self.check(source) if each.severity == "error"]
+            syntax = [each for each in mistakes if (each.line, each.column) in positions]
+            raise ProgramError(syntax or mistakes)  # the line may be too long, too
+        return module
+
+    def check(
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        known: dict[object, object] | None = None,
+    ) -> list[Diagnostic]:
+        """Return all errors and warnings.
+
+        Nothing is stored in `known`: a check takes only twice as long as parsing.
+        """
+        from motionlang.commands.check.mccl.check import check
+
+        return check(source, settings)
+
+    def forms(self, row: Keyword) -> tuple[str, ...]:
+        from motionlang.kernel.mccl.keywords.row import forms
+
+        return forms(row)
+
+    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
+        from motionlang.kernel.mccl.resolve.definitions import names
+
+        return names(source, settings)
+
+    def models(self) -> tuple[str, ...]:
+        from motionlang.kernel.mccl.models import MODELS
+
+        return tuple(MODELS)
+
+    def knows_model(self, name: str) -> bool:
+        from motionlang.kernel.mccl.models import named
+
+        return named(name) is not None
+
+    def written_for(self, source: Source) -> Target:
+        from motionlang.commands.check.mccl.board import written_for
+
+        return written_for(source)
+
+    def switches(self) -> Mapping[str, Switch]:
+        from motionlang.kernel.mccl.keywords.switchable import SWITCHES
+
+        return SWITCHES
+
+    def table(self) -> Vocabulary:
+        from motionlang.kernel.mccl.keywords import table
+
+        return table()
+
+    def locate(self, source: Source, at: int) -> tuple[int, int, int]:
+        from motionlang.kernel.mccl.runtime.program import locate
+
+        return locate(source, at)
+
+    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.kernel.mccl.resolve.loop_dependencies import asked
+
+        return asked(source)
+
+    def input_reads(self, source: Source) -> list[InputRead]:
+        from motionlang.kernel.mccl.resolve.loop_dependencies import input_reads
+
+        return input_reads(source)
+
+    def driven_by(self, why: str) -> list[str]:
+        import re
+
+        found = re.search(r"(home switch|index mark) of axis (\d+)", why)
+        keys = {"home switch": "home_switch", "index mark": "index_every"}
+        return [f"axis.{found[2]}.{keys[found[1]]}"] if found else []
+
+    def interactive(self, machine: Machine) -> Interactive:
+        from motionlang.kernel.mccl.runtime.session import Session
+
+        return Session(machine)
+
+    def has_code(self, line: str) -> bool:
+        from motionlang.kernel.mccl.syntax.parser import parse
+
+        return bool(parse(line).lines)
+
+    def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
+        from motionlang.kernel.mccl.syntax.tokens import tokens
+
+        return tokens(text)
+
+
+DIALECT = Mccl()

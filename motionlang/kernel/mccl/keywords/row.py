@@ -1,0 +1,154 @@
+"""Construction of the rows of this table, with their common defaults."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from motionlang.kernel.lang.keyword import Actions, Keyword
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mccl.resolve.command import Command
+    from motionlang.kernel.mccl.runtime.task import CommandTask
+
+Action = TypeVar("Action", bound=Callable[..., Any])
+
+
+def pure(action: Action) -> Action:
+    """Mark an action that affects only the accumulator."""
+    action.pure = True  # type: ignore[attr-defined]
+    return action
+
+
+def written(action: Action) -> Action:
+    """Mark a function that writes the steps of a command, for one that is more than an operation."""
+    action.written = True  # type: ignore[attr-defined]
+    return action
+
+
+def accumulator(way: str) -> Callable[[Action], Action]:
+    """Mark how a pure action treats the accumulator; without a mark it leaves it alone.
+
+    It "sets" it, "reads" a value of the machine into it, "adds" to it, "computes" with it, "compares" it with a number,
+    "tests" a bit of it, "stores" it in a register, or "recalls" it from one.
+    """
+
+    def mark(action: Action) -> Action:
+        action.accumulator = way  # type: ignore[attr-defined]
+        return action
+
+    return mark
+
+
+def polls(kind: str) -> Callable[[Action], Action]:
+    """Mark a pure action that reads a value, so that a loop of it polls that value.
+
+    `kind` is a kind of reading (`kernel/lang/loop_dependencies.py`). It is "parameter" if the action reads nothing but
+    its parameter, which may be a register.
+    """
+
+    def mark(action: Action) -> Action:
+        action.polls = kind  # type: ignore[attr-defined]
+        return pure(action)
+
+    return mark
+
+
+def forms(row: Keyword) -> tuple[str, ...]:
+    """Return the spellings of a command, as in TN1069: a is an axis, n a number.
+
+    A missing number is 0, so a command that accepts 0 has a form without it. A command that only replies has
+    no forms: the syntax after it depends on what it reads.
+    """
+    bare = f"{'a' if row.index in ('axis', 'axes') else ''}{row.name}"
+    if row.access == "C":
+        return (bare,)
+    if row.access != "W":
+        return ()
+    if row.unit == "text":
+        return (f'{bare}"text"',)
+    is_optional = (row.low is None or row.low <= 0) and (row.high is None or row.high >= 0)
+    return (bare, f"{bare}n") if is_optional else (f"{bare}n",)
+
+
+def not_simulated(task: CommandTask, command: Command) -> None:
+    """Warn once that a command, which the board would accept, has no effect here."""
+    assert command.row is not None
+    task.board.warn(
+        task,
+        "not-simulated",
+        f"{command.name} is not simulated: the command has no effect",
+        command.row.help,
+    )
+
+
+class Group:
+    """Creates the rows of one group."""
+
+    def __init__(self, title: str) -> None:
+        self.title = title
+
+    def row(
+        self,
+        name: str,
+        kind: str,
+        access: str,
+        index: str,
+        unit: str,
+        action: Actions | Callable[..., Any],
+        help: str,
+        example: str,
+        *,
+        default: float | str | None = None,
+        low: float | None = None,
+        high: float | None = None,
+        below: bool = False,
+        tunes: str = "",
+        channel: str = "",
+        selects: str = "",
+        waits: str = "",
+        tests: str = "",
+        topic: str = "",
+        meant: str = "",
+        family: str = "",
+    ) -> Keyword:
+        """Return one simulated command, whose verb is the name of its function."""
+        return Keyword(
+            name,
+            "",
+            kind,
+            access,
+            index,
+            unit,
+            action if isinstance(action, Actions) else Actions(action.__name__, do=action),
+            help,
+            example,
+            default=default,
+            low=low,
+            high=high,
+            below=below,
+            group=self.title,
+            tunes=tunes,
+            channel=channel,
+            selects=selects,
+            waits=waits,
+            tests=tests,
+            topic=topic,
+            meant=meant,
+            family=family,
+        )
+
+    def known(self, name: str, kind: str, index: str, help: str) -> Keyword:
+        """Return a command that is recognized and answered as not simulated."""
+        return Keyword(
+            name,
+            "",
+            kind,
+            "W",
+            index,
+            "",
+            Actions(do=not_simulated),
+            help,
+            group=self.title,
+            simulated=False,
+        )

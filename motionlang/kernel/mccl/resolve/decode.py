@@ -1,0 +1,201 @@
+"""From a node of the tree to a `Command`, or to the fault of a text that is none."""
+
+from __future__ import annotations
+
+import re
+from math import nextafter
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.errors import as_hint
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.typography import typographic, unclosed
+from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel.mccl.keywords.row import not_simulated
+from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
+from motionlang.kernel.mccl.resolve.nearest import candidates, hint
+from motionlang.kernel.mccl.syntax import tree
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mccl.runtime.task import Action, CommandTask
+
+_DIGITS = "0123456789"
+# A number beyond this is an error, even for a command without a range.
+_MAX_NUMBER = 1e15
+
+
+class Word:
+    """A mnemonic with its axis, looked up: row, action and accepted numbers.
+
+    If there is no such command, `row` is None and `fault` is the reason.
+    """
+
+    __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
+
+    def __init__(self, axis: int | None, name: str) -> None:
+        self.name, self.axis = str(name), axis or 0  # a plain text, which the log stores
+        row = self.row = table().get(self.name)
+        self.fault: Fault | None = None
+        self.without: Fault | None = None  # the fault if it has no parameter
+        self.takes_text = self.pure = False
+        self.low, self.high = -_MAX_NUMBER, _MAX_NUMBER
+        self.action: Action = not_simulated
+        if row is None:
+            self.fault = _unknown(name)
+            return
+        assert row.actions.do is not None
+        self.action, self.pure = row.actions.do, hasattr(row.actions.do, "pure")
+        self.takes_text = row.unit == "text" and row.access == "W"
+        if row.low is not None:
+            self.low = max(row.low, -_MAX_NUMBER)
+        if row.high is not None:
+            self.high = min(nextafter(row.high, -_MAX_NUMBER) if row.below else row.high, _MAX_NUMBER)
+        if self.takes_text:
+            self.without = _wants_text(row)
+        elif row.simulated and not self.low <= 0 <= self.high:
+            self.without = out_of_range(0, row)
+
+
+def problem(command: Command) -> Fault | None:
+    """Return the fault of a command that is invalid in any program, or None."""
+    fault = getattr(command.action, "fault", None)
+    return fault if isinstance(fault, Fault) else None
+
+
+class _Wrong:
+    """The action of an invalid command."""
+
+    def __init__(self, fault: Fault) -> None:
+        self.fault = fault
+
+    def __call__(self, task: CommandTask, command: Command) -> None:
+        raise Fault(self.fault.code, self.fault.message, self.fault.hint, self.fault.kind)
+
+
+_LETTERS = re.compile("[A-Za-z]{2}")
+
+
+def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
+    """Return the command of a node and its text; an invalid one raises its fault when it runs."""
+    if isinstance(node, tree.Wrong):
+        return _no_command(node, text)
+    word = Word(node.axis, node.word)
+    fault = word.fault
+    kind: int
+    value: float | int | str
+    match node.argument:
+        case None:
+            kind, value = NONE, 0
+            fault = fault or word.without
+        case tree.Register():
+            kind, value = REGISTER, node.argument.number
+        case str():
+            kind, value = TEXT, node.argument
+            if not word.takes_text:
+                fault = fault or _no_text(word)
+        case _:
+            kind, value = NUMBER, node.argument
+            if not word.low <= value <= word.high or word.takes_text:
+                fault = fault or _misfit(word, value)
+    if fault is None:
+        return Command(text, word.name, word.row, word.axis, kind, value, word.action, word.pure)
+    return _wrong(text, word, fault)
+
+
+def _wrong(text: str, word: Word, fault: Fault) -> Command:
+    """Return a command without parameter that raises a fault."""
+    return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
+
+
+def _no_command(node: tree.Wrong, text: str) -> Command:
+    """Return the invalid command for a text that does not have the form of one."""
+    end = node.mistake - node.start
+    misprint = typographic(text[end:].lstrip(" \t")) or unclosed(text[end:])
+    if misprint is not None:
+        name = text[:end].lstrip(_DIGITS)[:2].upper()
+        return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
+    if not node.word:
+        wrong = f"{text} is not a command"
+        hint = "a command is [axis] two letters [parameter], such as 1MR1000"
+        if not text.strip(_DIGITS):
+            wrong = "a number alone is not a command"
+            hint = "a number follows its command directly: 1MR1000"
+        elif text.startswith(("#", "'", "//")):
+            hint = "; begins a comment"
+        fault = Fault(codes.FORMAT, wrong, hint, "syntax")
+        digits = len(text) - len(text.lstrip(_DIGITS))
+        name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
+        return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
+    word = Word(node.axis, node.word)
+    letters = text[end - 2 :].rstrip("0123456789.+-")
+    fault = _unknown(letters) if word.row is None else _no_parameter(text[end:], word.row, letters)
+    return _wrong(text, word, fault)
+
+
+def _unknown(word: str) -> Fault:
+    name = word if len(word) > 2 else word.upper()
+    message = f"there is no command {name}"
+    return Fault(codes.UNRECOGNISED, message, hint(word), "unknown-word", candidates(word))
+
+
+def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
+    """Return the fault of a text after the mnemonic that is not a parameter.
+
+    `letters` are the mnemonic and what follows it: they may be a word of another language.
+    """
+    if rest[0] == "@":
+        return Fault(codes.FORMAT, f"{row.name} needs a register number after @", "such as MR@10", "syntax")
+    if rest[0] == '"':
+        return Fault(codes.FORMAT, f"the text after {row.name} is not closed", 'a text ends with "', "syntax")
+    if row.unit == "text" and row.access == "W":
+        return _wants_text(row)
+    others, advice = candidates(letters) if len(letters) > 2 else [], ""
+    number = rest.strip("=()[] \t")
+    if others:
+        advice = hint(letters)
+    elif rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
+        advice = f"write the number alone: {row.name}{number}"
+    else:
+        found = _LETTERS.search(rest)
+        is_command = found is not None and table().get(found[0].upper()) is not None
+        advice = "commands are separated by commas" if is_command else f"only a number follows {row.name}"
+    return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
+
+
+def _misfit(word: Word, value: float) -> Fault:
+    """Return the fault of a number that the command does not accept."""
+    assert word.row is not None
+    return _wants_text(word.row) if word.takes_text else out_of_range(value, word.row)
+
+
+def _wants_text(row: Keyword) -> Fault:
+    return Fault(codes.FORMAT, f'{row.name} needs a text in quotes, such as {row.name}"STATUS"', "", "values")
+
+
+def _no_text(word: Word) -> Fault:
+    assert word.row is not None
+    return Fault(codes.FORMAT, f"{word.name} takes no text", as_hint(word.row.help), "values")
+
+
+def checked(value: float | int, row: Keyword) -> float | int:
+    """Return the value if the command accepts it; raise Fault if not."""
+    low, high = row.low, row.high
+    if low is None and high is None and abs(value) <= _MAX_NUMBER:
+        return value
+    is_high = high is not None and (value >= high if row.below else value > high)
+    if not is_high and (low is None or value >= low) and abs(value) <= _MAX_NUMBER:
+        return value
+    raise out_of_range(value, row)
+
+
+def out_of_range(value: float | int, row: Keyword) -> Fault:
+    """Return the fault of a value that a command does not accept."""
+    accepted = row.accepted
+    if abs(value) > _MAX_NUMBER and (row.low if value < 0 else row.high) is None:
+        low = -_MAX_NUMBER if row.low is None else row.low
+        accepted = f"{low:.10g} to {_MAX_NUMBER if row.high is None else row.high:.10g}"
+    shown = f"{value:.10g}"
+    if abs(value) > _MAX_NUMBER >= abs(float(shown)):
+        shown = f"{value:.17g}"  # fewer digits would show the bound itself
+    return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {shown}", as_hint(row.help), "range")

@@ -1,0 +1,170 @@
+"""A file of commands, downloaded line by line as by a terminal program.
+
+Each line is sent when the previous one has ended.
+"""
+
+from __future__ import annotations
+
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.models import written_for
+from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl.runtime.debugging import Inspection
+from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl.syntax.parser import parse
+from motionlang.kernel.source import Source
+
+
+class MacroFile(Program):
+    """The lines of a file, as a program."""
+
+    __slots__ = ("debug", "lines", "source")
+
+    def __init__(self, source: Source, debug: bool = False) -> None:
+        self.source, self.debug = source, debug
+        self.lines = list(lines_of(source))
+
+    @property
+    def offsets(self) -> list[int]:
+        return [at for line in self.lines if isinstance(line, Line) for at in line.offsets]
+
+    @property
+    def entries(self) -> list[int]:
+        """The first command of each macro that is defined within a line."""
+        found = []
+        for line in self.lines:
+            if isinstance(line, Line):
+                defining = [each.verb == "define_macro" for each in line.commands]
+                found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
+        return found
+
+    @property
+    def is_doubtful(self) -> bool:
+        first = self.lines[0] if self.lines else None
+        return first is not None and not (isinstance(first, Line) and first.commands[0].row is not None)
+
+    def start(self, machine: Machine) -> FileTask:
+        """Return the foreground task.
+
+        Its board is in the state at power-up, except for registers set by `--set`.
+        """
+
+        def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
+            span = locate(self.source, task.at)
+            diagnostic.line, diagnostic.column, diagnostic.length = span
+            machine.complain(diagnostic)
+
+        machine.model = machine.model or written_for(self.source.name)
+        board = Board(machine, complain)
+        if self.debug:
+            board.hook = machine.hook
+            assert board.hook is not None, "a debug build needs a machine with a hook"
+        task = FileTask(self, board)
+        if board.hook is not None:
+            board.hook.inspection = Inspection(board, task)
+        task.override(machine.overrides)
+        return task
+
+
+class FileTask(CommandTask):
+    """Sends the lines of a file, and finally waits for remaining background tasks."""
+
+    def __init__(self, program: MacroFile, board: Board) -> None:
+        super().__init__(program.source.name, board)
+        board.foreground(self)
+        self._source = program.source
+        self.carry_out(program.lines)
+
+    def override(self, values: dict[str, float | str]) -> None:
+        """Set registers by name."""
+        override(self, values)
+
+    def rest(self) -> Wait | None:
+        """Return the wait for background tasks; None if none can do anything more."""
+        board = self.board
+        left = board.background
+        if self._nothing_left():
+            board.ended(self)
+            board.machine.notes.update((remark_on(self._source, task), None) for task in left.values())
+            return None
+        names = ", ".join(str(number) for number in left)
+        return Wait(
+            self.clock.now,
+            self._nothing_left,
+            lambda: INFINITY,
+            f"for background task {names} to end",
+            "task",
+        )
+
+    def _nothing_left(self) -> bool:
+        """True if no background task can do anything more.
+
+        Each has ended, or polls for something that nothing on this machine can cause.
+        """
+        board = self.board
+        scheduler = board.machine.scheduler
+        if not board.background:
+            return True
+        if scheduler is None or scheduler.outside is not None:
+            return False
+        return all(map(_only_watches, board.background.values())) and (
+            board.controller.clock.next_time() == INFINITY
+        )
+
+
+def _only_watches(task: CommandTask) -> bool:
+    """True if a task polls a value that no event changes, or waits for an input."""
+    wait = task.wait
+    return task.is_futile or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
+
+
+def remark_on(source: Source, task: CommandTask) -> str:
+    """Return a remark on a background task that still polls after the foreground ends."""
+    line, _, _ = locate(source, task.at)
+    if task.is_futile:
+        seen = " and ".join(task.watched())
+        doing, since = f"polled {seen}" if seen else "ran a loop that polls nothing", task.futile_since
+    else:
+        assert task.wait is not None
+        doing, since = f"waited {task.wait.why}", task.wait.since
+    macro = next(
+        (f" (macro {number})" for number, each in task.board.macros.items() if each is task.steps), ""
+    )
+    return (
+        f"line {line}: background {task.name}{macro} still {doing} when the foreground ended; nothing could "
+        f"change that since {since:.3f} s"
+    )
+
+
+def override(task: CommandTask, values: dict[str, float | str]) -> None:
+    """Set registers by the names R0 to R255, for `--set`."""
+
+    for name, value in values.items():
+        number = name[1:]
+        if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
+            raise Rejected(
+                "unknown-word",
+                f"{name} is not a register",
+                "MCCL programs have registers, such as --set R10=5",
+            )
+        try:
+            task.set_register(int(number), int(value) if value == int(value) else value)
+        except Fault as fault:
+            raise Rejected(fault.kind, fault.message, fault.hint) from None
+
+
+def locate(source: Source, at: int) -> tuple[int, int, int]:
+    """Return line, column and length of the command at an offset."""
+    line, column = source.location(at)
+    text = source.line(line)
+    if column == 1 and len(text) > 255:
+        return line, 1, min(len(text), 80)
+    commands = [each for found in parse(text).lines for each in found.commands]
+    end = next((each.end for each in commands if each.start == column - 1), column)
+    return line, column, end - column + 1

@@ -1,0 +1,166 @@
+"""The structure of an MCCL file: its commands from the lines, its graph from their steps."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import pairwise
+
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
+from motionlang.kernel.lang.structure import (
+    READ,
+    SET_UP,
+    WRITE,
+    AxisUse,
+    ChannelUse,
+    Graph,
+    Statement,
+    Structure,
+    Unit,
+)
+from motionlang.kernel.mccl.models import written_for
+from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
+from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.resolve.loop_dependencies import asked
+from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
+from motionlang.kernel.source import Source
+
+# Commands that the graph shows, or that do nothing.
+_SILENT = frozenset(("define_macro", "jump", "jump_by", "repeat", "leave", "nothing"))
+
+
+def structure(source: Source, settings: Mapping[str, object]) -> Structure:
+    """Return the structure of a file on a board with these settings; invalid commands do nothing."""
+    machine = Machine(dict(settings), first_axis=1)
+    machine.model = machine.model or written_for(source.name)
+    board, graph = Board(machine), Graph()
+    lines = [line for line in lines_of(source) if isinstance(line, Line)]
+    units, foreground, macros = [], list[LineSteps](), dict[int, list[LineSteps]]()
+    for line in lines:
+        foreground.append(LineWriter(line, board).steps)
+        first = line.commands[0]
+        if first.verb == "define_macro" and first.number is not None and len(line.commands) > 1:
+            body = LineWriter(line.rest(1), board).steps
+            macros.setdefault(first.number, []).append(body)
+    branching = {step.at for steps in foreground for step in steps if step.kind in (BRANCH, BACK)}
+    statements = {
+        at: _statement(line, command, at, at in branching)
+        for line in lines
+        for command, at in zip(line.commands, line.offsets, strict=True)
+    }
+    firsts = [graph.add(steps) for steps in foreground]
+    end = Steps()
+    end.name = "end"
+    end.add(END)
+    firsts.append(graph.add(end))
+    units.append(Unit("program", "program", 0, firsts[0]))
+    bodies = [(number, body) for number, found in sorted(macros.items()) for body in found]
+    for steps in [*foreground, *(body for _, body in bodies)]:
+        _link(steps, macros)
+    started = {each.number for line in lines for each in line.commands if each.verb == "start_task"}
+    roots = _roots(foreground, bodies, started)
+    for number, body in bodies:
+        entry = graph.add(body)
+        if id(body) in roots:
+            again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
+            units.append(Unit(f"{number}{again}", "macro", body.line.number, entry))
+    points = graph.points(dict(pairwise(firsts)), _computed)
+    writes = frozenset(
+        at + len(command.text) - len(str(command.number))
+        for line in lines
+        for command, at in zip(line.commands, line.offsets, strict=True)
+        if command.verb == "store"
+    )
+    return Structure(source, statements, points, units, writes, asked(source), has_one_series=True)
+
+
+def _roots(
+    lines: Sequence[LineSteps], bodies: Sequence[tuple[int, LineSteps]], started: Collection[int | None]
+) -> set[int]:
+    """Return the macros, by their ids, that are units.
+
+    A macro that others only jump to continues those. Of macros that nothing reaches, the first one is a unit.
+    """
+    sent = [line for line in lines if line.line.commands[0].verb != "define_macro"]
+    called = {id(each) for line in sent for each, _ in line.called.values()}
+    called |= {id(body) for number, body in bodies if number in started}
+    jumps: dict[int, list[int]] = {id(body): [] for _, body in bodies}
+    for _, body in bodies:
+        for pc, (other, _) in body.called.items():
+            if body[pc].kind == ENTER:
+                jumps[id(body)].append(id(other))
+            else:
+                called.add(id(other))
+    roots, reached = set[int](), set[int]()
+    all_bodies = [body for _, body in bodies]
+    for body in [*(each for each in all_bodies if id(each) in called), *all_bodies]:
+        if id(body) in called or id(body) not in reached:
+            roots.add(id(body))
+            stack = [id(body)]
+            while stack:
+                each = stack.pop()
+                if each not in reached:
+                    reached.add(each)
+                    stack += jumps[each]
+    return roots
+
+
+def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
+    """Record the macros that the calls of a line enter: the last definition above the line, else the last one."""
+    for pc, step in enumerate(steps):
+        command = steps.command(pc)
+        found = macros.get(command.number) if command is not None and command.number is not None else None
+        if step.kind in (CALL, ENTER) and found:
+            above = [body for body in found if body.line.number < steps.line.number]
+            steps.called[pc] = (above or found)[-1], 0
+
+
+def _computed(steps: Steps, pc: int) -> Iterable[int]:
+    """Return the steps to which a computed jump may lead: the commands of its line."""
+    return steps.starts if isinstance(steps, LineSteps) else ()
+
+
+def _statement(line: Line, command: Command, at: int, branches: bool) -> Statement:
+    made = Statement(at, line.number, command.text)
+    row = command.row
+    if row is None:
+        return made
+    made.is_silent = row.verb in _SILENT
+    made.waits = row.waits
+    made.what = (command.axis,) if row.waits == "axis" and command.axis else ()
+    if row.verb == "start_task":
+        made.starts.append(f"macro {_parameter(command)}")
+    if row.verb == "end_task":
+        made.ends.append(f"task {_parameter(command)}")
+    if row.tests:
+        made.condition = row.tests.format(_parameter(command))
+    elif branches and not row.waits:
+        made.condition = command.text
+    if row.channel:
+        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at, name_at=at))
+    if row.selects:
+        made.channels.append(
+            ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)
+        )
+    if row.topic and row.access != "R":
+        axis = command.axis or None
+        given = _parameter(command) if command.kind in (NUMBER, REGISTER) else ""
+        value = float(command.value) if command.kind == NUMBER else None
+        made.axes.append(AxisUse(axis, row, at, given, value))
+    return made
+
+
+def _access(row: Keyword) -> str:
+    """Return what a command does to the channel of its parameter."""
+    if row.channel == "digital":
+        return SET_UP
+    return WRITE if row.channel.endswith("output") else READ
+
+
+def _parameter(command: Command) -> str:
+    """Return the parameter as text; "?" if it is in a register."""
+    if command.kind == REGISTER:
+        return f"@{int(command.value)}"
+    return "" if command.kind != NUMBER else f"{command.value:.10g}"

@@ -1,0 +1,69 @@
+"""Check if a keyword can be read, written or carried out, and report what to write instead."""
+
+from __future__ import annotations
+
+from motionlang.kernel.errors import as_hint
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.syntax import nodes
+
+
+def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
+    """True if a program may read a keyword; report an error if not."""
+    if "R" in row.access:
+        return True
+    what = "is a command and has no value" if row.access == "C" else "can be written but not read"
+    b.problem("write-only", f"{row.name} {what}", node)
+    return False
+
+
+def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Report that a keyword takes no value."""
+    b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
+    for each in node.values:
+        b.value(each)
+
+
+def _why_not(row: Keyword) -> str:
+    if row.kind == "constant":
+        return "is a constant and cannot be changed"
+    if row.kind in ("function", "statement"):
+        return f"is a {row.kind} and cannot be assigned to"
+    return "is a command and takes no value" if row.access == "C" else "can be read but not written"
+
+
+def _instead(row: Keyword, name: str) -> str:
+    if name.lower() == row.short.lower():
+        return f"{name} is short for {row.name}; Dim {name} makes a variable of it"
+    if row.access == "C" and row.kind == "command":
+        return f"write {row.name}(0) without ="
+    if row.group == "v4":
+        return "a variable of this name must be declared with Dim"
+    return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(
+        row.name, ""
+    )
+
+
+def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+    """Report that a keyword is not a statement."""
+    shown = row.name if target.args is None else f"{row.name}(…)"
+    if row.kind == "statement":
+        b.problem("syntax", f"{row.name} cannot be used here", target, as_hint(row.help))
+    elif "W" in row.access:
+        b.problem("not-a-command", f"{row.name} needs a value", target, _with_value(target, row, shown))
+    else:
+        message = f"{row.name} is a value, not a statement"
+        b.problem("not-a-command", message, target, f"print it with PRINT {shown}")
+
+
+def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
+    """Return the statement that writes a keyword: TIME = 0 for TIME 0 or TIME(0).
+
+    If no value is given, add the statement that shows the keyword.
+    """
+    given = target.args or []
+    if row.index == "none" and given:
+        number = given[0] if len(given) == 1 else None
+        value = f"{number.value:.10g}" if isinstance(number, nodes.Number) else "value"
+        return f"{row.name} = {value}"
+    return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"

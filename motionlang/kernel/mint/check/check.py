@@ -1,0 +1,146 @@
+"""Check a program: resolve its names, report its mistakes, and annotate its expressions.
+
+    x = 3 + POS(0)      x: Float    3: Integer, 3    POS: Float    0: Integer, 0    3 + POS(0): Float
+
+Problem. A program may be wrong in ways that its grammar does not exclude: a text where a number is needed, an axis that
+the controller does not have, an Exit outside a loop. All mistakes are reported at once. What a later stage would have
+to find again, such as the type of an expression, is recorded in the tree.
+
+Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. `VALUES` and
+`STATEMENTS` map each class of node to the function that checks it. A wrong expression is reported where it is found,
+and has a harmless value from then on.
+
+Data. `Program` is what the functions of a program share, `Body` is the function that is being checked. A `Value` is the
+type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and `const`.
+
+Invariants.
+- An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a
+  Define at each of its uses, and each `Link` of a chain. What names a variable, an array or a task is no expression: a
+  variable has the type of its declaration, a task has none.
+- A function that the editor's `Recall` has is not walked. Its findings are reported again, and it is not annotated.
+- Nothing here knows how the program will be run. Every diagnostic of a program that can be parsed comes from here or
+  from name resolution; warnings about programs without errors come from `commands/check/mint`.
+
+Cost. One visit of each node, without recursion over statements in a row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from motionlang.kernel.lang.nesting import StackSpace
+from motionlang.kernel.mint.check.body import Body, Program
+from motionlang.kernel.mint.check.expressions import VALUES
+from motionlang.kernel.mint.check.labels import check_labels
+from motionlang.kernel.mint.check.line_triggers import mark
+from motionlang.kernel.mint.check.misspellings import warn_of_misspellings
+from motionlang.kernel.mint.check.statements import STATEMENTS
+from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.keywords.machine_readings import words
+from motionlang.kernel.mint.resolve.aliases import rename_old_words
+from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.problems import Problems
+from motionlang.kernel.mint.resolve.recall import Recall
+from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
+from motionlang.kernel.mint.resolve.symbols import Function, Session
+from motionlang.kernel.mint.syntax.nodes import Module
+
+DEFAULT_AXES = 8
+
+
+class Checked:
+    """A program without errors: its names and its warnings."""
+
+    __slots__ = ("names", "problems")
+
+    def __init__(self, names: Names, problems: Problems) -> None:
+        self.names, self.problems = names, problems
+
+
+def check_module(
+    module: Module, settings: Mapping[str, object] | None = None, recall: Recall | None = None
+) -> Checked:
+    """Check a program; raise ProgramError with all errors.
+
+    With `recall` the functions that it already has are not checked again, so their expressions have no types.
+    """
+    settings = settings or {}
+    rename_old_words(module, settings)
+    problems = Problems(module)
+    mark(module, settings, problems)
+    program = _declared(module, settings, problems, None)
+    if recall is None:
+        for function in program.names.functions:
+            _check_function(program, function)
+    else:
+        _recalled(program, recall)
+    warn_of_misspellings(program)
+    warn_of_short_ramps(module, problems)
+    problems.raise_errors()
+    return Checked(program.names, problems)
+
+
+def check_line(
+    module: Module, settings: Mapping[str, object] | None, session: Session, of_program: bool = False
+) -> Checked:
+    """Check a line typed at a prompt with what earlier ones have declared, and declare its names for later ones.
+
+    With `of_program` it is a whole program, whose lines may trigger faults of the machine file. Raises ProgramError
+    with all errors of a line, which then declares nothing.
+    """
+    settings = settings or {}
+    problems = Problems(module)
+    if of_program:
+        mark(module, settings, problems)
+    with StackSpace():
+        program = _declared(module, settings, problems, session)
+        for function in program.names.functions:
+            _check_function(program, function)
+    problems.raise_errors()
+    session.scope.names |= program.names.module.names
+    session.types = program.names.types
+    return Checked(program.names, problems)
+
+
+def _declared(
+    module: Module, settings: Mapping[str, object], problems: Problems, session: Session | None
+) -> Program:
+    """Declare the names of a module and return the data that its functions share."""
+    names = Names(table(), problems, session)
+    names.declare_module(module)
+    axes = settings.get("controller.axes", DEFAULT_AXES)
+    return Program(
+        table(),
+        names,
+        problems,
+        range(axes if isinstance(axes, int) else DEFAULT_AXES),
+        words(settings),
+        VALUES,
+        STATEMENTS,
+    )
+
+
+def _check_function(program: Program, function: Function) -> None:
+    b = Body(program, function)
+    check_labels(b)
+    b.statements(function.body)
+
+
+def _recalled(program: Program, recall: Recall) -> None:
+    """Check the functions that are not recalled; report the problems of all functions."""
+    names, problems = program.names, program.problems
+    interfaces, bank = recall.resolve(names), names.default_bank
+    facts = (
+        program.axes, program.supplied, names.uses_axes, None if bank is None else bank.name, interfaces.types
+    )  # fmt: skip
+    problems.recorder = recall.recorder
+    for function in names.functions:
+        key = recall.key("check", function, facts)
+        known = recall.find(key)
+        if known is not None:
+            recall.repeat(known, function, problems.add)
+            continue
+        recall.recorder.begin()
+        _check_function(program, function)
+        recall.store(key, function)
+    problems.recorder = None

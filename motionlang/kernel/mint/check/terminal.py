@@ -1,0 +1,90 @@
+"""Check PRINT, LINE and INPUT."""
+
+from __future__ import annotations
+
+from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.check.unknown_words import unknown_name
+from motionlang.kernel.mint.check.values import Value, article
+from motionlang.kernel.mint.check.variables import location
+from motionlang.kernel.mint.resolve.symbols import FLOAT, NUMERIC, STRING
+from motionlang.kernel.mint.syntax import nodes
+
+
+def print_(b: Body, node: nodes.Print) -> None:
+    """Check `PRINT items`, and a LINE with formats or a `;`."""
+    if node.word:
+        _line_of_items(b, node)
+        return
+    _terminal(b, node.terminal)
+    for item in node.items:
+        _item(b, item)
+
+
+def _terminal(b: Body, node: nodes.Expr | None) -> None:
+    if node is not None:
+        b.number(node, "the number of a terminal")
+
+
+def _item(b: Body, item: nodes.PrintItem) -> None:
+    found = b.value(item.value)
+    if item.using:
+        _using(b, item)
+    elif found.type != STRING and found.type not in NUMERIC:
+        b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
+
+
+def _using(b: Body, item: nodes.PrintItem) -> None:
+    for index, each in enumerate(item.using):
+        _width(b, each, first=index == 0)
+    if len(item.using) > 2:
+        b.problem("values", f"USING takes a width and decimals, {len(item.using)} values given", item)
+
+
+def _width(b: Body, node: nodes.Expr, first: bool) -> None:
+    found = b.value(node)
+    if found.is_number:
+        return
+    what = "a width is" if first else "decimals are"
+    hint = "" if first else "decimals follow the width after a comma; a semicolon ends the item"
+    b.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+
+
+def line(b: Body, node: nodes.Call) -> None:
+    """Check `LINE row, values`: print from the beginning of a row of the screen."""
+    args = node.target.args or []
+    items = [nodes.PrintItem(each.start, each.end, each, [], "") for each in args[1:]]
+    _print_on_row(b, node, args[0] if args else None, items)
+
+
+def _line_of_items(b: Body, node: nodes.Print) -> None:
+    if node.row is None or node.row.verb != "line":
+        message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
+        b.problem("syntax", message, node)
+        return
+    _print_on_row(b, node, node.line, node.items)
+
+
+def _print_on_row(b: Body, node: nodes.Stmt, row: nodes.Expr | None, items: list[nodes.PrintItem]) -> None:
+    if row is None:
+        b.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
+        return
+    b.number(row, "the number of a row")
+    for item in items:
+        _item(b, item)
+
+
+def input_(b: Body, node: nodes.Input) -> None:
+    """Check `INPUT "prompt", variable`."""
+    target: nodes.Expr = node.target
+    symbol = target.symbol if type(target) is nodes.Name else None
+    if type(target) is nodes.Name and symbol is None:
+        unknown_name(b, target)
+        return
+    kind = location(b, node.target)
+    if symbol is not None and symbol.kind not in ("variable", "parameter"):
+        b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)
+        return
+    _terminal(b, node.terminal)
+    if node.prompt is not None:
+        b.value(node.prompt)
+    b.convert(Value(STRING if kind.name == STRING else FLOAT), kind, node)

@@ -1,0 +1,78 @@
+"""Report words that are unknown, or that mean something else here, with what may be meant."""
+
+from __future__ import annotations
+
+from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.syntax import nodes
+
+# Words of the grammar that begin a statement and are often misspelled.
+_FIRST_WORDS = ("Const", "Pause", "Print", "Return", "Input", "Repeat")
+# Blocks whose End is a word of its own.
+_BLOCKS = ("event", "function", "loop", "select", "sub", "task", "while")
+# Words that begin a statement in other languages, and what is written here.
+_OTHER_WORDS = {
+    "break": "Exit leaves a loop",
+    "call": "a sub is called by its name alone",
+    **dict.fromkeys(("catch", "try"), "an event handles errors: Event ONERROR"),
+    "continue": "there is no Continue: put the rest of the loop in an If",
+    **{f"end{word}": f"this is two words: End {word.capitalize()}" for word in _BLOCKS},
+    "let": "a variable is assigned to by its name alone: k = 3",
+    **dict.fromkeys(
+        ("local", "private", "public", "static", "var"), "Dim declares a variable: Dim k As Integer"
+    ),
+    "switch": "a choice between values is Select Case k … End Select",
+}
+
+
+def unknown_name(b: Body, node: nodes.Name) -> None:
+    """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
+    if node.row is not None:
+        b.problem("type", f"a variable is needed here, and {node.row.name} is a keyword", node)
+        return
+    is_constant = node.name.startswith("_")
+
+    def words() -> list[str]:
+        symbols = [symbol.name for symbol in b.scope.symbols()]
+        rows = [row.name for row in b.program.table if row.kind not in ("statement", "command")]
+        return [word for word in (*symbols, *rows) if word.startswith("_") or not is_constant]
+
+    hint = "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    if is_constant:
+        hint = f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
+    problems, table = b.program.problems, b.program.table
+    problems.unknown(f"{node.name} is unknown", node.name, words, node.start, hint, table)
+
+
+def unknown_command(b: Body, target: nodes.Name) -> None:
+    """Report an unknown word used as a statement.
+
+    A word that is only a value is not suggested.
+    """
+
+    def known() -> list[str]:
+        subs = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
+        commands = [row.name for row in b.program.table if row.kind == "command" or row.verb == "wait"]
+        return [*subs, *commands, *_FIRST_WORDS]
+
+    problems, table = b.program.problems, b.program.table
+    message = f"{target.name} is neither a keyword nor a sub of this program"
+    hint = _OTHER_WORDS.get(target.name.lower())
+    if hint is None:
+        problems.unknown(message, target.name, known, target.start, table=table)
+        return
+    following = b.scope.find(problems.text(target.name.end))
+    if target.name.lower() == "call" and following is not None and following.kind == "sub":
+        hint += f": {following.name}"
+    problems.add("unknown-word", message, target.start, hint)
+
+
+def task_named(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> str | None:
+    """Return the name of the task that a node refers to; report an error if there is none."""
+    if node.symbol is not None and node.symbol.kind == "task":
+        return node.symbol.name
+
+    def tasks() -> list[str]:
+        return [each.name for each in b.program.names.module.symbols() if each.kind == "task"]
+
+    b.program.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
+    return None

@@ -1,0 +1,99 @@
+"""Check variables, array elements and members: what can be read and assigned to."""
+
+from __future__ import annotations
+
+from motionlang.kernel.errors import count_of
+from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.check.unknown_words import unknown_name
+from motionlang.kernel.mint.check.values import article
+from motionlang.kernel.mint.resolve.symbols import FLOAT, Type
+from motionlang.kernel.mint.syntax import nodes
+
+
+def location(b: Body, node: nodes.Name | nodes.Member) -> Type:
+    """Check a variable, an element or a member, and annotate it with its type, which is returned."""
+    kind = _member_location(b, node) if type(node) is nodes.Member else _variable(b, node)  # type: ignore[arg-type]
+    node.type = str(kind)
+    return kind
+
+
+def _variable(b: Body, node: nodes.Name) -> Type:
+    symbol = node.symbol
+    assert symbol is not None
+    if symbol.is_array:
+        _element(b, node, symbol.name, symbol.dimensions, node.args)
+    elif node.args is not None:
+        b.problem("type", f"{symbol.name} is not an array", node)
+    return symbol.type
+
+
+def _member_location(b: Body, node: nodes.Member) -> Type:
+    found = member(b, node)
+    if found is None:
+        return Type(FLOAT)
+    kind, sizes = found
+    if sizes:
+        _element(b, node, node.field, sizes, node.args)
+    elif node.args is not None:
+        b.problem("type", f"{node.field} is not an array", node)
+    return kind
+
+
+def _element(
+    b: Body, node: nodes.Node, name: str, sizes: tuple[int, ...], args: list[nodes.Expr] | None
+) -> None:
+    """Check the subscripts of an array; the sizes of an array parameter are 0."""
+    if args is None:
+        b.problem("index", f"{name} is an array and needs a subscript", node)
+    elif len(args) != len(sizes):
+        given = f"{len(args)} {'is' if len(args) == 1 else 'are'} given"
+        b.problem("index", f"{name} has {count_of(len(sizes), 'subscript')}, {given}", node)
+    else:
+        for arg, size in zip(args, sizes, strict=True):
+            _subscript(b, arg, size)
+
+
+def _subscript(b: Body, node: nodes.Expr, size: int) -> None:
+    known = b.number(node, "a subscript").const
+    if known is not None and size and not 1 <= known <= size:  # type: ignore[operator]
+        b.problem("index", f"there is no element {known}: the subscript must be 1 to {size}", node,
+                  "the first element of an array has the subscript 1")  # fmt: skip
+
+
+def member(b: Body, node: nodes.Member) -> tuple[Type, tuple[int, ...]] | None:
+    """Return type and sizes of a member as a whole; report an error."""
+    owner = node.value
+    if type(owner) is nodes.Name and owner.symbol is None:
+        if owner.args is None and owner.row is not None:
+            b.problem("syntax", f"{owner.name} needs a number after the dot, not a name", node,
+                      f"write {owner.name}[{node.field}]")  # fmt: skip
+        else:
+            unknown_name(b, owner)
+        return None
+    if type(owner) is not nodes.Name and type(owner) is not nodes.Member:
+        b.problem("type", "only a variable has members", node)
+        return None
+    kind = location(b, owner)
+    if kind.record is None:
+        hint = "declare the variable with a Type of yours"
+        b.problem("type", f"{article(str(kind))} has no members", node, hint)
+        return None
+    found = kind.record.members.get(node.field.lower())
+    if found is None:
+        message = f"{kind.record.name} has no member {node.field}"
+        b.program.problems.unknown(message, node.field, kind.record.members.keys, node.start)
+        return None
+    return found[1], found[2]
+
+
+def array(b: Body, node: nodes.Expr) -> tuple[Type, tuple[int, ...]] | None:
+    """Return type and sizes of a whole array, which may be a member of a record; None for anything else."""
+    if type(node) is nodes.Name and node.args is None:
+        symbol = node.symbol
+        if symbol is not None and symbol.is_array:
+            return symbol.type, symbol.dimensions
+    if type(node) is nodes.Member and node.args is None:
+        found = member(b, node)
+        if found is not None and found[1]:
+            return found
+    return None

@@ -1,0 +1,31 @@
+"""The keywords of Mint, one file per subject.
+
+A file holds the rows of its keywords and, above them, their operations. A run imports only the files of the
+keywords that it uses. `index` lists the file of each keyword, so the package itself imports none of them.
+"""
+
+from __future__ import annotations
+
+from motionlang.kernel.lang.vocabulary import Vocabulary
+
+# In the order of the documentation pages. The last file holds keywords that are not simulated.
+ORDER = """
+correction presets hold_to_analogue torque jogging drives
+axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
+table_motion_cams table_motion_splines state timing tasks terminal
+camboxes captures auxiliary_latches monitoring event_flags relays steppers
+io_inputs io_outputs io_signals comms modbus remote network network_groups serial limits limits_switches
+limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
+no_effect identity legacy factory_defaults units constants language library
+"""
+_vocabulary: Vocabulary | None = None
+
+
+def table() -> Vocabulary:
+    """Return the table of all Mint keywords."""
+    global _vocabulary  # noqa: PLW0603 - one vocabulary a process
+    if _vocabulary is None:
+        from motionlang.kernel.mint.keywords.index import FILES
+
+        _vocabulary = Vocabulary("motionlang.kernel.mint.keywords", FILES)
+    return _vocabulary

@@ -1,0 +1,263 @@
+"""Modbus: the program as a client of servers, and the controller's own server.
+
+The machine file defines the servers. A register is a word of 16 bits. An Integer or a Float takes two
+registers, the lower half first, as in Mint's own server (ABB AN00198 p. 5). Requests take no time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from math import inf
+from struct import pack, unpack
+
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.io.channels import Channels
+from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.mint.runtime.binding import Maker, of
+from motionlang.kernel.mint.runtime.changes import repeatable
+from motionlang.kernel.mint.runtime.environment import Environment
+
+Entry = Mapping[str, object]
+
+
+LAST = 65535
+_LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
+
+
+class Server:
+    """One server: its registers `first` to `last`, and the times when it answers."""
+
+    def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = inf) -> None:
+        self.first, self.last, self.begin, self.end = first, last, begin, end
+        self.words: dict[int, int] = {}
+        self.written: set[int] = set()
+
+
+class Servers:
+    """The servers of the machine file; if it defines none, every server exists."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._clock, self._machine = environment.clock, environment.machine
+        self._servers: dict[int, Server] = {}
+        for entry in self._entries("modbus.server"):
+            self._declare(entry)
+        for entry in self._entries("modbus.register"):
+            self._schedule(entry)
+        self._named = bool(self._servers)
+        self._machine.written.append(self.written)
+
+    def _entries(self, table: str) -> Sequence[Entry]:
+        return self._machine.settings.get(table, ())  # type: ignore[return-value]
+
+    def _declare(self, entry: Entry) -> None:
+        begin: float = entry.get("at", 0.0)  # type: ignore[assignment]
+        end: float = begin + entry.get("for", inf)  # type: ignore[operator]
+        first: int = entry.get("first", 0)  # type: ignore[assignment]
+        last: int = entry.get("last", LAST)  # type: ignore[assignment]
+        server = self._servers[entry["id"]] = Server(first, last, begin, end)  # type: ignore[index]
+        given: Mapping[str, int] = entry.get("registers", {})  # type: ignore[assignment]
+        server.words.update((int(register), word & LAST) for register, word in given.items())
+        for time in (begin, end):
+            if self._clock.now < time < inf:
+                self._clock.at(time, _nothing)  # tasks that wait for the server check again
+
+    def _schedule(self, entry: Entry) -> None:
+        """Schedule a change of registers from the machine file.
+
+        It is not made by a client, so it may also change registers that clients cannot write.
+        """
+        server = self._servers.setdefault(entry["server"], Server())  # type: ignore[arg-type]
+        value: float = entry["value"]  # type: ignore[assignment]
+        width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
+        register: int = entry["register"]  # type: ignore[assignment]
+        change = partial(_put, server, register, words_of(value, width))
+        time: float = entry.get("at", 0.0)  # type: ignore[assignment]
+        if time <= self._clock.now:
+            change()
+        else:
+            self._clock.at(time, change)
+
+    # ------------------------------------------------------------------------------------------ the client's side
+
+    def read(self, number: int, register: int, count: int) -> list[int]:
+        """Return registers of a server; raise Rejected if it does not answer."""
+        words = self._reached(number, register, count).words
+        return [words.get(register + k, 0) for k in range(count)]
+
+    def write(self, number: int, register: int, words: Sequence[int]) -> None:
+        server = self._reached(number, register, len(words))
+        server.written.update(range(register, register + len(words)))
+        _put(server, register, words)
+
+    def _reached(self, number: int, register: int, count: int) -> Server:
+        server = self._servers.get(number)
+        if server is None and not self._named:
+            self._machine.notes.setdefault(
+                f"Modbus server {number}: no [[modbus.server]] of the machine file says what it holds, so its "
+                "registers are 0 until the program writes them"
+            )
+            server = self._servers[number] = Server()
+        if server is None or not server.begin <= self._clock.now < server.end:
+            known = ", ".join(map(str, self._servers))
+            hint = (
+                f"the machine file has the servers {known}" if server is None else "its at and for say when"
+            )
+            raise Rejected("no-connection", f"Modbus server {number} does not answer", hint)
+        if not server.first <= register <= register + count - 1 <= server.last:
+            what = f"register {register}" if count == 1 else f"registers {register} and {register + 1}"
+            limits = f"its registers are {server.first} to {server.last}"
+            raise Rejected("channel", f"Modbus server {number} rejects {what}", limits)
+        return server
+
+    def written(self) -> list[dict[str, object]]:
+        """Return the registers that the program wrote, as rows of the report."""
+        return [
+            {"server": number, "kind": "register", "number": register, "value": server.words[register]}
+            for number, server in sorted(self._servers.items())
+            for register in sorted(server.written)
+        ]
+
+
+def _put(server: Server, register: int, words: Sequence[int]) -> None:
+    for k, word in enumerate(words):
+        server.words[register + k] = word
+
+
+def _nothing() -> None:
+    """Do nothing: the event only makes tasks check again."""
+
+
+def words_of(value: float, width: str) -> list[int]:
+    """Return a "word", an "integer" or a "float" as registers, the lowest half first."""
+    if width == "word":
+        return [int(value) & LAST]
+    whole = int(value) & 0xFFFFFFFF if width == "integer" else _bits(value)
+    return [whole & LAST, whole >> 16]
+
+
+def _bits(value: float) -> int:
+    if not abs(value) < _LARGEST_FLOAT:
+        value = inf if value > 0 else -inf if value < 0 else value
+    bits: int = unpack("<I", pack("<f", value))[0]
+    return bits
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_word(servers: Servers, server: int, register: int) -> int:
+    return servers.read(server, register, 1)[0]
+
+
+def unpacked(code: str) -> Maker:
+    """Make an operation that reads two registers of a server as one number."""
+
+    def read(servers: Servers, server: int, register: int) -> object:
+        return unpack(code, pack("<HH", *servers.read(server, register, 2)))[0]
+
+    return of(Servers, read)
+
+
+def writes(width: str) -> Maker:
+    """Make an operation that writes a value to a server; for widths see `words_of`."""
+
+    def write(servers: Servers, server: int, register: int, value: float) -> None:
+        servers.write(server, register, words_of(value, width))
+
+    return repeatable(of(Servers, write))
+
+
+def _own(environment: Environment, register: int) -> tuple[str, int]:
+    """Return the area and element of a register in the controller's own server."""
+    host = environment.machine.host
+    if not host.has_registers(host.mapping, register, 1):
+        raise Rejected(
+            "channel", f"there is no register {register}", "element n is the registers 2n and 2n + 1"
+        )
+    return host.mapping, register >> 1
+
+
+def read_own_register(environment: Environment, register: int) -> int:
+    """HOLDINGREGISTER: return half an element of the host memory as 0 to 65535."""
+    area, element = _own(environment, register)
+    return environment.machine.host.integer(area, element) >> 16 * (register & 1) & LAST
+
+
+def write_own_register(environment: Environment, register: int, value: int) -> None:
+    """HOLDINGREGISTER: write a register of the controller's own server.
+
+    No event is raised.
+    """
+    host, (area, element) = environment.machine.host, _own(environment, register)
+    halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
+    halves[register & 1] = value & LAST
+    host.set_integer(area, element, unpack("<i", pack("<HH", *halves))[0])
+
+
+class Coils:
+    """The coils of the controller's own server.
+
+    The machine file's client changes them at scheduled times.
+    """
+
+    def __init__(self, environment: Environment) -> None:
+        clock = environment.clock
+        self.values = Channels(clock)
+        entries: Sequence[Mapping[str, float]] = environment.machine.settings.get("coil", ())  # type: ignore[assignment]
+        for entry in entries:
+            put = partial(self.values.__setitem__, int(entry["coil"]))
+            at = max(entry.get("at", 0.0), clock.now)
+            clock.at(at, partial(put, int(entry.get("value", 1) != 0)))
+            if "for" in entry:
+                clock.at(at + entry["for"], partial(put, 0))
+
+    def checked(self, coil: int) -> int:
+        if not 0 <= coil <= LAST:
+            raise Rejected("channel", f"there is no coil {coil}", f"they are numbered 0 to {LAST}")
+        return coil
+
+
+def write_coil(coils: Coils, coil: int, value: int) -> None:
+    """COIL: set a coil."""
+    coils.values[coils.checked(coil)] = int(value != 0)
+
+
+# ------------------------------------------------------------------------------------------------- keywords
+
+# MODBUSTCP16: one register of a server. The other keywords use two.
+_WORD = Actions(read=of(Servers, read_word), write=writes("word"))
+_WHOLE = Actions(read=unpacked("<i"), write=writes("integer"))
+_REAL = Actions(read=unpacked("<f"), write=writes("float"))
+_OWN_REGISTER = Actions(
+    read=of(Environment, read_own_register), write=repeatable(of(Environment, write_own_register))
+)
+_COIL = Actions(
+    read=of(Coils, lambda coils, coil: int(coils.values[coils.checked(coil)])),
+    write=repeatable(of(Coils, write_coil)),
+)
+
+_CLIENT = (
+    ("MODBUSTCP16", "integer", _WORD, -32768, 65535, "1234",
+     "One register of a Modbus server, 0 to 65535; a negative value is written as its two's complement."),
+    ("MODBUSTCP32", "integer", _WHOLE, None, None, "123456",
+     "Two registers of a Modbus server as an Integer, the lower half in the first."),
+    ("MODBUSTCPFLOAT", "number", _REAL, None, None, "2.5",
+     "Two registers of a Modbus server as a 32-bit float, the lower half in the first."),
+)  # fmt: skip
+
+
+ROWS = (
+    *(
+        Keyword(name, "", "setting", "RW", "server, register", unit, actions, help,
+                f"{name}(4, 6) = {value}\nPRINT {name}(4, 6)", default=0.0, low=low, high=high, group="comms")
+        for name, unit, actions, low, high, value, help in _CLIENT
+    ),
+    Keyword("HOLDINGREGISTER", "", "setting", "RW", "register", "integer", _OWN_REGISTER,
+            "A register of the controller's own Modbus server, 0 to 65535: one half of an element of what clients see.",
+            "NETINTEGER(3) = 0x10002\nPRINT HOLDINGREGISTER(6), \" \", HOLDINGREGISTER(7)",
+            default=0.0, low=-32768, high=65535, group="comms"),
+    Keyword("COIL", "", "setting", "RW", "coil", "bool", _COIL,
+            "A coil of the controller's own Modbus server; a client, which is the machine file, writes it too.",
+            "COIL(3) = _TRUE\nPRINT COIL(3)", default=0.0, group="comms"),
+)  # fmt: skip

@@ -1,0 +1,468 @@
+"""Dependencies of loops and PAUSEs: the inputs and positions they wait for.
+
+These are the readings in their conditions. If the loop itself assigns a variable of its condition, the assigned value
+counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. If only other tasks assign a variable,
+the loop waits for these tasks. A call of a function counts as the readings in the function.
+
+`input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
+input it waits for: `PAUSE Not INX(3)` waits for 0. Of a bank it lists the channels whose bits the program compares or
+masks: `PAUSE IN(0) & 4 = 4` waits for input 2. Keys are the numbers that the program compares with the result of
+INKEY. Numbers that it compares with the variable of an INPUT are the choices of a menu.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from math import inf
+
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies, Read
+from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
+from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
+from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.problems import Problems
+from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.mint.syntax.traversal import meant, walk
+from motionlang.kernel.mint.syntax.unparse import shown
+from motionlang.kernel.source import Source
+
+# A node of a condition, an input that it reads, and a level.
+Levels = Iterator[tuple[nodes.Node, int | None, int | None]]
+
+LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
+# The kind of a read, by the section of the machine file that drives the keyword.
+DRIVEN = {
+    "input": "input",
+    "analogue": "analogue",
+    "encoder": "encoder",
+    "key": "operator",
+    "answer": "operator",
+    "comms": "host",
+    "netdata": "host",
+    "dpr": "host",
+    "serial": "host",
+    "remote": "host",
+}
+
+COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
+
+# The codes of keys that a person presses, from the space on.
+FIRST_KEY, LAST_KEY = 32, 126
+
+
+def finder(source: Source) -> Callable[[int], LoopDependencies | None]:
+    """Return a function that maps an offset to the dependencies of its loop or PAUSE."""
+    module = parse(source)
+    names = Names(table(), Problems(module), None)
+    names.declare_module(module)
+    return _Survey(module, names.functions).at
+
+
+class _Survey:
+    """The loops and PAUSEs of a program, each analysed on request."""
+
+    def __init__(self, module: Module, functions: Iterable[Function]) -> None:
+        self._module = module
+        self._nodes: dict[int, nodes.Node] = {}
+        self._by_labels: dict[int, list[nodes.Stmt]] = {}
+        # The nodes that each task, the parent task and each event handler may execute.
+        self._roots = [
+            list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
+        ]
+        for function in functions:
+            for node in walk(function.body):
+                if isinstance(node, (*LOOPS, nodes.Pause)):
+                    self._nodes[node.start] = node
+            self._by_labels.update(_by_labels(function))
+
+    def at(self, offset: int) -> LoopDependencies | None:
+        """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
+        node = self._nodes.get(offset)
+        if isinstance(node, nodes.Pause):
+            return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
+        if node is not None:
+            return self.loop(node)  # type: ignore[arg-type]
+        return self.goto(self._by_labels[offset]) if offset in self._by_labels else None
+
+    def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
+        """Return the dependencies of a loop statement."""
+        conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
+        why = ""
+        if conditions:
+            word = "until" if isinstance(node, nodes.Repeat) else "while"
+            why = f"{word} {shown(conditions[0])}"
+        conditions += _deciding(node.body, LEAVES)
+        found = self._dependencies(node.body, conditions, why)
+        found.counts = isinstance(node, nodes.For)
+        return found
+
+    def goto(self, body: list[nodes.Stmt]) -> LoopDependencies:
+        """Return the dependencies of a loop made of Gotos."""
+        return self._dependencies(body, _deciding(body, LEAVES), "")
+
+    def _dependencies(
+        self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str
+    ) -> LoopDependencies:
+        reached = list(self._reached(body))
+        lines = frozenset(self._module.line(node.start) for node in reached)
+        if not why and conditions:
+            in_order = sorted(conditions, key=lambda each: each.start)
+            why = " or ".join(dict.fromkeys(map(shown, in_order)))
+        within = self.reads([*conditions, *_deciding(reached, None)], reached)
+        return LoopDependencies(self.reads(conditions, reached), within, lines, why)
+
+    def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
+        """Return the readings in the conditions of a loop; `body` are the loop's nodes."""
+        found: set[Read] = set()
+        seen: set[Symbol] = set()
+        others: set[Symbol] = set()
+        counts = False
+        rest: list[nodes.Node] = list(conditions)
+        while rest:
+            for node in self._reached([rest.pop()]):
+                if isinstance(node, nodes.Name) and node.definition is None:
+                    symbol = node.symbol
+                    if symbol is None:
+                        found.update(_read(node, node.row))
+                    elif symbol.kind in ("variable", "parameter") and symbol not in seen:
+                        seen.add(symbol)
+                        if symbol.type.name == TIME:
+                            found.add(("time", None))
+                            continue
+                        given = _given(symbol, body)
+                        rest += given
+                        counts = counts or bool(given)
+                        if not given and symbol.shared:
+                            others.add(symbol)
+        if not counts and any(self._is_written(symbol, body) for symbol in others):
+            found.add(("task", None))
+        return frozenset(found)
+
+    def _is_written(self, symbol: Symbol, body: list[nodes.Node]) -> bool:
+        """True if a task or handler other than the loop's own assigns the variable."""
+        inside = {id(node) for node in body}
+        others = [root for root in self._roots if not any(id(node) in inside for node in root)]
+        return any(
+            isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol
+            for root in others
+            for node in root
+        )
+
+    def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
+        """Yield the nodes of a body and of the subs that it calls."""
+        bodies, seen = [body], set()
+        for each in bodies:  # the list grows during the loop
+            for node in walk(each):
+                yield node
+                if not isinstance(node, nodes.Name):
+                    continue
+                symbol = node.symbol
+                if node.definition is not None:
+                    bodies.append([node.definition])
+                elif symbol is not None and symbol.kind == "sub" and symbol not in seen:
+                    seen.add(symbol)
+                    bodies.append(symbol.home.body)
+
+
+def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
+    """Yield each loop made of Gotos: its label and its statements.
+
+    The statements end with the last jump back to the label.
+    """
+    body, labels = function.body, {}
+    for number, statement in enumerate(body):
+        if type(statement) is nodes.Label:
+            labels[statement.name.lower()] = number
+    last: dict[int, int] = {}
+    for number, statement in enumerate(body):
+        for node in walk([statement]):
+            if isinstance(node, nodes.Jump) and node.kind != "gosub":
+                first = labels.get(node.name.lower(), number)
+                if first < number:
+                    last[first] = number
+    for first, number in last.items():
+        yield body[first].start, body[first : number + 1]
+
+
+def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
+    """Return the conditions in a body that guard one of `leaves`; all if this is None."""
+    found: list[nodes.Expr] = []
+    for node in walk(body):
+        if isinstance(node, nodes.If):
+            conditions, inner = [node.condition], [*node.body, *node.orelse]
+        elif isinstance(node, nodes.Select):
+            conditions, inner = [node.subject], [each for case in node.cases for each in case.body]
+        elif isinstance(node, (nodes.While, nodes.Repeat)) and leaves is None:
+            conditions, inner = [node.condition], []
+        else:
+            continue
+        if leaves is None or any(isinstance(each, leaves) for each in walk(inner)):
+            found += conditions
+    return found
+
+
+def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
+    """Return the values that a loop assigns to a variable, and the conditions for it."""
+    found: list[nodes.Node] = []
+    for node in body:
+        if isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol:
+            found += node.values
+        elif isinstance(node, nodes.If):
+            inner = walk([*node.body, *node.orelse])
+            if any(
+                isinstance(x, nodes.Assign) and getattr(x.target, "symbol", None) is symbol for x in inner
+            ):
+                found.append(node.condition)
+    return found
+
+
+def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
+    """Yield the readings that the use of a keyword depends on."""
+    if row is None or row.kind not in ("reading", "setting"):
+        return
+    if row.verb == "time" or (row.unit == "s" and row.index == "none"):
+        yield "time", None
+    elif row.driven in DRIVEN and row.index not in ("axis", "axes"):
+        kind = DRIVEN[row.driven]
+        number = next(_numbers(node), None) if row.index in ("input", "channel") else None
+        yield kind, number
+    elif row.driven == "input":
+        yield "input", None
+    elif row.index in ("axis", "axes"):
+        numbers = list(_numbers(node))
+        kind = "position" if row.solved or row.changes == "motion" else "axis"
+        yield from ((kind, number) for number in numbers or [None])
+    elif row.index == "task":
+        yield "task", None
+    else:
+        yield "other", None
+
+
+def _numbers(node: nodes.Name) -> Iterator[int | None]:
+    """Yield the indices in the brackets, None for one known only at run time."""
+    for each in node.args or ():
+        found = meant(each)
+        value: object = found.value if isinstance(found, nodes.Number) else None
+        if isinstance(found, nodes.Name) and found.symbol is not None:
+            value = found.symbol.const
+        yield int(value) if isinstance(value, (int, float)) else None
+
+
+def input_reads(source: Source) -> list[InputRead]:
+    """Return the reads of inputs and keys in a program, in the order of its lines."""
+    module = parse(source)
+    names = Names(table(), Problems(module), None)
+    names.declare_module(module)
+    found: list[InputRead] = []
+    bodies = [(function, list(walk(function.body))) for function in names.functions]
+    banks = _Banks(node for _, body in bodies for node in body)
+    for function, body in bodies:
+        found += _inputs(module, body, banks, function.kind == "event")
+        found += _keys(module, body)
+        found += _choices(module, body)
+        event = kind_and_number(function.name) if function.kind == "event" else None
+        if event is not None and event[0] == "in" and event[1] >= 0:
+            line = module.line(function.at)
+            first = min((module.line(node.start) for node in body), default=line)
+            found.append(InputRead("event", event[1], None, line, first))
+    return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
+
+
+class _Banks:
+    """The channels of each bank that a program compares with constants or tests by bits."""
+
+    def __init__(self, body: Iterable[nodes.Node]) -> None:
+        found = list(body)
+        # Variables that hold a bank, such as `b` after `b = IN(0)`.
+        self._copies: dict[Symbol, int] = {}
+        for node in found:
+            symbol = getattr(node.target, "symbol", None) if isinstance(node, nodes.Assign) else None
+            if symbol is not None and isinstance(node, nodes.Assign):
+                for each in node.values:
+                    bank = self.bank(each)
+                    if bank is not None:
+                        self._copies[symbol] = bank
+        self._masks: dict[int, int] = {}
+        for node in found:
+            if isinstance(node, nodes.Binary) and node.op in (*COMPARISONS, "&"):
+                for side, other in ((node.left, node.right), (node.right, node.left)):
+                    bank, bits = self.bank(side), _whole(other)
+                    if bank is not None and bits is not None:
+                        self._masks[bank] = self._masks.get(bank, 0) | bits
+
+    def bank(self, node: nodes.Expr) -> int | None:
+        """Return the bank that an expression reads, None if it reads none or its number is unknown."""
+        node = meant(node)
+        if not isinstance(node, nodes.Name):
+            return None
+        if _is_bank(node):
+            return _whole(node.args[0]) if node.args else 0
+        return self._copies.get(node.symbol) if node.symbol is not None else None
+
+    def tested(self, node: nodes.Expr) -> dict[int, int]:
+        """Return the channels of `IN(0)` or `IN(0) & 6`, each with its bit; empty for anything else."""
+        node = meant(node)
+        bank, mask = self.bank(node), None
+        if isinstance(node, nodes.Binary) and node.op == "&":
+            for side, other in ((node.left, node.right), (node.right, node.left)):
+                if self.bank(side) is not None and _whole(other) is not None:
+                    bank, mask = self.bank(side), _whole(other)
+        if bank is None:
+            return {}
+        bits = (self._masks.get(bank) or 1) if mask is None else mask
+        channels = {bank * BANK + k: 1 << k for k in range(BANK) if bits >> k & 1}
+        return {each: bit for each, bit in channels.items() if 0 <= each <= LAST_CHANNEL}
+
+    def channels(self, name: nodes.Name) -> list[int | None]:
+        """Return the channels of a bank that the program tests; None for unknown ones."""
+        bank = self.bank(name)
+        return list(self.tested(name)) if bank is not None and self._masks.get(bank) else [None]
+
+
+def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: bool) -> Iterator[InputRead]:
+    seen: set[int] = set()
+
+    def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[InputRead]:
+        found = [each for each in _levels(condition, wanted, banks) if id(each[0]) not in seen]
+        seen.update(id(each) for each in walk([node for node, _, _ in found]))
+        for node, channel, level in found:
+            line = module.line(node.start)
+            yield InputRead(kind, channel, level, line, max(last, line), in_handler)
+
+    for node in body:
+        if isinstance(node, nodes.Pause):
+            yield from reads("wait", node.condition, True)
+        elif isinstance(node, (nodes.While, nodes.Repeat)):
+            last = max((module.line(each.start) for each in walk([node])), default=0)
+            yield from reads("poll", node.condition, isinstance(node, nodes.Repeat), last)
+        elif isinstance(node, nodes.If):
+            leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
+            yield from reads("guard" if leaves else "test", node.condition, not leaves)
+    for node in body:
+        if isinstance(node, nodes.Name) and id(node) not in seen and (_is_input(node) or _is_bank(node)):
+            line = module.line(node.start)
+            for channel in [_channel(node)] if _is_input(node) else banks.channels(node):
+                yield InputRead("test", channel, None, line, line, in_handler)
+
+
+def _leaves(node: nodes.Node) -> bool:
+    """True for a statement that leaves the normal flow, such as `GoTo Fault`."""
+    return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
+
+
+def _levels(node: nodes.Expr, wanted: bool, banks: _Banks) -> Levels:
+    """Yield the inputs of a condition, each with the level that makes it `wanted`."""
+    node = meant(node)
+    tested = banks.tested(node)
+    if tested:
+        yield from ((node, channel, int(wanted)) for channel in tested)
+    elif isinstance(node, nodes.Name):
+        if _is_input(node):
+            yield node, _channel(node), int(wanted)
+    elif isinstance(node, nodes.Unary) and node.op == "Not":
+        yield from _levels(node.operand, not wanted, banks)
+    elif isinstance(node, nodes.Binary) and node.op in ("And", "Or"):
+        yield from _levels(node.left, wanted, banks)
+        yield from _levels(node.right, wanted, banks)
+    elif isinstance(node, nodes.Binary):
+        for side, other in ((node.left, node.right), (node.right, node.left)):
+            value = _whole(other)
+            tested = banks.tested(side)
+            if tested:
+                is_equality = node.op in ("=", "<>") and value is not None
+                equal = (node.op == "=") is wanted
+                for channel, bit in tested.items():
+                    level = int(bool((value or 0) & bit)) if is_equality else None
+                    if level is not None and not equal:
+                        level = 1 - level if not value or len(tested) == 1 else None
+                    yield node, channel, level
+                continue
+            for name in walk([meant(side)]):
+                if isinstance(name, nodes.Name) and _is_input(name):
+                    plain = meant(side) is name and node.op in ("=", "<>") and value in (0, 1)
+                    level = int((value == 1) is ((node.op == "=") is wanted)) if plain else None
+                    yield name, _channel(name), level
+
+
+def _is_input(name: nodes.Name) -> bool:
+    row = name.row
+    return row is not None and row.driven == "input" and row.index == "input"
+
+
+def _is_bank(name: nodes.Name) -> bool:
+    row = name.row
+    return row is not None and row.driven == "input" and row.index == "bank"
+
+
+def _channel(name: nodes.Name) -> int | None:
+    number = _whole(name.args[0]) if name.args else None
+    return number if number is not None and 0 <= number <= LAST_CHANNEL else None
+
+
+def _whole(node: nodes.Expr) -> int | None:
+    """Return the value of an expression as an int, None if unknown before the run."""
+    found = meant(node)
+    value: object = found.value if isinstance(found, nodes.Number) else None
+    if isinstance(found, nodes.Name):
+        value = found.symbol.const if found.symbol is not None else _constant(found)
+    return int(value) if isinstance(value, (int, float)) else None
+
+
+def _constant(name: nodes.Name) -> int | None:
+    """Return the value of a constant of the language such as _ON."""
+    row = name.row
+    text = row.verb if row is not None else ""
+    return int(text) if text.isdigit() else None
+
+
+def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
+    given: set[Symbol] = set()
+    for node in body:
+        if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
+            symbol = getattr(node.target, "symbol", None)
+            if symbol is not None:
+                given.add(symbol)
+    for node in body:
+        if not isinstance(node, nodes.Binary) or node.op not in ("=", "<>"):
+            continue
+        for side, other in ((node.left, node.right), (node.right, node.left)):
+            code = _whole(other)
+            is_read = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
+            if is_read and code is not None and FIRST_KEY <= code <= LAST_KEY:
+                line = module.line(node.start)
+                yield InputRead("key", code, None, line, line)
+
+
+def _choices(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
+    """Yield the numbers that a menu compares an answer with; one number alone is no menu."""
+    compared: dict[Symbol, dict[int, float]] = {}
+
+    def add(subject: nodes.Expr, value: nodes.Expr) -> None:
+        number = _whole(value)
+        if isinstance(subject, nodes.Name) and subject.symbol is not None and number is not None:
+            lines = compared.setdefault(subject.symbol, {})
+            lines[number] = min(lines.get(number, inf), module.line(value.start))
+
+    for node in body:
+        if isinstance(node, nodes.Binary) and node.op in ("=", "<>"):
+            add(node.left, node.right)
+            add(node.right, node.left)
+        elif isinstance(node, nodes.Select):
+            for test in (each for case in node.cases for each in case.tests if each.op == "="):
+                add(node.subject, test.value)
+    for node in body:
+        if isinstance(node, nodes.Input) and isinstance(node.target, nodes.Name):
+            numbers = compared.get(node.target.symbol, {}) if node.target.symbol is not None else {}
+            asked = module.line(node.start)
+            for number, line in numbers.items() if len(numbers) > 1 else ():
+                yield InputRead("answer", number, None, int(line), asked)
+
+
+def _is_key(node: object) -> bool:
+    row = node.row if isinstance(node, nodes.Name) else None
+    return row is not None and row.driven == "key"

@@ -1,0 +1,164 @@
+"""Errors and warnings of a program, collected so that all are reported at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import cached_property
+
+from motionlang.kernel.errors import Diagnostic, ProgramError, differ_little, nearest
+from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.mint.models import V4_SUFFIX
+from motionlang.kernel.mint.resolve.recorder import Recorder
+from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.tokens import token_at, value_length
+from motionlang.kernel.mint.syntax.traversal import names_of
+
+# More are not useful; most errors after the first hundred are consequences of earlier ones.
+MAX_PROBLEMS = 100
+
+
+class Problems:
+    """Diagnostics at offsets, turned into lines and columns."""
+
+    def __init__(self, module: Module) -> None:
+        self._module = module
+        self.recorder: Recorder | None = None  # records the problems of each function
+        self.found: dict[tuple[str, int], Diagnostic] = {}
+        # Keys in `found` of the warnings that a run reports, too: what may end it, and names that may be misspelt.
+        self.in_run: set[tuple[str, int]] = set()
+        self._wrong = (
+            False  # True once there is an error, so that warnings, however many, never hide the first one
+        )
+
+    @cached_property
+    def is_v4(self) -> bool:
+        """True if the program has the dots or square brackets of Mint v4, or its extension and no block of MintMT."""
+        module = self._module
+        if any(name.axes for name in names_of(module)):
+            return True
+        blocks = module.subs or module.tasks or module.events or module.startup or module.types
+        return not blocks and module.source.name.lower().endswith(V4_SUFFIX)
+
+    @property
+    def is_full(self) -> bool:
+        """True if further problems are no longer recorded."""
+        return len(self.found) >= MAX_PROBLEMS and self._wrong
+
+    def add(
+        self,
+        code: str,
+        message: str,
+        at: int,
+        hint: str = "",
+        severity: str = "error",
+        fix: str = "",
+        candidates: Sequence[str] = (),
+    ) -> None:
+        """Record a problem; each code is reported once per position.
+
+        `fix` is the text that would replace the token. `candidates` are texts that might replace it.
+        """
+        if self.recorder is not None:
+            self.recorder.note(
+                code=code,
+                message=message,
+                at=at,
+                hint=hint,
+                severity=severity,
+                fix=fix,
+                candidates=candidates,
+            )
+        if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
+            self._wrong = self._wrong or severity == "error"
+            line, column, length = self._location(at)
+            self.found.setdefault(
+                (code, at),
+                Diagnostic(
+                    code,
+                    message,
+                    line,
+                    column,
+                    length=length,
+                    hint=hint,
+                    severity=severity,
+                    fix=fix,
+                    candidates=candidates,
+                ),
+            )
+
+    def unknown(
+        self,
+        message: str,
+        word: str,
+        words: Callable[[], Iterable[str]],
+        at: int,
+        otherwise: str = "",
+        table: Vocabulary | None = None,
+    ) -> None:
+        """Record an unknown word, with the most similar of `words()` as the suggestion.
+
+        With `table`, keywords are also suggested: one with missing brackets, and those that are meant by the word.
+        Without any suggestion the hint is `otherwise`. In a program with the notation of v4, a word that is no
+        misspelling may be one of an older Mint.
+        """
+        if self.is_full or ("unknown-word", at) in self.found:
+            return
+        meant = bracketed(word, table) if table is not None else None
+        known = list(words())
+        others = table.meant_by(word) if table is not None else []
+        near = [meant] if meant else [each for each in others if each in known] or others
+        if not near and (similar := nearest(word, known)):
+            near = [similar]
+            if table is not None and self.is_v4 and not differ_little(word, similar):
+                near = []
+        if table is not None and self.is_v4 and not otherwise:
+            otherwise = (
+                f'for a word of an older Mint, add its keyword to the machine file: [mint.words] {word} = "…"'
+            )
+        hint = f"did you mean {' or '.join(near)}?" if near else otherwise
+        # A candidate replaces the marked text, so that has to be the word.
+        candidates = tuple(near) if not meant and self.text(at).lower() == word.lower() else ()
+        self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
+
+    def depends(self) -> None:
+        """Record that the problems of this function depend on the whole program."""
+        if self.recorder is not None:
+            self.recorder.depends()
+
+    def of_the_run(self) -> list[Diagnostic]:
+        """Return the warnings that a run reports before it starts."""
+        found = [each for key, each in self.found.items() if key in self.in_run]
+        return sorted(found, key=lambda each: (each.line, each.column))
+
+    def is_pattern(self, at: int) -> bool:
+        """True if the number at an offset is written in hexadecimal or binary."""
+        return self.text(at)[1:2] in ("x", "X", "b", "B")
+
+    def text(self, at: int) -> str:
+        """Return the text of the token at an offset, "" if the program has none."""
+        source = getattr(self._module, "source", None)
+        return "" if source is None else token_at(source.text, at)
+
+    def line(self, at: int) -> int:
+        return self._module.line(at)
+
+    def _location(self, at: int) -> tuple[int, int, int]:
+        source = self._module.source
+        return (*source.location(at), value_length(source.text, at))
+
+    def raise_errors(self) -> None:
+        """Raise ProgramError if there is any error; warnings alone raise nothing."""
+        if any(each.severity == "error" for each in self.found.values()):
+            raise ProgramError(self.found.values())
+
+
+def bracketed(word: str, table: Vocabulary) -> str | None:
+    """Return `GO(3)` for `Go3`, a keyword with a number but no brackets, or None.
+
+    `IN3` and `OUT3` mean one channel, so they become INX(3) and OUTX(3), because IN(3) is a bank.
+    """
+    stem = word.rstrip("0123456789")
+    row = table.get(stem) if stem != word else None
+    if row is not None and row.index == "bank":
+        row = table.get(f"{stem}X")
+    return None if row is None or row.index == "none" else f"{row.name}({word[len(stem) :]})"

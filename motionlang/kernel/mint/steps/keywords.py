@@ -1,0 +1,202 @@
+"""Keywords as statements: values written to them, moves, paths, commands."""
+
+from __future__ import annotations
+
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.steps import DO, NOW, TRY, Values
+from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, Type
+from motionlang.kernel.mint.runtime import binding
+from motionlang.kernel.mint.steps import expressions, waiting, words
+from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import Get, Value
+from motionlang.kernel.mint.syntax import nodes
+
+# The number in `Uses` of the memory that a host reads, for which no variable is so far from 0.
+HOST_VARIABLE = 1 << 40
+
+
+def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Write `KEYWORD(axes) = values`."""
+    if row.simulated and row.verb == "wait":
+        waiting.wait(w, node.values)
+    elif row.simulated and row.kind == "move" and row.index == "axes":
+        _path(w, node, target, row)
+    elif words.by_default(w, target, row):
+        _write_to_defaults(w, node, target, row)
+    else:
+        _write_to_each(w, node, target, row)
+
+
+def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
+    """Write a keyword as a statement: `GO(0, 1)`."""
+    target = node.target
+    if not row.simulated:
+        _unsimulated(w, target, row)
+        return
+    line: tuple[int, ...] = ()
+    if row.index in ("axes", "axis") or row.group == "motion":
+        line = (w.program.line(node.start),)
+    has_calls = w.calls(target)
+    where = words.indices(w, target, row)
+    if row.index == "axes":
+        where = [words.together(where)]
+    if has_calls:
+        where = [_worked_out(w, each) for each in where]
+    do = words.action(w, "do", row, where)
+    w.add(NOW)
+    w.add(DO, lambda values: do(values, *line), cost=1.0)
+
+
+def _unsimulated(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
+    gets = words.whatever(w, target, row, single=False)
+    do = words.action(w, "do", row, [Value(get, "anything") for get in gets])
+    w.add(NOW)
+    w.add(DO, do, cost=1.0)
+
+
+# ---------------------------------------------------------------------------------------------------- values
+
+
+def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Write the values one by one: to each axis, or to the only place there is."""
+    has_calls = w.calls(node)
+    if has_calls:
+        w.settle(node)
+    where = _where(w, target, row)
+    given = [None if isinstance(each, nodes.Omitted) else _given(w, each, row) for each in node.values]
+    if row.index in ("axis", "axes"):
+        given += given[-1:] * (max(1, len(where)) - len(given)) if node.repeat else []
+        pairs = [([axis], value) for axis, value in zip(where, given, strict=True) if value is not None]
+    else:
+        pairs = [(where, given[0])] if given[0] is not None else []
+    if has_calls:
+        pairs = [([_worked_out(w, each) for each in axes], _worked_out(w, one)) for axes, one in pairs]
+    last = _last(w, node, target, row)
+    if row.kind == "move" and row.simulated:
+        pairs = [(axes, _worked_out(w, one)) for axes, one in pairs]
+    w.add(NOW)
+    for number, (axes, one) in enumerate(pairs, 1):
+        cost = float(number == len(pairs))
+        if row.kind == "move" and row.simulated:
+            _load(w, row, axes, one, last, cost)
+        else:
+            _store(w, row, axes, one, last, cost)
+    if not pairs:
+        w.pay()
+
+
+def _where(w: UnitWriter, target: nodes.Name, row: Keyword) -> list[Value]:
+    if row.simulated:
+        return words.indices(w, target, row)
+    return [Value(get, "anything") for get in words.anywhere(w, target, row)]
+
+
+def _worked_out(w: UnitWriter, found: Value) -> Value:
+    """Return a value that does not change while time passes, in a called sub or in a wait for space in a buffer."""
+    return found if found.const is not None else expressions.stored(w, found)
+
+
+def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> list[Get]:
+    """Return the arguments that follow the value in an operation."""
+    if not row.simulated:
+        return words.location(w, target, row)
+    line = w.program.line(node.start)
+    return [lambda values: line] if row.group == "motion" else []
+
+
+def _given(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
+    """Return a value that is written to a keyword."""
+    found = expressions.value(w, node)
+    if row.unit == "text":
+        return found
+    kind = Type(FLOAT if row.takes_fractions else INTEGER)
+    return Value(expressions.converted(w, found, kind), kind.name, found.const)
+
+
+def _store(
+    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: list[Get], cost: float
+) -> None:
+    how = "write" if "W" in row.access else "do"
+    act, get, sets = words.action(w, how, row, where), given.get, None
+    if row.driven in words.HOST_MEMORY:
+        sets = HOST_VARIABLE
+        get = w.copying(sets, get)
+    if last:
+        w.add(DO, lambda values: act(values, get(values), *[each(values) for each in last]), cost=cost)
+    else:
+        w.add(DO, lambda values: act(values, get(values)), cost=cost, sets=sets)
+
+
+def _load(
+    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: list[Get], cost: float
+) -> None:
+    """Write the step that loads a move; it waits while the buffer is full."""
+    environment, get = w.program.environment, given.get
+    load, axes = words.bound(w, "load", row, where), where[0].get
+
+    def loaded(values: Values) -> Wait | None:
+        environment.acts += 1
+        if not load(values, get(values), *[each(values) for each in last]):
+            return None
+        full = axes(values)
+        return environment.space_wait(full if isinstance(full, tuple) else (full,))
+
+    w.add(TRY, loaded, cost=cost)
+
+
+def _write_to_defaults(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Write `SPEED = 10, 20` after `AXES[0, 1]`; the number of axes is known only at run time."""
+    environment = w.program.environment
+    w.settle(node)
+    given = [None if isinstance(each, nodes.Omitted) else _given(w, each, row) for each in node.values]
+    gets = [None if each is None else each.get for each in given]
+    last = _last(w, node, target, row)
+    pairs = w.new_index()
+
+    def pair(values: Values) -> None:
+        found = tuple([None if get is None else get(values) for get in gets])
+        values[pairs] = environment.pairs(found, node.repeat)
+
+    w.add(NOW)
+    w.add(DO, pair)
+    if row.kind == "move" and row.simulated:
+        load = binding.bind(environment, "load", row)
+
+        def loaded(values: Values) -> Wait | None:
+            while values[pairs]:
+                axis, value = values[pairs][0]
+                environment.acts += 1
+                if value is not None and load(axis, value, *[each(values) for each in last]):
+                    return environment.space_wait((axis,))
+                del values[pairs][0]
+            return None
+
+        w.add(TRY, loaded, cost=1.0)
+        return
+    how = "write" if "W" in row.access else "do"
+    write = words.action(w, how, row, [Value(lambda values: values[pairs][0][0], INTEGER)])
+
+    def write_all(values: Values) -> None:
+        while values[pairs]:
+            value = values[pairs][0][1]
+            if value is not None:
+                write(values, value, *[each(values) for each in last])
+            del values[pairs][0]
+
+    w.add(DO, write_all, cost=1.0)
+
+
+def _path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Write `VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90`: one move of several axes."""
+    if w.calls(node):
+        w.settle(node)
+    given = [_given(w, each, row) for each in node.values]
+    axes = words.together(words.indices(w, target, row))
+    gets = [each.get for each in given]
+    values_of = Value(lambda values: tuple([get(values) for get in gets]), "values")
+    if any(each.const is None for each in given):
+        values_of = expressions.stored(w, values_of)
+    line = w.program.line(node.start)
+    w.add(NOW)
+    _load(w, row, [axes], values_of, [lambda values: line], 1.0)

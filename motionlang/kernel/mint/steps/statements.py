@@ -1,0 +1,246 @@
+"""Statements: assignments, Dim, calls, tasks, and the table of all kinds of statement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, TURN, Values
+from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
+from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
+from motionlang.kernel.mint.steps.places import copied
+from motionlang.kernel.mint.steps.unit import UnitWriter, is_stop
+from motionlang.kernel.mint.steps.values import Get
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import meant
+
+
+def block(w: UnitWriter, body: list[nodes.Stmt]) -> None:
+    """Write statements in sequence."""
+    is_guarded = w.program.is_guarded and not handles_errors(w)
+    for node in body:
+        first = len(w.steps)
+        w.at = node.start
+        if is_stop(node):
+            w.begins(node.start)
+        _STATEMENTS[type(node)](w, node)
+        if is_guarded and type(node) in _CAN_FAIL:
+            w.steps.guard(first, len(w.steps))
+        w.close_regions(node)
+
+
+def handles_errors(w: UnitWriter) -> bool:
+    """True within ONERROR itself, where a failing statement ends the program."""
+    return w.function.name.lower() == "onerror" or w.label == "onerror"
+
+
+# -------------------------------------------------------------------------------------------------- assignments
+
+
+def _assign(w: UnitWriter, node: nodes.Assign) -> None:
+    target: nodes.Expr = node.target
+    if isinstance(target, nodes.Name) and target.args is None:
+        target = meant(target)
+    if isinstance(target, nodes.Name) and target.symbol is None and not w.is_result(target):
+        assert target.row is not None
+        keywords.write(w, node, target, target.row)
+        return
+    assert isinstance(target, (nodes.Name, nodes.Member))
+    noted = _begin_call(w, node)
+    _give(w, node, target)
+    _end_call(w, node, noted)
+
+
+def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
+    where, which, kind = expressions.target(w, target)
+    (given,) = node.values
+    if kind.name == SEMAPHORE:
+        wanted = expressions.converted(w, expressions.value(w, given), Type(INTEGER))
+        waiting.take_or_give(w, lambda values: where(values)[which(values)], wanted)
+        return
+    w.settle(given, target)
+    if kind.name == "Time":
+        w.add(NOW)
+    plain = expressions.plain_variable(w, target)
+    found = (expressions.value if plain is None else expressions.linear)(w, given)
+    if kind.name == RECORD:
+        _copy(w, where, which, found.get)
+        return
+    get = expressions.converted(w, found, kind)
+    sets = None
+    if plain is not None:
+        sets = w.program.places.number(plain)
+        if found.solved is not None:
+            get = w.copying(sets, get)
+    w.add(DO, expressions.storing(w, target, where, which, get), cost=1.0, sets=sets)
+
+
+def _copy(w: UnitWriter, where: Get, which: Get, get: Get) -> None:
+    """Write the copy of a value of a user type."""
+    environment = w.program.environment
+
+    def copy(values: Values) -> None:
+        environment.acts += 1
+        new = copied(get(values))
+        where(values)[which(values)][:] = new
+
+    w.add(DO, copy, cost=1.0)
+
+
+def _dim(w: UnitWriter, node: nodes.Dim) -> None:
+    for variable in node.variables:
+        symbol = variable.symbol
+        if symbol is None or symbol.kind != "variable" or not variable.values:
+            continue
+        w.settle(*variable.values)
+        found = expressions.values(w, variable.values)
+        gets = [expressions.converted(w, each, symbol.type) for each in found]
+        if symbol.is_array:
+            _fill(w, symbol, gets)
+        else:
+            target = nodes.Name(variable.start, variable.end, variable.name).resolve(symbol)
+            where, which, _ = expressions.target(w, target)
+            plain = expressions.plain_variable(w, target)
+            sets = None if plain is None else w.program.places.number(plain)
+            w.add(DO, expressions.storing(w, target, where, which, gets[0]), sets=sets)
+    if node.nv:
+        for variable in node.variables:
+            if variable.symbol is not None and variable.symbol.kind == "variable":
+                _restore(w, variable.symbol)
+
+
+def _fill(w: UnitWriter, symbol: Symbol, gets: list[Get]) -> None:
+    array, environment = expressions.whole(w, symbol), w.program.environment
+
+    def fill(values: Values) -> None:
+        environment.acts += 1
+        array(values)[1 : len(gets) + 1] = [get(values) for get in gets]
+
+    w.add(DO, fill)
+
+
+def _restore(w: UnitWriter, symbol: Symbol) -> None:
+    """Write the step that gives an nv variable the value that it had at the end of the previous run."""
+    name = symbol.name.lower()
+    if w.function.kind != "main":
+        name = f"{w.function.name.lower()}.{name}"
+    content, restore = expressions.whole(w, symbol), w.program.environment.restore_variable
+    w.add(DO, lambda values: restore(name, content(values)))
+
+
+# ------------------------------------------------------------------------------------------------ calls and tasks
+
+
+def _call(w: UnitWriter, node: nodes.Call) -> None:
+    target = node.target
+    symbol, row = target.symbol, target.row
+    if symbol is None:
+        assert row is not None
+        if row.simulated and row.verb == "wait":
+            waiting.wait(w, target.args or [])
+        elif row.simulated and row.verb == "line":
+            terminal.line(w, node)
+        else:
+            keywords.command(w, node, row)
+        return
+    noted = _begin_call(w, node)
+    w.settle(*(target.args or ()))
+    calls.call(w, target, symbol)
+    w.pay()
+    _end_call(w, node, noted)
+
+
+def _begin_call(w: UnitWriter, node: nodes.Assign | nodes.Call) -> int | None:
+    """Note a statement that calls a sub like a loop, so that computing in the sub is charged to it.
+
+    In a loop its iterations are enough.
+    """
+    w.callee = None
+    if any(kind != "select" for kind, _ in w.around) or not w.calls(node):
+        return None
+    index, environment = w.new_index(), w.program.environment
+
+    def begin(values: Values) -> None:
+        values[index] = environment.statements.count, environment.statements.base
+
+    w.add(NOTE, begin)
+    return index
+
+
+def _end_call(w: UnitWriter, node: nodes.Assign | nodes.Call, noted: int | None) -> None:
+    callee = w.callee
+    if noted is None or callee is None or callee is w.function:
+        return
+    environment, at, index = w.program.environment, node.start, noted
+
+    def end(values: Values) -> None:
+        count, base = values[index]
+        environment.task.loop_log.called(count, base, callee.at, at)
+
+    w.add(NOTE, end)
+
+
+def _run(w: UnitWriter, node: nodes.Run) -> None:
+    environment, unit = w.program.environment, w.program.unit(_task(node))
+    name = _task(node).name.lower()
+    w.add(NOW)
+    w.add(DO, lambda values: environment.start_task(name, unit))
+    w.add(TURN, cost=1.0)
+
+
+def _end(w: UnitWriter, node: nodes.End) -> None:
+    environment = w.program.environment
+    if node.name is not None:
+        name = _task(node).name.lower()
+        w.add(NOW)
+        w.add(DO, lambda values: environment.end_task(name), cost=1.0)
+        return
+    if w.function.kind == "main" and w.program.is_guarded:
+        w.add(NOW)
+    w.add(END, lambda values: environment.end_program())
+
+
+def _task(node: nodes.Run | nodes.End) -> Function:
+    assert node.symbol is not None
+    return node.symbol.home
+
+
+def _nothing(w: UnitWriter, node: nodes.Stmt) -> None:
+    """Write nothing: declarations cost nothing and have no effect at run time."""
+
+
+Write = Callable[..., None]
+
+
+def _with_block(write: Callable[..., None]) -> Write:
+    return lambda w, node: write(w, node, block)
+
+
+_STATEMENTS: dict[type, Write] = {
+    nodes.Assign: _assign,
+    nodes.Call: _call,
+    nodes.Print: terminal.print_,
+    nodes.Input: waiting.input_,
+    nodes.Dim: _dim,
+    nodes.Const: _nothing,
+    nodes.Define: _nothing,
+    nodes.If: _with_block(blocks.if_),
+    nodes.Select: _with_block(blocks.select),
+    nodes.For: _with_block(blocks.for_),
+    nodes.While: _with_block(blocks.while_),
+    nodes.Repeat: _with_block(blocks.repeat),
+    nodes.Loop: _with_block(blocks.loop),
+    nodes.Exit: blocks.exit_,
+    nodes.Pause: waiting.pause,
+    nodes.Run: _run,
+    nodes.End: _end,
+    nodes.Label: blocks.label,
+    nodes.Jump: blocks.jump,
+    nodes.Return: blocks.return_,
+    nodes.Auto: _nothing,
+}
+
+# Statements whose failure ONERROR can handle. The statements inside a block are guarded separately.
+_CAN_FAIL = frozenset(
+    (nodes.Assign, nodes.Call, nodes.Print, nodes.Input, nodes.Dim, nodes.If, nodes.Select, nodes.For, nodes.While,
+     nodes.Repeat, nodes.Pause, nodes.Run)
+)  # fmt: skip

@@ -1,0 +1,107 @@
+"""PRINT and LINE."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from motionlang.kernel.lang.steps import DO, NOW, Values
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
+from motionlang.kernel.mint.runtime import binding
+from motionlang.kernel.mint.runtime.formats import USING
+from motionlang.kernel.mint.runtime.printing import show_integer
+from motionlang.kernel.mint.steps import expressions, words
+from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import Get, Value
+from motionlang.kernel.mint.syntax import nodes
+
+_KINDS: dict[str, str] = {STRING: "text", FLOAT: "float"}
+
+
+def print_(w: UnitWriter, node: nodes.Print) -> None:
+    """Write `PRINT items`, and a LINE with formats or a `;`."""
+    if node.word:
+        assert node.line is not None
+        _print_on_row(w, node.line, node.items)
+        return
+    w.settle_before_calls(node)
+    number = number_of(w, node.terminal)
+    text = _text(w, node.items, "" if node.items and node.items[-1].separator else "\n")
+    write = printer(w, number)
+    w.add(NOW)
+    w.add(DO, lambda values: write(values, text(values)), cost=1.0)
+
+
+def line(w: UnitWriter, node: nodes.Call) -> None:
+    """Write `LINE row, values`: print from the beginning of a row of the screen."""
+    row, *rest = node.target.args or []
+    _print_on_row(w, row, [nodes.PrintItem(each.start, each.end, each, [], "") for each in rest])
+
+
+def _print_on_row(w: UnitWriter, where: nodes.Expr, items: list[nodes.PrintItem]) -> None:
+    w.settle_before_calls(where, *items)
+    row = expressions.converted(w, expressions.value(w, where), Type(INTEGER))
+    text = _text(w, items, "")
+    say = hidden(w, "row") if w.program.names.uses_terminal else w.program.environment.say_on_row
+    w.add(NOW)
+    w.add(DO, lambda values: say(row(values), text(values)), cost=1.0)
+
+
+def number_of(w: UnitWriter, node: nodes.Expr | None) -> Get | None:
+    """Return the function for the number of a terminal after `#`, None if there is none."""
+    if node is None:
+        return None
+    return expressions.converted(w, expressions.value(w, node), Type(INTEGER))
+
+
+def printer(w: UnitWriter, number: Get | None) -> Callable[[Values, str], None]:
+    """Return the function that prints a text; a program that uses no terminals prints to the console only."""
+    if number is None and not w.program.names.uses_terminal:
+        print_text = w.program.environment.print_text
+        return lambda values, text: print_text(text)
+    write = hidden(w, "printer")
+    if number is None:
+        return lambda values, text: write(text)
+    return lambda values, text: write(text, number(values))
+
+
+def hidden(w: UnitWriter, name: str) -> Callable[..., Any]:
+    """Return the operation of a keyword that no program can name."""
+    return binding.bind(w.program.environment, "read", binding.row_of(f"({name})"))
+
+
+def _text(w: UnitWriter, items: list[nodes.PrintItem], end: str) -> Get:
+    """Return the function for the text of several items."""
+    found = expressions.values(w, [each.value for each in items])
+    shown = [_shown(w, item, value) for item, value in zip(items, found, strict=True)]
+    if len(shown) == 1:
+        (only,) = shown
+        return lambda values: only(values) + end
+    return lambda values: "".join([each(values) for each in shown]) + end
+
+
+def _shown(w: UnitWriter, item: nodes.PrintItem, found: Value) -> Get:
+    if w.program.names.typed:
+        found = _in_whole_counts(w, item.value, found)
+    get = found.get
+    if item.using:
+        widths = [expressions.converted(w, expressions.value(w, each), Type(INTEGER)) for each in item.using]
+        using: Any = USING[_KINDS.get(found.type, "integer")]
+        return lambda values: using(get(values), *[each(values) for each in widths])
+    if found.type == STRING:
+        return get
+    show = w.program.show_float if found.type == FLOAT else show_integer
+    return lambda values: show(get(values))
+
+
+def _in_whole_counts(w: UnitWriter, node: nodes.Expr, found: Value) -> Value:
+    """Round a printed position to whole counts, as a controller's prompt shows it.
+
+    The value that a program reads keeps its fraction.
+    """
+    row = node.row if isinstance(node, nodes.Name) and node.symbol is None else None
+    if not isinstance(node, nodes.Name) or row is None or row.changes != "motion" or row.unit != "uu":
+        return found
+    (where,) = words.indices(w, node, row, single=True)
+    environment, get, axis = w.program.environment, found.get, where.get
+    return Value(lambda values: environment.in_whole_counts(get(values), axis(values)), FLOAT)

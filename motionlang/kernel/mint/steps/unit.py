@@ -1,0 +1,164 @@
+"""The writer of one function: its steps, and what their values use of its variables."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from motionlang.kernel.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, Uses, Values
+from motionlang.kernel.lang.variable_uses import Copy
+from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.kernel.mint.steps import expressions
+from motionlang.kernel.mint.steps.regions import Region, regions
+from motionlang.kernel.mint.steps.values import Get
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import meant
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.program import ProgramWriter
+
+# Words of the language that neither read the machine nor act on it.
+_PURE = frozenset(("function", "constant"))
+# Statements at which nothing happens.
+_SILENT = (nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
+
+
+class UnitWriter:
+    """Writes the steps of one function.
+
+    `reads` and `nonlinear` collect what the next step uses of the variables; `is_known` is False if it may use others.
+    """
+
+    def __init__(self, program: ProgramWriter, function: Function) -> None:
+        self.program, self.function = program, function
+        self.steps = program.steps[function]
+        # The offset of the statement that is being written.
+        self.at = function.at
+        # The loops and Selects around it, innermost last, each with the jumps that leave it.
+        self.around: list[tuple[str, list[int]]] = []
+        # The labels by name, the jumps to them, and the last label.
+        self.labels: dict[str, int] = {}
+        self.jumps: list[tuple[int, str]] = []
+        self.label = ""
+        self.regions: dict[str, Region] = regions(function)
+        # The sub that was called last.
+        self.callee: Function | None = None
+        self.forget_uses()
+
+    def forget_uses(self) -> None:
+        """Begin with the variables of the next step."""
+        self.reads: set[int] = set()
+        self.nonlinear: set[int] = set()
+        self.is_known = True
+
+    # ------------------------------------------------------------------------------------------------- steps
+
+    def add(self, kind: int, do: Any = None, to: int = -1, cost: float = 0.0, sets: int | None = None) -> int:
+        """Append a step, which sets a variable; return its index."""
+        if kind in (NOW, NOTE):  # what has been written so far is used by the step after it
+            return self.steps.add(kind, do, to, self.at, Uses(), cost)
+        uses = None
+        if self.is_known and kind not in (CALL, RETURN):
+            is_set = frozenset() if sets is None else frozenset((sets,))
+            uses = Uses(frozenset(self.reads), is_set, frozenset(self.nonlinear))
+        self.forget_uses()
+        return self.steps.add(kind, do, to, self.at, uses, cost)
+
+    def pay(self) -> None:
+        """Append a step that only takes the time of a statement."""
+        self.add(JUMP, to=len(self.steps) + 1, cost=1.0)
+
+    def settle(self, *parts: object) -> None:
+        """Let what is due happen before a statement if any of these parts observes the machine."""
+        if any(self.observes(each) for each in parts):
+            self.add(NOW)
+
+    def settle_before_calls(self, *parts: object) -> None:
+        """Let what is due happen before a statement that acts and calls: time passes in the sub."""
+        if any(map(self.calls, parts)):
+            self.add(NOW)
+
+    def here(self, *jumps: int) -> int:
+        """Let jumps lead to the next step; return its index."""
+        for each in jumps:
+            self.steps.set_target(each, len(self.steps))
+        return len(self.steps)
+
+    def new_index(self) -> int:
+        """Return the index of something that a step keeps for later ones, in the list of the call."""
+        return self.program.places.new_index(self.function)
+
+    def begins(self, at: int) -> None:
+        """Let a debugger stop before a statement."""
+        if self.program.is_debug:
+            self.steps.add(BEGIN, at=at)
+
+    def close_regions(self, statement: nodes.Stmt) -> None:
+        """Note the end of the loops of Gotos that end with this statement."""
+        ended = [each for each in self.regions.values() if each.statement is statement]
+        for each in ended:
+            each.last = len(self.steps) - 1
+        if ended:
+            environment = self.program.environment
+            self.add(NOTE, lambda values: environment.task.loop_log.passed())
+
+    def copying(self, variable: int, get: Get) -> Get:
+        """Return the function for a reading that the next step only stores in a variable."""
+        dependencies, copy = self.program.environment.dependencies, Copy(len(self.steps), variable)
+
+        def read(values: Values) -> Any:
+            notes = dependencies.notes
+            if notes is None:
+                return get(values)
+            first = len(notes)
+            found = get(values)
+            notes[first:] = [(copy, (until, *about)) for until, about in notes[first:]]
+            return found
+
+        return read
+
+    # ------------------------------------------------------------------------------------------- properties
+
+    def calls(self, part: object) -> bool:
+        """True if an expression calls a function of the program."""
+        return any(
+            isinstance(each, nodes.Name)
+            and each.symbol is not None
+            and each.symbol.kind == "sub"
+            and not self.is_result(each)
+            for each in expressions.parts(part)
+        )
+
+    def is_result(self, node: nodes.Name) -> bool:
+        """True if a name is the result of the function so far."""
+        result = self.function.result
+        return result is not None and node.args is None and node.name.lower() == result.name.lower()
+
+    def observes(self, part: object) -> bool:
+        """True if an expression reads the machine or its time."""
+        return any(map(self._observes, expressions.parts(part)))
+
+    def _observes(self, node: nodes.Node) -> bool:
+        if isinstance(node, nodes.Member):
+            return expressions.type_of_member(self, node).name == TIME
+        if not isinstance(node, nodes.Name):
+            return False
+        if node.symbol is None:
+            return node.row is not None and node.row.kind not in _PURE
+        return node.symbol.kind in ("variable", "parameter") and node.symbol.type.name == TIME
+
+    def symbol(self, node: nodes.Expr) -> Symbol:
+        """Return the variable that a name means."""
+        node = meant(node)
+        assert isinstance(node, nodes.Name), node
+        if self.is_result(node):
+            assert self.function.result is not None
+            return self.function.result
+        assert node.symbol is not None, node
+        return node.symbol
+
+
+def is_stop(node: nodes.Node) -> bool:
+    """True if a debugger can stop before a statement."""
+    if isinstance(node, nodes.Dim):
+        return any(variable.values for variable in node.variables)
+    return isinstance(node, nodes.Stmt) and not isinstance(node, _SILENT)

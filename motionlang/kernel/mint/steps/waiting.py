@@ -1,0 +1,161 @@
+"""WAIT, PAUSE and INPUT, and waits for a semaphore."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
+from motionlang.kernel.lang.waits import Delay, Wait, next_tick
+from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type
+from motionlang.kernel.mint.runtime.input_values import take, wait_for_answer
+from motionlang.kernel.mint.steps import expressions, terminal
+from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import Get, Value
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import meant
+from motionlang.kernel.mint.syntax.unparse import shown
+
+
+def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:
+    """Write `WAIT = ms` and `WAIT(ms)`.
+
+    A WAIT reads nothing, so what is due by then happens while it waits.
+    """
+    w.settle(*given)
+    get = expressions.converted(w, expressions.value(w, given[0]), Type(FLOAT))
+    environment = w.program.environment
+    clock, statements, loops = environment.clock, environment.statements, environment.loops
+
+    def rest(values: Values) -> Delay:
+        milliseconds = get(values)
+        if not 0 <= milliseconds < inf:
+            raise Rejected("range", f"WAIT cannot be {milliseconds:.10g}", "a wait lasts 0 ms or longer")
+        seconds = milliseconds / 1000.0
+        loops.waits(seconds)
+        ends = environment.end_of_wait(statements.base, statements.count, seconds)
+        return Delay(clock, statements.at(statements.count), ends)
+
+    w.add(WAIT, rest)
+    w.pay()
+
+
+def pause(w: UnitWriter, node: nodes.Pause) -> None:
+    """Write `PAUSE condition`: the readings in it say when it may become true."""
+    if w.calls(node.condition):
+        _pause_by_ticks(w, node.condition)
+        return
+    holds = expressions.condition(w, node.condition)
+    environment, why = w.program.environment, f"until {shown(node.condition)}"
+    axes = _at_rest(node.condition)
+    ignores_data = bool(axes) or _ignores_data(node.condition)
+
+    def paused(values: Values) -> Wait | None:
+        if holds(values):
+            return None
+        return environment.pause(lambda: holds(values), why, axes, ignores_data)
+
+    w.add(NOW)
+    w.add(WAIT, paused)
+    w.pay()
+
+
+def _pause_by_ticks(w: UnitWriter, condition: nodes.Expr) -> None:
+    """Write the wait for a condition that calls a function of the program: it is tested at every tick."""
+    environment = w.program.environment
+
+    def tick(values: Values) -> Delay:
+        environment.acts += 1
+        now = environment.statements.at(environment.statements.count)
+        return Delay(environment.clock, now, next_tick(now))
+
+    w.add(NOW)
+    begin = len(w.steps)
+    again = w.add(BRANCH, expressions.condition(w, condition))
+    w.pay()
+    over = w.add(JUMP)
+    w.here(again)
+    w.add(WAIT, tick)
+    w.add(JUMP, to=begin)
+    w.here(over)
+
+
+def _at_rest(node: nodes.Expr) -> tuple[int, ...]:
+    """Return the axes of a condition that only tests whether given axes are at rest, () for any other."""
+    node = meant(node)
+    if isinstance(node, nodes.Binary) and node.op == "And":
+        left, right = _at_rest(node.left), _at_rest(node.right)
+        return left + right if left and right else ()
+    if not isinstance(node, nodes.Name) or node.row is None or node.row.verb != "is_idle":
+        return ()
+    args = node.args or []
+    axes = tuple(
+        each.value for each in args if isinstance(each, nodes.Number) and isinstance(each.value, int)
+    )
+    return axes if len(axes) == len(args) else ()
+
+
+def _ignores_data(node: nodes.Expr) -> bool:
+    """True if a condition reads only axes, inputs and the like: no variable, setting or memory of the program."""
+    return all(
+        each.row is not None
+        and each.symbol is None
+        and each.row.kind == "reading"
+        and each.row.access == "R"
+        and each.row.group in ("io", "state")
+        for each in expressions.parts(node)
+        if isinstance(each, nodes.Name)
+    )
+
+
+def take_or_give(w: UnitWriter, semaphore: Get, wanted: Get) -> None:
+    """Write an assignment to a semaphore.
+
+    `s = _TRUE` waits until no other task holds it and takes it, `s = _FALSE` releases it.
+    """
+    environment = w.program.environment
+
+    def taken(values: Values) -> Wait | None:
+        held = semaphore(values)
+        if environment.take_semaphore(held, wanted(values)):
+            return None
+        return environment.wait_for_semaphore(held)
+
+    w.add(NOW)
+    w.add(TRY, taken)
+    w.add(TURN, cost=1.0)
+
+
+def input_(w: UnitWriter, node: nodes.Input) -> None:
+    """Write `INPUT "prompt", variable`."""
+    environment = w.program.environment
+    where, which, kind = expressions.target(w, node.target)
+    number = terminal.number_of(w, node.terminal)
+    chosen = w.new_index()
+    is_console = number is None and not w.program.names.uses_terminal
+    w.add(NOW)
+    if not is_console:
+        one, which_one = terminal.hidden(w, "terminal"), number or (lambda values: -1)
+
+        def choose(values: Values) -> None:
+            values[chosen] = one(which_one(values))
+
+        w.add(DO, choose)
+    if node.prompt is not None:
+        write = terminal.printer(w, None if is_console else lambda values: values[chosen])
+        prompt = expressions.value(w, node.prompt).get
+        w.add(DO, lambda values: write(values, prompt(values)))
+
+    def ask(values: Values) -> Wait:
+        environment.acts += 1
+        now = environment.statements.at(environment.statements.count)
+        return wait_for_answer(environment, now, *([] if is_console else [values[chosen]]))
+
+    w.add(WAIT, ask)
+    is_text = kind.name == STRING
+    typed = Value(
+        lambda values: take(environment, is_text, *([] if is_console else [values[chosen]])),
+        STRING if is_text else FLOAT,
+    )
+    get = expressions.converted(w, typed, kind)
+    w.add(DO, expressions.storing(w, node.target, where, which, get), cost=1.0)

@@ -1,0 +1,300 @@
+"""Keywords of Mint bound to a machine: reads, writes, moves and commands as functions of the variables.
+
+The row of a keyword gives its access, index and unit. `runtime/binding.py` makes the operation when the program starts,
+so that a step only works out what the program computes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.steps import Values
+from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
+from motionlang.kernel.mint.resolve.folding import constant
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
+from motionlang.kernel.mint.runtime import binding, functions
+from motionlang.kernel.mint.runtime.task import PARENT
+from motionlang.kernel.mint.steps import expressions
+from motionlang.kernel.mint.steps.values import Get, Value, answer, as_float, as_integer, literal
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
+
+
+# The sections of the machine file that write to the memory that a controller shares with its host.
+HOST_MEMORY = frozenset(("comms", "netdata", "dpr"))
+
+
+def type_of(row: Keyword) -> str:
+    """Return the Mint type of a keyword's value."""
+    return INTEGER if row.is_whole else STRING if row.unit == "text" else FLOAT
+
+
+# ------------------------------------------------------------------------------------------------------- reads
+
+
+def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
+    """Return the value of a keyword, a function or a constant."""
+    if row.kind == "constant":
+        return literal(constant(row.verb, row.unit))
+    if row.kind == "function":
+        return _function(w, node, row)
+    environment = w.program.environment
+    environment.reads_host_memory |= row.group == "comms"
+    if not row.simulated:
+        operation, where = binding.bind(environment, "read", row), whatever(w, node, row)
+        return Value(_with(operation, where), type_of(row))
+    if row.every and node.args and len(node.args) > 1:
+        each = [_reading(w, [_index(w, arg, "axis")], row).get for arg in node.args]
+        return answer(lambda values: all(get(values) for get in each))
+    if row.every and by_default(w, node, row):
+        reads, default_axes = _each_axis(w, "read", row), environment.default_axes
+        return answer(lambda values: all(reads[axis]() for axis in default_axes()))
+    return _reading(w, indices(w, node, row, single=True), row)
+
+
+def _reading(w: UnitWriter, where: list[Value], row: Keyword) -> Value:
+    operation, gets = _bound(w, "read", row, where)
+    found = Value(_with(operation, gets), type_of(row))
+    if row.solved:
+        if not gets:
+            found.solved = lambda values, level: operation(level)
+        else:
+            found.solved = lambda values, level: operation(*[get(values) for get in gets], level)
+    return found
+
+
+def _with(operation: Callable[..., Any], gets: list[Get]) -> Get:
+    """Return the function that calls an operation with these arguments."""
+    if not gets:
+        return lambda values: operation()
+    if len(gets) == 1:
+        (get,) = gets
+        return lambda values: operation(get(values))
+    return lambda values: operation(*[get(values) for get in gets])
+
+
+def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
+    """A function of the language; the unit "same" means that its result has the type of its arguments."""
+    environment, args = w.program.environment, node.args or []
+    if row.verb == "choice":
+        return _choice(w, args)
+    found = expressions.values(w, args)
+    if row.verb == "random":
+        return Value(lambda values: environment.random(), FLOAT)
+    function = (
+        functions.shown_by(environment.machine) if row.verb == "shown" else getattr(functions, row.verb)
+    )
+    if row.unit == "same":
+        kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
+    else:
+        kind = type_of(row)
+    made = Value(_with(function, [each.get for each in found]), kind)
+    if row.verb == "absolute" and found[0].solved is not None:
+        solved = found[0].solved
+        made.solved = lambda values, level: function(solved(values, (level, 0.0)))
+    return made
+
+
+def _choice(w: UnitWriter, args: list[nodes.Expr]) -> Value:
+    """IIf: only the chosen value is worked out."""
+    test, yes, no = expressions.values(w, args)
+    holds, first, second = test.holds, yes.get, no.get
+    kind = yes.type if yes.type == no.type else FLOAT
+    return Value(lambda values: first(values) if holds(values) else second(values), kind)
+
+
+# ----------------------------------------------------------------------------------------------------- indices
+
+
+def indices(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Value]:
+    """Return the values in the brackets of a keyword; without brackets they are 0, or come from AXES or BANK."""
+    if by_default(w, node, row):
+        default_axes = w.program.environment.default_axes
+        if row.index == "axes" and not single:
+            return [Value(lambda values: default_axes(), "axes")]
+        return [Value(lambda values: default_axes()[0], INTEGER)]
+    if row.index == "none":
+        return []
+    names, args = row.index.split(", "), list(node.args or ())
+    if not args and names[-1] != "array":
+        bank = w.program.names.default_bank
+        if row.index == "bank" and row.group == "io" and bank is not None:
+            return [Value(as_integer(_reading(w, [], bank)), INTEGER)]
+        return [literal(0)] * len(names)
+    names += names[-1:] * (len(args) - len(names))
+    missing = len(names) - len(args)
+    found = [_index(w, *each) for each in zip(args, names, strict=False)]
+    return found + [Value(lambda values: None, "array")] * missing
+
+
+def by_default(w: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
+    """True if a keyword without brackets means the axes of AXES."""
+    return node.args is None and row.index in ("axis", "axes") and w.program.names.uses_axes
+
+
+def _index(w: UnitWriter, node: nodes.Expr, kind: str) -> Value:
+    if kind == "task":
+        return _task(node)
+    if kind == "array":
+        return _array(w, node)
+    found = expressions.value(w, node)
+    if kind == "distance":
+        return Value(as_float(found), FLOAT)
+    known = found.const
+    return Value(as_integer(found), INTEGER, int(known) if isinstance(known, (int, float)) else None)
+
+
+def _task(node: nodes.Expr) -> Value:
+    assert isinstance(node, nodes.Name)
+    return literal(PARENT if node.symbol is None else node.symbol.name.lower())
+
+
+def _array(w: UnitWriter, node: nodes.Expr) -> Value:
+    """Return an array as a whole, or None for NULL and 0."""
+    if isinstance(node, nodes.Name) and node.symbol is not None:
+        return Value(expressions.whole(w, node.symbol), "array")
+    return Value(lambda values: None, "array")
+
+
+def whatever(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = True) -> list[Get]:
+    """Return the arguments of a keyword that is not simulated: the values in its brackets, line and offset."""
+    return [*anywhere(w, node, row, single), *location(w, node, row)]
+
+
+def anywhere(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Get]:
+    """Return the values in the brackets of a keyword that is not simulated."""
+    if row.verb != STORED and row.index not in ("axis", "axes"):
+        return [_anything(w, each) for each in node.args or ()]
+    found = indices(w, node, row, single)
+    return [together(found).get] if row.index == "axes" and not single else [each.get for each in found]
+
+
+def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> list[Get]:
+    """Return the last arguments of the operations of a keyword that is not simulated: line and source offset."""
+    line = w.program.line(node.start)
+    if row.verb == STORED:
+        return [lambda values: line]
+    at = -1 if w.program.names.typed else node.start  # a typed sub may run when another line is executed
+    return [lambda values: line, lambda values: at]
+
+
+def _anything(w: UnitWriter, node: nodes.Expr) -> Get:
+    """Return a value in the brackets of a keyword whose index is not known, 0 for an array."""
+    if isinstance(node, nodes.Name) and node.args is None:
+        symbol = node.symbol
+        if node.name.lower() == "null" if symbol is None else symbol.is_array:
+            return lambda values: 0
+    return expressions.value(w, node).get
+
+
+# ----------------------------------------------------------------------------------------------------- binding
+
+
+def _bound(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> tuple[Callable[..., Any], list[Get]]:
+    """Return an operation, and the functions of the indices that it still needs."""
+    environment = w.program.environment
+    gets = [each.get for each in where]
+    if row.index not in ("axis", "axes") or not row.simulated:
+        return binding.bind(environment, how, row), gets
+    if len(where) == 1 and where[0].const is not None:
+        axis = int(where[0].const)
+        if how in ("read", "write", "replaced"):
+            return _each_axis(w, how, row)[axis], []
+        return binding.with_first(binding.bind(environment, how, row), axis), []
+    if how in ("read", "write", "replaced") and len(gets) == 1:
+        each, (get,) = _each_axis(w, how, row), gets
+        return lambda axis, *more: each[axis](*more), [get]
+    return binding.bind(environment, how, row), gets
+
+
+def _each_axis(w: UnitWriter, how: str, row: Keyword) -> binding.ByNumber[Callable[..., Any]]:
+    """Return the operations of a keyword by axis, each bound when it is first used."""
+    environment = w.program.environment
+    if how == "replaced":
+        return binding.ByNumber(binding.replaced_by_axis(environment, row))
+    return binding.ByNumber(binding.bind_to_axis(environment, how, row))
+
+
+def bound(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> Callable[..., Any]:
+    """Return an operation as a function of the variables and of the arguments that follow the indices."""
+    operation, gets = _bound(w, how, row, where)
+    if not gets:
+        return lambda values, *more: operation(*more)
+    return lambda values, *more: operation(*[get(values) for get in gets], *more)
+
+
+def action(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> Callable[..., Any]:
+    """Return a function of the variables and further arguments that changes the machine, and counts as an action.
+
+    A loop may repeat a write that changes nothing; see `changes.py`.
+    """
+    environment, clock = w.program.environment, w.program.environment.clock
+    operation, gets = _bound(w, how, row, where)
+
+    if not binding.is_repeatable(how, row):
+
+        def acted(values: Values, *more: Any) -> Any:
+            environment.acts += 1
+            return operation(*[get(values) for get in gets], *more)
+
+        return acted
+    if binding.is_reported(how, row):
+        listeners = environment.controller.outputs.listeners
+
+        def switched(values: Values, *more: Any) -> None:
+            if operation(*[get(values) for get in gets], *more):
+                environment.switched += 1
+                environment.acts += bool(listeners)
+
+        return switched
+    before, _ = _replaced(w, row, where)
+    dependencies = environment.dependencies
+
+    def changed(values: Values, *more: Any) -> bool:
+        indices = [get(values) for get in gets]
+        if dependencies.notes is None:  # no loop asks
+            operation(*indices, *more)
+            return True
+        made, old = clock.made, before(*indices, *more)
+        operation(*indices, *more)
+        return bool(clock.made != made or before(*indices, *more) != old)
+
+    if row.driven in HOST_MEMORY:
+
+        def copied(values: Values, *more: Any) -> None:
+            has_changed = changed(values, *more)
+            environment.copies += has_changed
+            environment.acts += has_changed and environment.reads_host_memory
+
+        return copied
+
+    def acts(values: Values, *more: Any) -> None:
+        environment.acts += changed(values, *more)
+
+    return acts
+
+
+def _replaced(w: UnitWriter, row: Keyword, where: list[Value]) -> tuple[Callable[..., Any], list[Get]]:
+    if row.simulated and (row.index == "axis" or (row.index == "axes" and where and where[0].type != "axes")):
+        return _bound(w, "replaced", row, where)
+    return binding.replaced(w.program.environment, row), []
+
+
+def together(axes: list[Value]) -> Value:
+    """Return several axes as one argument."""
+    if len(axes) == 1 and axes[0].type == "axes":
+        return axes[0]
+    gets = [each.get for each in axes]
+    if all(each.const is not None for each in axes):
+        known = tuple([int(each.const) for each in axes])  # type: ignore[arg-type]
+        return Value(lambda values: known, "axes")
+    return Value(lambda values: tuple([get(values) for get in gets]), "axes")
+
+
+def hidden(w: UnitWriter, name: str) -> Callable[..., Any]:
+    """Return the operation of a row that no program can name."""
+    return binding.bind(w.program.environment, "read", binding.row_of(name))

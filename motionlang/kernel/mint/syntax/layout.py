@@ -1,0 +1,93 @@
+"""Compute the indentation of each line of a text from its blocks.
+
+A v4 routine, from `#NAME` to its Return, is indented like a block. A label that the statement before reaches is within
+the routine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+
+from motionlang.kernel.lang.names import LineLayout
+from motionlang.kernel.lang.syntax.grammar import BAD, END, lex
+from motionlang.kernel.mint.syntax.outline import CLOSE, MIDDLE, OPEN, BlockToken, block_tokens
+from motionlang.kernel.mint.syntax.tokens import PARSER
+
+
+def layout(text: str) -> list[LineLayout]:
+    """Return the layout of each line of a text."""
+    lines: list[LineLayout] = []
+    kinds: list[str] = []
+    owners: list[LineLayout] = []  # the line of each token
+    is_ended = True
+    for written in text.split("\n"):
+        found = _kinds(written.strip(" \t"))
+        lines.append(LineLayout(continues=not is_ended, unreadable=BAD in found))
+        is_ended = found[-1:] == ("_NL",)
+        if len(found) > 1 or not is_ended or kinds[-1:] != ["_NL"]:  # blank lines belong to the end of a line
+            kinds += found
+            owners += [lines[-1]] * len(found)
+    for token in _all_tokens([*kinds, "_NL", END]):
+        line = owners[token.at]
+        is_first = token.at == 0 or kinds[token.at - 1] == "_NL"
+        if is_first and token.what != OPEN:
+            line.back = token.count
+        if token.what != MIDDLE:
+            line.change += 1 if token.what == OPEN else -token.count
+    return lines
+
+
+@lru_cache(50_000)
+def _kinds(line: str) -> tuple[str, ...]:
+    """Return the kinds of token of a line, the last one `_NL` unless the line is continued.
+
+    The result is cached, because most lines of a text stay the same. No token extends over the end of a line, except
+    `_NL`, which includes blank lines and comments behind it.
+    """
+    return tuple(token.type for token in lex(PARSER, f"{line}\n"))
+
+
+def _all_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
+    """Yield the block tokens of a text, including those of v4 routines."""
+    depth = 0
+    label = -1  # the label at the outermost level that may begin a routine
+    found: list[BlockToken] = []
+    blocks = {token.at: token for token in block_tokens(kinds)}
+    for at, kind in enumerate(kinds):
+        token = blocks.get(at)
+        if token is not None:
+            found.append(token)
+            depth += {OPEN: 1, MIDDLE: 0, CLOSE: -token.count}[token.what]
+        elif depth == 0 and _is_label(kinds, at) and (label < 0 or not _is_reached(kinds, at)):
+            label = at
+        elif kind == "RETURN" and depth == 0 and label >= 0 and not _in_one_line_if(kinds, at):
+            found += [BlockToken(label, OPEN, "SUB"), BlockToken(at, CLOSE, "SUB")]
+            label = -1
+    yield from sorted(found, key=lambda each: each.at)
+
+
+def _is_label(kinds: Sequence[str], at: int) -> bool:
+    """True for the `#` or the name that begins a label line."""
+    if at > 0 and kinds[at - 1] != "_NL":
+        return False
+    return kinds[at] == "HASH" or (list(kinds[at : at + 3]) == ["NAME", "COLON", "_NL"])
+
+
+def _is_reached(kinds: Sequence[str], label: int) -> bool:
+    """True if the statement before a label continues with it, so that both are of one routine."""
+    end = label
+    while end and kinds[end - 1] in ("_NL", "COLON"):
+        end -= 1
+    begin = end
+    while begin and kinds[begin - 1] not in ("_NL", "COLON"):
+        begin -= 1
+    return kinds[begin] not in ("END", "RETURN", "GOTO") or _in_one_line_if(kinds, begin)
+
+
+def _in_one_line_if(kinds: Sequence[str], at: int) -> bool:
+    """True for a token outside all blocks that follows an If on its line."""
+    begin = at
+    while begin and kinds[begin - 1] != "_NL":
+        begin -= 1
+    return "IF" in kinds[begin:at]

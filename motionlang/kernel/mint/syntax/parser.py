@@ -1,0 +1,75 @@
+"""Parse Mint text into its syntax tree."""
+
+from __future__ import annotations
+
+import re
+from typing import cast
+
+from lark import UnexpectedInput
+
+from motionlang.kernel.lang.collector import CollectorOff
+from motionlang.kernel.lang.syntax.grammar import lex
+from motionlang.kernel.mint.syntax.build import Misuse
+from motionlang.kernel.mint.syntax.errors import diagnose, unfinished
+from motionlang.kernel.mint.syntax.nesting import (
+    MAX_DEPTH,
+    MAX_EXPRESSION_DEPTH,
+    bodies,
+    check_depth,
+    flatten_chains,
+)
+from motionlang.kernel.mint.syntax.nodes import Call, Label, Module
+from motionlang.kernel.mint.syntax.tokens import PARSER, ended
+from motionlang.kernel.source import Source
+
+# `NAME:` on a line of its own. The grammar takes it for a call.
+_LABEL = re.compile(r"^[ \t]*+([A-Za-z_][A-Za-z0-9_]*+)[ \t]*+:[ \t]*+(?:'.*)?$", re.MULTILINE)
+# How a line may end that continues on the next one.
+_CONTINUED = re.compile(r"[\\_][ \t]*(?:'.*)?$", re.MULTILINE)
+
+
+def parse(source: Source) -> Module:
+    """Return the tree of a program; raise ProgramError with all errors of the text."""
+    try:
+        with CollectorOff():  # a tree has no cycles
+            module = cast(Module, PARSER.parse(ended(source.text)))
+    except (UnexpectedInput, Misuse):
+        raise diagnose(source) from None
+    module.source = source
+    labels = {
+        match.start(1) for match in _LABEL.finditer(source.text) if _begins_line(source.text, match.start())
+    }
+    deepest = 0
+    for body, depth in bodies(module):
+        deepest = max(depth, deepest)
+        for i, each in enumerate(body) if labels else ():
+            if type(each) is Call and each.start in labels and each.target.args is None:
+                body[i] = Label(each.start, each.end, each.target.name)
+    if deepest > MAX_DEPTH and (error := diagnose(source)).diagnostics:
+        raise error
+    if not _is_short(source.text):
+        flatten_chains(module)
+        check_depth(module)
+    return module
+
+
+def _begins_line(text: str, at: int) -> bool:
+    """True if the line at an offset does not continue the line before."""
+    before = text[text.rfind("\n", 0, max(at - 1, 0)) + 1 : at]
+    return not before or [token.type for token in lex(PARSER, before)][-1:] == ["_NL"]
+
+
+def _is_short(text: str) -> bool:
+    """True if all lines are too short for an expression to be nested too deeply.
+
+    A level takes at least one character, as in `---1`.
+    """
+    return max(map(len, text.split("\n"))) <= MAX_EXPRESSION_DEPTH and not _CONTINUED.search(text)
+
+
+def is_complete(text: str) -> bool:
+    """True if the text is complete, so that it may end here.
+
+    It is incomplete inside an open block and after a line continuation.
+    """
+    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(text))

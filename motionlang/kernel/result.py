@@ -1,0 +1,379 @@
+"""The result of a run: status, diagnostics, final machine state, and remarks.
+
+A remark is about keywords without effect, tasks that waited at the end, or the fate of nonvolatile data. The
+figures are computed in `motionlang.kernel.report`, which most runs of a script do not import.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import inf
+from typing import TYPE_CHECKING, cast
+
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.move import Move
+from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated, clipped, count_of
+from motionlang.kernel.files import InUse
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.ends import what_ends, what_frees
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.scheduler import Scheduler, Stuck
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.log.expected_motion import ExpectedMotion
+from motionlang.kernel.log.track import Recorded
+from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.commands.certify import Limit
+    from motionlang.commands.prove.checker import Proof
+    from motionlang.kernel.log.trace import Trace
+    from motionlang.kernel.moves import Moves
+    from motionlang.kernel.report_types import Report, ReportMove
+
+
+class Run:
+    """The result of a run.
+
+    `status` is "ended", "until" (the time limit), "fault" (the program is invalid or failed) or "interrupted"
+    (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
+    """
+
+    def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
+        self.source, self.dialect = source, dialect
+        self.machine: Machine = machine
+        self.status: str = "ended"
+        self.time: float = 0.0
+        self.diagnostics: list[Diagnostic] = []
+        self.notes: list[str] = []
+        # The quantities that a caller has asked for, by name.
+        self.quantities: dict[str, float | str | bool | None] = {}
+        # An internal error, which ended the run.
+        self.crash: Exception | None = None
+        self.program: Program | None = None  # the compiled source
+        self.expected_motion: ExpectedMotion | None = None  # of a run to be proved
+        self.certificate: list[Limit] | None = None  # of a run with certified limits
+
+    @property
+    def controller(self) -> Controller:
+        return self.machine.controller
+
+    @property
+    def output(self) -> list[str]:
+        """Every line that the program printed."""
+        return self.machine.terminal.lines
+
+    @property
+    def terminals(self) -> dict[str, list[str]]:
+        """Every line that the program printed elsewhere, by "terminal 2", "serial 1"."""
+        return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
+
+    @property
+    def trace(self) -> Trace:
+        """The motion, for sampling at any rate."""
+        return self.controller.trace
+
+    def proof(self, views: bool = True) -> Proof:
+        """Return the proof of the motion against the commands; ValueError without `prove`.
+
+        With `views` the report and the trace are checked, too.
+        """
+        from motionlang.commands.prove.outputs import ROWS
+        from motionlang.commands.prove.prove import prove
+
+        if self.expected_motion is None:
+            raise ValueError("the run was not made with prove=True")
+        if not views:
+            return prove(Recorded(self.controller), self.expected_motion, self.time)
+        from motionlang.kernel.report import moves
+
+        samples = self.trace.sample(ROWS / self.time) if self.time > 0.0 else None
+        return prove(Recorded(self.controller), self.expected_motion, self.time, moves(self), samples)
+
+    def _repr_html_(self) -> str:
+        # Requested by a notebook, which has the views; no layer below may import them.
+        from importlib import import_module
+
+        shown: str = import_module("motionlang.views.notebook").html(self)
+        return shown
+
+    def __repr__(self) -> str:
+        counts = count_of(len(self.machine.log.moves), "move")
+        if self.diagnostics:
+            counts += f", {count_of(len(self.diagnostics), 'diagnostic')}"
+        return f"<Run of {self.source.name}: {self.status} at {self.time:g} s, {counts}>"
+
+    @property
+    def moves(self) -> Moves:
+        """Every move that was started, in order.
+
+        `to_polars` and `to_pandas` convert them to a table.
+        """
+
+        from motionlang.kernel.moves import Moves
+        from motionlang.kernel.report import moves
+
+        return Moves(cast("list[ReportMove]", list(moves(self))), self)
+
+    @property
+    def report(self) -> Report:
+        """The report of the run, in the schema `motionlang.report/2`."""
+        from motionlang.kernel.report import build
+
+        return build(self)
+
+
+# Maximum lines that are named for a keyword without effect.
+MAX_LINES = 5
+
+
+def report_keywords_without_effect(result: Run) -> None:
+    """Report keywords without full effect, with the lines that use them."""
+    _note_keywords(result, "keywords without effect here", result.machine.without_effect)
+    _note_keywords(result, "unknown values, 0 or empty here", result.machine.assumed)
+
+
+def _note_keywords(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
+    if words:
+        named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
+        result.notes.append(f"{what}: {named}")
+
+
+def _in_lines(lines: list[int]) -> str:
+    if not lines:
+        return ""
+    shown = [str(line) for line in sorted(lines)[:MAX_LINES]]
+    if len(lines) > MAX_LINES:
+        shown.append("…")
+    return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
+
+
+def open_nonvolatile(result: Run, path: str) -> bool:
+    """Lock and read the nv file; on failure report it and return False: do not run."""
+
+    try:
+        result.machine.nv = NonVolatile(path)
+    except InUse:
+        hint = "wait until it ends, or give each run its own file"
+        _no_nonvolatile(result, f"the nv data of {path} are in use by another run", hint)
+        return False
+    except (OSError, ValueError) as problem:
+        _no_nonvolatile(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
+        return False
+    return True
+
+
+def save_nonvolatile(result: Run) -> None:
+    """Write the nv file, or report which data do not outlive the run."""
+    nonvolatile = result.machine.nonvolatile
+    if nonvolatile.path is None:
+        if nonvolatile.names:
+            words = ", ".join(nonvolatile.names)
+            result.notes.append(f"nv data stored only during the run (use --nv FILE): {words}")
+        return
+    try:
+        nonvolatile.save()
+    except OSError as problem:
+        _no_nonvolatile(result, f"the nv data cannot be written to {nonvolatile.path}: {_why_not(problem)}")
+
+
+def _why_not(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _no_nonvolatile(result: Run, message: str, hint: str = "") -> None:
+    result.diagnostics.append(Diagnostic("file", message, hint=hint))
+    result.status = "fault"
+
+
+def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
+    """Report waits that only an event could have ended, if no event did.
+
+    These reports are not part of the run's figures.
+    """
+    if result.machine.moving():
+        _report_endless_homing(result, scheduler)
+        return
+    is_over = scheduler.clock.next_time() == inf and all(map(_is_hopeless, scheduler.tasks))
+    for task in scheduler.tasks:
+        if task.wait is not None and task.wait.due() == inf:
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            since = f"since {task.wait.since:.3f} s"
+            _log_wait(result, task.at, task.wait.why)
+            result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+        elif is_over and task.polls_in_vain and task.polled:
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            polled = f"line {line}: {task.name} still polled {task.polled}, which could no longer change"
+            result.notes.append(polled)
+
+
+def _log_wait(result: Run, at: int, why: str) -> None:
+    """Log an endless wait as an event, at the source position of its task."""
+    result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
+
+
+def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
+    """Report homing that finds no switch or mark, if no task can stop it any more."""
+    if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
+        result.diagnostics += _lost(result)
+
+
+def _is_hopeless(task: Task) -> bool:
+    waits = task.wait is not None and task.wait.due() == inf
+    return waits or task.done or task.polls_in_vain
+
+
+def _lost(result: Run) -> list[Diagnostic]:
+    """Return the diagnostics of homing moves that never end, each at its line."""
+    found = []
+    for axis, homing in result.controller.homings.items():
+        if homing.endless_motion:
+            text = result.source.line(homing.line)
+            column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
+            keys = f"axis.{axis}.home_switch, travel and index_every"
+            if homing.has_passed_switch:
+                other = "home more slowly, so that the axis stops on its switch, or "
+            else:
+                other = "home in the other direction, or " if homing.provided else ""
+            hint = f"{other}give its position in the machine file: {keys}"
+            found.append(
+                Diagnostic("never", homing.endless_motion, homing.line, column, length=length, hint=hint)
+            )
+    return found
+
+
+def report_guesses(result: Run) -> None:
+    """Warn if the result depends on guessed settings of the machine file.
+
+    Only guesses that the run has used count.
+    """
+    machine = result.machine
+    settings, found, count = machine.settings, [], 0
+    tables: dict[str, list[Mapping[str, object]]] = {
+        name: [each for each in settings.get(name, ()) if each.get("guess")]  # type: ignore[attr-defined]
+        for name in ("input", "analogue", "answer", "key")
+        if name in settings
+    }
+    for name, log in (("input", machine.log.inputs), ("analogue", machine.log.analogue_inputs)):
+        changed = {each.channel for each in log} if tables.get(name) else set()
+        used = sorted({each["channel"] for each in tables.get(name, ()) if each["channel"] in changed})
+        what = "input" if name == "input" else "analogue input"
+        found += [f"{what} {', '.join(map(str, used))}"] if used else []
+        count += len(used)
+    if tables.get("answer"):
+        left = machine.unasked()
+        answers = [each for each in tables["answer"] if each["text"] not in left]
+        found += [count_of(len(answers), "answer")] if answers else []
+        count += len(answers)
+    if tables.get("key"):
+        pressed = [each for each in tables["key"] if each.get("at", 0.0) <= machine.clock.now]  # type: ignore[operator]
+        found += [count_of(len(pressed), "key")] if pressed else []
+        count += len(pressed)
+    axes = [key.split(".")[1] for key, value in settings.items() if value is True and key.endswith(".guess")]
+    moved = {str(move.axis) for move in machine.log.moves} if axes else set()
+    homed = sorted(moved.intersection(axes), key=int)
+    found += [f"the switches of axis {', '.join(homed)}"] if homed else []
+    count += len(homed)
+    if found:
+        guesses = count_of(count, "guess", "guesses")
+        message = f"this result depends on {guesses} of the machine file: {'; '.join(found)}"
+        hint = "correct each in the machine file and remove its guess = true"
+        result.diagnostics.append(Diagnostic("guess", message, hint=hint, severity="warning"))
+
+
+def report_unasked(result: Run) -> None:
+    """Warn of given answers that no INPUT used."""
+    for text in result.machine.unasked():
+        result.diagnostics.append(
+            Diagnostic(
+                "unasked",
+                f'no INPUT took the answer "{clipped(text)}"',
+                hint="leave it out, or let its prompt be part of the question",
+                severity="warning",
+            )
+        )
+
+
+def report_never_started(result: Run, moves: Sequence[Move]) -> None:
+    """Warn of moves that were loaded but never started, once per line."""
+    for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
+        text = result.source.line(move.line)
+        column = len(text) - len(text.lstrip()) + 1 if text else 0
+        message = f"the program ended, but {move.command} on axis {move.axis} was loaded and never started"
+        hint = f"GO({move.axis}) starts the buffered moves"
+        diagnostic = Diagnostic(
+            "never-started",
+            message,
+            move.line,
+            column,
+            length=len(text.strip()),
+            hint=hint,
+            severity="warning",
+        )
+        result.diagnostics.append(diagnostic)
+
+
+def report_stuck(result: Run, stuck: Stuck) -> None:
+    """Report a wait that nothing can end; the run ended there, with a time limit or without."""
+    line, column, length = result.dialect.locate(result.source, stuck.task.at)
+    lost = _lost(result)
+    if lost:
+        result.status = "fault"
+        result.diagnostics += lost
+        return
+    message = f"the program waits {stuck.wait.why}, which can never happen"
+    _log_wait(result, stuck.task.at, stuck.wait.why)
+    result.notes.append(f"line {line}: {message}")
+    others = _others(result, stuck.task)
+    for each in others:
+        where, _, _ = result.dialect.locate(result.source, each.at)
+        result.notes.append(f"line {where}: {each.name} waits {_why(each)}")
+
+    waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
+    hints = (
+        find(result.dialect, result.source, result.machine, task, wait)
+        for find in (what_ends, what_frees)
+        for task, wait in waits
+    )
+    start = "start a move first, or add a machine file with the event that it waits for"
+    hint = next(filter(None, hints), start)
+    result.status = "fault"
+    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
+
+
+def _others(result: Run, task: Task) -> list[Task]:
+    """Return the other waiting tasks."""
+    scheduler = result.machine.scheduler
+    assert scheduler is not None
+    return [each for each in scheduler.tasks if each is not task and each.wait is not None]
+
+
+def _why(task: Task) -> str:
+    return "" if task.wait is None else task.wait.why
+
+
+def who_ended(error: BaseException) -> str:
+    """Return the external cause of a run's end, as text."""
+    if isinstance(error, OutOfTime):
+        return f"after {error.seconds:.10g} s of processor time"
+    if isinstance(error, Terminated):
+        import signal
+
+        return f"by {signal.Signals(error.number).name}"
+    return "from the keyboard"
+
+
+def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
+    """Return the diagnostic of Ctrl-C or a signal, at the current task's position."""
+    message, hint = f"the run was ended {who_ended(error)}", ""
+    if isinstance(error, OutOfTime):
+        hint = "--until S ends it at a machine time; --cpu S gives it more processor time, --cpu 0 any"
+    if scheduler is None:
+        return Diagnostic("interrupted", message, hint=hint)
+    # Until the next event a program runs ahead of the clock, which only an end like this one can show.
+    clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
+    if reached < clock.next_time():
+        clock.advance(reached)
+    line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
+    return Diagnostic("interrupted", message, line, column, length=length, hint=hint)

@@ -1,0 +1,1 @@
+"""Drives and servo loops on the bench: the servo laboratory, PVT, Copley's drive, the vendors' notes."""

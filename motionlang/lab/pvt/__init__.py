@@ -1,0 +1,1 @@
+"""Moves by position, velocity and time."""

@@ -1,0 +1,1 @@
+"""The servo laboratory: the command servo."""

@@ -1,1 +1,0 @@
-"""The library for Python programs: functions, the types of a report, and rows as tables."""

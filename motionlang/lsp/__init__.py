@@ -1,1 +1,0 @@
-"""The language server: `motionlang.editor` over the Language Server Protocol."""

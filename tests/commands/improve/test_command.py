@@ -1,0 +1,158 @@
+"""A shorter cycle: within the limits, in the same order, with the fewest edits."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import sqrt
+
+import pytest
+
+from motionlang import run
+from motionlang.commands.improve import Improver, World
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
+from tests.cases import cases
+from tests.cli.programs import Cell
+
+# There and back: 2 (d/v + v/a) with equal rates.
+SHUTTLE = """\
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
+OUTX(1) = 1
+MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+PRINT "back after "; TIME; " ms"
+"""
+LIMITS = "[axis.0.limits]\nspeed = 200.0\nacceleration = 1000.0\n"
+
+
+@pytest.fixture
+def shuttle(cell: Cell) -> Cell:
+    cell.write("shuttle.mnt", SHUTTLE)
+    cell.write("shuttle.machine.toml", LIMITS)
+    return cell
+
+
+def improver(text: str, settings: dict[str, object], others: list[World] = []) -> Improver:  # noqa: B006
+    return Improver(Source("a.mnt", text), dialect("mint"), World("", settings), others)
+
+
+def test_the_edits_and_the_difference_that_patch_applies(shuttle: Cell) -> None:
+    """2 (50/200 + 200/1000) = 0.9 s in place of 2 (50/100 + 100/500) = 1.4 s; statements take 40 µs."""
+    ran = shuttle("improve", "shuttle.mnt", "--patch", "faster.diff")
+    assert (ran.status, ran.err) == (0, "")
+    assert (
+        ran.out
+        == """\
+shuttle.mnt: 1.40009 s → 0.90009 s, -35.7 % with 3 edits
+
+edit        line  from    to    gain  bounded by
+                                   s
+────────────────────────────────────────────────────────────────────────
+SPEED[0]@1     1   100   200  0.1351  speed of axis 0: 200 uu/s
+ACCEL[0]@1     1   500  1000  0.1695  acceleration of axis 0: 1000 uu/s²
+DECEL[0]@1     1   500  1000  0.1954  acceleration of axis 0: 1000 uu/s²
+
+axis  limit                allowed  reached        at  line  margin
+                                                    s
+──────────────────────────────────────────────────────────────────────
+   0  speed         uu/s       200      200  0.200040     2   0.0 %
+   0  acceleration  uu/s²     1000     1000  0.000040     2   0.0 %
+
+--- shuttle.mnt
++++ shuttle.mnt
+@@ -1,4 +1,4 @@
+-SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
++SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000
+ MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
+ OUTX(1) = 1
+ MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+"""
+    )
+    assert (shuttle.folder / "faster.diff").read_text() in ran.out
+    assert shuttle("run", "shuttle.mnt").out.startswith("back after 1400 ms")  # it is not changed
+
+
+@pytest.mark.slow
+def test_the_fewest_edits_for_a_wanted_gain(shuttle: Cell) -> None:
+    """The speed alone, of which 158 uu/s are reached: 2 · 2 √(50/500) = 1.265 s; all of it is 36 %."""
+    lines = shuttle("improve", "shuttle.mnt", "--by", "7%").out.splitlines()
+    assert lines[0] == "shuttle.mnt: 1.40009 s → 1.265 s, -9.6 % with 1 edit"
+    ran = shuttle("improve", "shuttle.mnt", "--by", "50%")
+    assert (ran.status, ran.err) == (1, "not 50 %: this is all that the limits and the program allow\n")
+
+
+def test_the_best_of_so_many_edits(shuttle: Cell) -> None:
+    lines = shuttle("improve", "shuttle.mnt", "--edits", "2").out.splitlines()
+    assert lines[0].endswith("with 2 edits")
+
+
+def test_a_scenario_refutes_an_edit(shuttle: Cell) -> None:
+    """In the scenario the axis may be at 25 uu not before 0.6 s, so only what comes later is faster."""
+    (shuttle.folder / "shuttle.scenarios").mkdir()
+    shuttle.write(
+        "shuttle.scenarios/slow.toml", "[[expect]]\naxis = 0\nat = 0.35\nposition = 25.0\nwithin = 0.5\n"
+    )
+    ran = shuttle("improve", "shuttle.mnt")
+    assert "scenario slow: axis 0 is at" in ran.out
+
+
+def test_what_cannot_be_improved(cell: Cell) -> None:
+    cell.write("free.mnt", SHUTTLE)
+    ran = cell("improve", "free.mnt")
+    assert (ran.status, ran.err.splitlines()[0]) == (
+        1, "error[beyond-limit]: nothing bounds a faster cycle: the machine file has no limits"
+    )  # fmt: skip
+    cell.write("wrong.mnt", "n = 0\nPRINT 1 / n\n")
+    assert "error[division-by-zero]" in cell("improve", "wrong.mnt").err
+    cell.write("still.mnt", "Loop\nWAIT(100)\nEnd Loop\n")
+    assert "nothing repeats" in cell("improve", "still.mnt", "--until", "1").err
+
+
+def test_a_fixed_wait_that_is_too_long_is_named_and_stays(cell: Cell) -> None:
+    cell.write("w.mnt", SHUTTLE.replace("PAUSE IDLE(0)\nOUTX", "WAIT(900)\nOUTX"))
+    cell.write("w.machine.toml", LIMITS)
+    out = cell("improve", "w.mnt").out
+    assert "note: line 2 waits 0.9 s while axis 0 moves, which is at rest 0.45001 s before" in out
+    assert "+MOVEA" not in out
+
+
+@pytest.mark.slow
+def test_a_cycle_of_a_program_that_never_ends(cell: Cell) -> None:
+    first, _, rest = SHUTTLE.partition("\n")
+    cell.write("line.mnt", f"{first}\nLoop\n{rest}End Loop\n")
+    cell.write("line.machine.toml", f"run.until = 8.0\n{LIMITS}")
+    for words in ((), ("--cycle", "cycle(print back)")):
+        found = cell("improve", "line.mnt", *words).out.splitlines()
+        assert found[0] == "line.mnt: 1.40007 s → 0.90007 s, -35.7 % with 3 edits"
+
+
+@pytest.mark.slow
+@cases("speed, rate, length", [(50.0, 200.0, 30.0), (80.0, 100.0, 5.0), (120.0, 900.0, 60.0)])
+def test_brute_force_over_a_grid_finds_nothing_better(speed: float, rate: float, length: float) -> None:
+    """All speeds and rates in steps of a tenth of their limits, each run and compared with the limits."""
+    text = f"SPEED(0) = {speed}\nACCEL(0) = {rate}\nDECEL(0) = {rate}\nMOVER(0) = {length} : GO(0) : PAUSE IDLE(0)\n"
+    limits: dict[str, object] = {"axis.0.limits.speed": 200.0, "axis.0.limits.acceleration": 1000.0}
+    found = improver(text, limits).improved()
+    grid = "SPEED(0) = {}\nACCEL(0) = {}\nDECEL(0) = {}\n" + text.splitlines(keepends=True)[-1]
+    values = product(range(20, 201, 20), range(100, 1001, 100), range(100, 1001, 100))
+    best = min(run(Source("a.mnt", grid.format(*each))).time for each in values)
+    assert found.after == pytest.approx(best, rel=2e-4)
+
+
+@pytest.mark.slow
+@cases("length", [1.0, 30.0, 39.0, 41.0, 200.0])
+def test_a_single_move_takes_the_least_time_that_its_limits_allow(length: float) -> None:
+    """v²/a is the length of a move that just reaches its speed; a shorter one takes 2 √(d/a)."""
+    text = f"SPEED(0) = 20\nACCEL(0) = 90\nDECEL(0) = 80\nMOVER(0) = {length} : GO(0) : PAUSE IDLE(0)\n"
+    speed, rate = 200.0, 1000.0
+    found = improver(text, {"axis.0.limits.speed": speed, "axis.0.limits.acceleration": rate}).improved()
+    least = 2 * sqrt(length / rate) if length < speed**2 / rate else length / speed + speed / rate
+    assert found.result.moves[0].duration == pytest.approx(least, rel=3e-4)
+
+
+def test_the_patched_program_is_run_and_certified() -> None:
+    found = improver(SHUTTLE, {"axis.0.limits.speed": 150.0, "axis.0.limits.acceleration": 700.0}).improved()
+    again = run(found.patched, machine={"axis.0.limits.speed": 150.0, "axis.0.limits.acceleration": 700.0})
+    assert again.time == found.after
+    assert [each.verdict for each in found.limits] == ["within", "within"]
+    assert [move.end for move in again.moves] == [move.end for move in run(Source("a.mnt", SHUTTLE)).moves]

@@ -1,0 +1,265 @@
+"""Guesses of a first machine file: the world that a program waits for."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.commands import init as module
+from motionlang.commands.init import guessed
+from motionlang.commands.init.file import machine_text
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.dialect import Target, dialect
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+from tests.cases import cases
+
+# The program, its inputs in the guessed machine file, and when it ends. An input changes 0.3 s after the program
+# waits for it; one that has to come and go is on from 1 s to 2 s, from 3 s to 4 s and so on.
+PROGRAMS: dict[str, tuple[str, list[dict[str, object]], float]] = {
+    "an input": ("PAUSE INX(3) = 1", [{"channel": 3, "at": 0.3}], 0.3),
+    "an input that is as wanted": ("PAUSE INX(3) = 0", [], 0.0),
+    "a loop": ("While INX(2) = 0\nWend", [{"channel": 2, "at": 0.3}], 0.3),
+    "two inputs": (
+        "PAUSE INX(3) = 1\nPAUSE INX(4) = 1", [{"channel": 3, "at": 0.3}, {"channel": 4, "at": 0.6}], 0.6,
+    ),
+    "one that comes and goes, and another one": (
+        "PAUSE INX(3) = 1\nPAUSE INX(4) = 1\nPAUSE INX(3) = 0",
+        [{"channel": 3, "at": 1.0, "for": 1.0, "every": 2.0}, {"channel": 4, "at": 0.6}],
+        2.0,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_an_input_changes_after_the_program_waits_for_it(name: str) -> None:
+    text, inputs, time = PROGRAMS[name]
+    source, mint = Source("wait.mnt", text + "\nPRINT 7\n"), dialect("mint")
+    for reads in (None, mint.input_reads(source)):
+        guesses, result = guessed(source, mint, 5.0, {}, reads)
+        assert (result.status, result.output) == ("ended", ["7"])
+        assert guesses.settings(5.0).get("input", []) == inputs
+        assert result.time == pytest.approx(time, abs=1e-3)
+
+
+def answers(prompt: str, *texts: str) -> dict[str, object]:
+    return {"answer": [{"prompt": prompt, "text": text} for text in texts]}
+
+
+def on(channel: int, at: float) -> dict[str, object]:
+    return {"channel": channel, "at": at}
+
+
+def follows(channel: int, output: int) -> dict[str, object]:
+    return {"channel": channel, "output": output, "delay": 0.3}
+
+
+def pulses(channel: int) -> dict[str, object]:
+    return {"channel": channel, "at": 1.0, "for": 1.0, "every": 2.0}
+
+
+KEYS = "#key\nK = INKEY\nIF K <> 82 THEN GOTO key\n"
+GUARD = "IF INX.2 = 0 THEN GOTO bad\n"
+FAULT = "END\n#bad\n? 2\n"
+FAR = [1e9, 2e9]
+# The program, the settings that a person gave, all settings of the guessed machine file, the number of guesses,
+# and how often the program runs. It runs up to 20 s, and once more than it gets guesses that it needs in turn.
+DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = {
+    # The middle of the range, then 10, 1, 100, 1000 and 0.5; 5 has been tried. None is left.
+    "a rejected answer": ('#a\nINPUT "Parts 3 to 8", n\nIF n <> 9 THEN GOTO a\n', {},
+                          answers("Parts 3 to 8", "0.5"), 1, 7),
+    "an answer that is rejected with a range": ('#a\nINPUT "Parts", n\nIF n <> 9 THEN ? "3 to 8" : GOTO a\n', {},
+                                                answers("Parts", "0.5"), 1, 7),
+    # 10 is rejected, 3 is the middle of 1 and 6, 7 that of 7 and 8.
+    "two ranges": ('#a\nINPUT "Parts", n\nIF n <> 7 THEN ? "1 to 6 or 7..8" : GOTO a\n', {},
+                   answers("Parts", "7"), 1, 4),
+    "a question in each of 20 cycles": (
+        'FOR i = 1 TO 20\nINPUT "Parts", n\nMOVER.0 = 1 : GO.0 : PAUSE IDLE.0\nNEXT\n', {},
+        answers("Parts", *["10"] * 20), 20, 21,
+    ),
+    # Nobody answers the 21st question, so the run ends there.
+    "a question in more than 20 cycles": (
+        'LOOP\nINPUT "Parts", n\nMOVER.0 = 1 : GO.0 : PAUSE IDLE.0\nENDL\n', {},
+        {"run.until": 0.127291, **answers("Parts", *["10"] * 20)}, 20, 22,
+    ),
+    # The output was set before the first answer: the second question is not one of another cycle.
+    "two questions": ('OUTX.1 = 1\nINPUT "Parts", n\nINPUT "Holes", m\n', {},
+                      {"answer": [*answers("Parts", "10")["answer"], *answers("Holes", "10")["answer"]]}, 2, 3),  # type: ignore[misc]
+    # A key is pressed 0.5 s after the last act: after the move to 2 s, and after the input at 0.3 s.
+    "a key after a move": (f"WAIT = 2000\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\n{KEYS}", {},
+                           {"key": [{"at": 2.5, "text": "R"}]}, 1, 2),
+    "a key after an input": (f"PAUSE INX.3\n{KEYS}", {},
+                             {"input": [on(3, 0.3)], "key": [{"at": 0.5, "text": "R"}]}, 2, 3),
+    "a key that a person presses": (KEYS, {"key": [{"at": 30.0, "text": "R"}]},
+                                    {"key": [{"at": 30.0, "text": "R"}]}, 0, 1),
+    "any key": ("#key\nK = INKEY\nIF K = 0 THEN GOTO key\n", {}, {}, 0, 1),
+    # It waits for a key if it has been quiet for more than 10 of the 20 s.
+    "a key after 9.9 s": (f"WAIT = 9900\nOUTX.1 = 1\n{KEYS}", {}, {"key": [{"at": 10.4, "text": "R"}]}, 1, 2),
+    "a key after 10.1 s": (f"WAIT = 10100\nOUTX.1 = 1\n{KEYS}", {}, {}, 0, 1),
+    # Homing at 4000 counts/s: the switch is a second ahead and a tenth long, the marks are a fifth apart.
+    "a home switch": ("HOME.0 = 0\nPAUSE IDLE.0\n", {}, {"axis.0.home_switch": [-4400.0, -4000.0]}, 1, 2),
+    "a home switch and an index mark": ("HOME.1 = 4\nPAUSE IDLE.1\n", {}, {
+        "axis.1.home_switch": [-4400.0, -4000.0], "axis.1.index_every": 800.0}, 1, 3),
+    # A person's switch is out of reach, so neither guess lets the homing end.
+    "a switch out of reach": ("HOME.0 = 0\nPAUSE IDLE.0\n", {"axis.0.home_switch": FAR},
+                              {"axis.0.home_switch": FAR, "axis.0.index_every": 800.0}, 1, 3),
+    "an axis that never comes to rest": ("JOG.1 = 5\nPAUSE IDLE.1\n", {}, {}, 0, 1),
+    "a guard": (f"{GUARD}? 1\n{FAULT}", {}, {"input": [on(2, 0.0)]}, 1, 1),
+    "an input that is tested before it is waited for": (
+        "IF INX.2 = 0 THEN ? 3\nPAUSE INX.2\nIF INX.3 = 0 THEN PAUSE INX.3\nPAUSE INX.4\nIF INX.4 = 0 THEN ? 3\n", {},
+        {"input": [on(2, 0.0), on(3, 0.0), on(4, 0.3)]}, 3, 2),
+    "a guard of an input that has to be off": (f"{GUARD}PAUSE INX.2 = 0\n? 1\n{FAULT}", {}, {}, 0, 1),
+    "a guard, and another input that has to be off": (f"{GUARD}PAUSE INX.3 = 0\nPAUSE INX.2\n? 1\n{FAULT}", {},
+                                                      {"input": [on(2, 0.0)]}, 1, 1),
+    "a guard that a person knows": (f"{GUARD}? 1\n{FAULT}", {"input": [on(2, 1.0)]}, {"input": [on(2, 1.0)]}, 0, 1),
+    "a guard, and an input that a person knows": (f"{GUARD}? 1\n{FAULT}", {"input": [on(3, 1.0)]},
+                                                  {"input": [on(2, 0.0), on(3, 1.0)]}, 1, 1),
+    "an input that a person knows": ("PAUSE INX.2\n", {"input": [on(2, 40.0)]}, {"input": [on(2, 40.0)]}, 0, 1),
+    # First it follows the output, then it is on from 0.3 s, then it comes and goes.
+    "all forms of an input": ("OUTX.4 = 1\nPAUSE INX.2\nPAUSE INX.2 = 0\nPAUSE INX.2\nPAUSE INX.2 = 0\n", {},
+                              {"input": [pulses(2)]}, 1, 4),
+    "an input after a move": ("OUTX.4 = 1\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\nPAUSE INX.2\n", {},
+                              {"input": [on(2, 0.3)]}, 1, 2),
+    "an input shortly after an output": ("OUTX.4 = 1\nWAIT = 990\nPAUSE INX.2\n", {},
+                                         {"input": [follows(2, 4)]}, 1, 2),
+    "an input long after an output": ("OUTX.4 = 1\nWAIT = 1010\nPAUSE INX.2\n", {}, {"input": [on(2, 1.3)]}, 1, 2),
+    "two inputs after an output": ("OUTX.4 = 1\nPAUSE INX.1\nPAUSE INX.2\n", {},
+                                   {"input": [follows(1, 4), follows(2, 4)]}, 2, 3),
+    "two inputs at once": ("PAUSE INX.1 AND INX.2\n", {}, {"input": [on(1, 0.3), on(2, 0.3)]}, 2, 2),
+    # The run ends at 20 s. What follows gets a level for each wait: on, off, or both in turn.
+    "inputs that are not reached": (
+        "PAUSE INX.1\nWAIT = 30000\nPAUSE INX.2\nPAUSE INX.3 = 0\nPAUSE INX.4\nPAUSE INX.4 = 0\n", {},
+        {"input": [on(1, 0.3), on(2, 0.0), pulses(4)]}, 3, 3,
+    ),
+    # All five levels are tried.
+    "a level out of reach": ("PAUSE ADC.2 > 101\n", {},
+                             {"analogue": [{"channel": 2, "value": 75.0, "at": 0.3}]}, 1, 6),
+    "a program with an error": ("PAUSE INX.1\nx = 1 / 0\n", {}, {}, 0, 1),
+    # 0.3 s to the input, twice to 0.6 s for the levels of 50 and 100 %, 0.5 s to the key.
+    "one of each": (
+        f'PAUSE INX.1\nPAUSE ADC.2 > 60\nINPUT "Way", s\n{KEYS}HOME.1 = 4\nPAUSE IDLE.1\n', {},
+        {"axis.1.home_switch": [-4400.0, -4000.0], "axis.1.index_every": 800.0, "input": [on(1, 0.3)],
+         "analogue": [{"channel": 2, "value": 100.0, "at": 0.6}], **answers("Way", "10"),
+         "key": [{"at": 1.1, "text": "R"}]}, 5, 8,
+    ),
+}  # fmt: skip
+
+
+@cases("name", DRAFTS)
+def test_the_draft_of_a_machine_file(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    text, fixed, settings, count, runs = DRAFTS[name]
+    done: list[Run] = []
+
+    def counted(*given: object, **options: object) -> Run:
+        done.append(run(*given, **options))  # type: ignore[arg-type]
+        return done[-1]
+
+    monkeypatch.setattr(module, "run", counted)
+    guesses, result = guessed(Source("old.prg", text), dialect("mint"), 20.0, fixed)
+    assert guesses.settings(20.0) == {"run.until": 20.0, **settings}
+    assert (guesses.count, len(done), result) == (count, runs, done[-1])
+
+
+NO_TARGET = Target("", [], [])
+# A line is quoted with 60 characters, a channel with three lines.
+PRESS = """\
+SCALE.0 = 1 : SCALE.1 = 100
+IF INX.2 = 0 THEN GOTO bad
+IF INX.2 = 0 THEN GOTO bad : REM     a remark that makes the line longer than
+IF INX.2 = 0 THEN GOTO bad
+IF INX.2 = 0 THEN GOTO bad
+PAUSE INX.1
+PAUSE INX.5 = 0
+PAUSE INX.6
+PAUSE ADC.2 > 60
+INPUT "Parts 3 to 8", n
+HOME.1 = 0
+PAUSE IDLE.1
+#key
+K = INKEY
+IF K <> 82 THEN GOTO key
+MOVER.0 = 5 : GO.0 : PAUSE IDLE.0
+END
+#bad
+? 2
+"""
+# Channel 6 is of a person. Homing begins at 40 uu/s; its deceleration at 1000 uu/s2 takes 0.8 uu beyond the switch. 5
+# counts at 100000 counts/s2 reach sqrt(5 * 100000) counts/s.
+DRAFT = """\
+# The machine around old.prg, written by motionlang init.
+#
+# A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
+# reports it. docs/machine-file.md explains every key.
+
+run.until = 20    # the run ends here if the program does not
+
+# Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
+# it, `value = 0` inverts an input.
+input = [
+  # line 6: PAUSE INX.1
+  { channel = 1, at = 0.3, guess = true },
+  # line 2: IF INX.2 = 0 THEN GOTO bad
+  # line 3: IF INX.2 = 0 THEN GOTO bad : REM a remark that makes the lin …
+  # line 4: IF INX.2 = 0 THEN GOTO bad
+  { channel = 2, at = 0.0, guess = true },
+  # line 7: PAUSE INX.5 = 0
+  # { channel = 5, at = 0.0 },    # take the first # away to switch it on
+  # line 8: PAUSE INX.6
+  { channel = 6, at = 0.5 },
+]
+
+# Analogue inputs, in percent.
+analogue = [
+  { channel = 2, value = 100.0, at = 0.8, guess = true },
+]
+
+# Lines that the operator types when the program asks.
+answer = [
+  { prompt = "Parts 3 to 8", text = "5", guess = true },
+]
+
+# Keys that the operator presses.
+key = [
+  { at = 2.6, text = "R", guess = true },
+]
+
+[axis.0]    # 1 count per user unit
+# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
+# limits.position = [0, 5]
+# limits.speed = 707.107
+# limits.acceleration = 100000
+
+[axis.1]    # 100 counts per user unit
+home_switch = [-44.0, -40.0]
+guess = true    # the switches
+# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
+# limits.position = [-41, 1]
+# limits.speed = 40
+# limits.acceleration = 1000
+
+# Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
+# in the folder old.scenarios: docs/scenarios.md.
+[[expect]]
+status = "ended"
+"""
+
+
+def test_the_text_of_a_draft() -> None:
+    source, mint = Source("/machines/old.prg", PRESS), dialect("mint")
+    reads = mint.input_reads(source)
+    guesses, result = guessed(source, mint, 20.0, {"input": [on(6, 0.5)]}, reads)
+    assert machine_text(source, guesses, reads, result, 20.0, NO_TARGET) == DRAFT
+
+
+def test_the_text_of_a_draft_without_guesses() -> None:
+    """A program that runs to the time limit, with a key of a person and no input."""
+    source, mint = Source("old.prg", KEYS), dialect("mint")
+    reads, fixed = mint.input_reads(source), {"key": [{"at": 30.0, "text": 'R"'}]}
+    guesses, result = guessed(source, mint, 2.5, dict(fixed), reads)
+    text = machine_text(source, guesses, reads, result, 2.5, NO_TARGET)
+    assert text.partition("run.until")[2] == (
+        " = 2.5    # the run ends here if the program does not\n\n# Keys that the operator presses.\n"
+        'key = [\n  { at = 30.0, text = "R\\"" },\n]\n\n'
+        "# Expectations that `motionlang verify` checks. A scenario, another world for the same program, "
+        "is a file of its own\n# in the folder old.scenarios: docs/scenarios.md.\n"
+        '[[expect]]\nstatus = "until"\n'
+    )

@@ -1,0 +1,157 @@
+"""Channels, axes, units and variables of programs, with their names and lines."""
+
+from __future__ import annotations
+
+from motionlang.commands.map.channels import Channel, lines
+from motionlang.commands.map.comments import named
+from motionlang.commands.map.program_map import ProgramMap, program_map
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.source import Source
+from tests.cases import cases
+
+
+def made(text: str, language: str = "mint", **settings: object) -> ProgramMap:
+    return program_map(
+        Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", text), dialect(language), settings
+    )
+
+
+def channel(text: str, title: str, language: str = "mint", **settings: object) -> Channel:
+    return next(each for each in made(text, language, **settings).channels if each.title == title)
+
+
+@cases(
+    "comment, wanted",
+    [
+        ("REM IN 0 product eye   IN 1 label gap", "input 0 product eye, input 1 label gap"),
+        ("REM IN0 tray in place, IN1 two-hand start", "input 0 tray in place, input 1 two-hand start"),
+        ("; in 1 bar in gripper  2 gripper closed", "input 1 bar in gripper, input 2 gripper closed"),
+        ("; out 33 vacuum  34 blow off", "output 33 vacuum, output 34 blow off"),
+        ("REM   OUT 0 clamp 1 spindle 2 coolant", "output 0 clamp, output 1 spindle, output 2 coolant"),
+        ("REM IN 6 drill broken (sensor, 0 = ok)", "input 6 drill broken"),
+        ("' inputs   1 lock pin out   2 lock pin in", "input 1 lock pin out, input 2 lock pin in"),
+        ("; axis 1 table, axis 2 press slide", "axis 1 table, axis 2 press slide"),
+        (
+            "REM axis 0 pusher (ballscrew 10 mm)    axis 1 lift",
+            "axis 0 pusher (ballscrew 10 mm), axis 1 lift",
+        ),
+        ("REM   0 = table (36000 counts/rev)    1 = feed", "axis 0 table (36000 counts/rev), axis 1 feed"),
+        ("' Gasket glue table, X=0 Y=1 Z=2.", "axis 0 X, axis 1 Y, axis 2 Z"),
+        ("' wait 5 seconds for the 2 clamps", ""),
+        ("' Rev C  11/2003", ""),
+    ],
+)
+def test_names_in_comments(comment: str, wanted: str) -> None:
+    assert ", ".join(f"{each.kind} {each.number} {each.name}" for each in named([(1, comment)])) == wanted
+
+
+def test_a_list_goes_on_in_the_next_line() -> None:
+    found = named([(5, "REM  IN  0 carton     1 clamped"), (6, "REM      3 start     4 row of product")])
+    assert [(each.number, each.name) for each in found] == [
+        (0, "carton"),
+        (1, "clamped"),
+        (3, "start"),
+        (4, "row of product"),
+    ]
+
+
+def test_an_input_with_all_its_uses() -> None:
+    text = (
+        "Const _START = 3\nPAUSE INX(_START)\nIf INX(3) Then PRINT 1\nHOMEINPUT(0) = 3\n"
+        "Event IN3\n  STOP(0)\nEnd Event\n"
+    )
+    found = channel(text, "input 3")
+    assert (found.name, found.direction) == ("_START", "in")
+    assert (found.waits, found.reads, found.set_up) == ([2], [3], [4])
+    assert found.starts == ["HOMEINPUT(0)", "event IN3"]
+    assert found.sentences() == [
+        "input 3 (_START)",
+        "waited for at line 2",
+        "read at line 3",
+        "starts HOMEINPUT(0)",
+        "starts event IN3",
+    ]
+
+
+@cases(
+    "line, title, direction",
+    [
+        ("OUTX(2) = 1", "output 2", "out"),
+        ("PRINT OUTX(2)", "output 2", "in"),
+        ("OUT(0) = 5", "output bank 0", "out"),
+        ("DAC(1) = 50", "analogue output 1", "out"),
+        ("AUXDAC(1) = 50", "auxiliary analogue output 1", "out"),
+        ("RELAYOUT(0) = 5", "relay bank 0", "out"),
+        ("RELAYOUTX(2) = 1", "relay 2", "out"),
+        ("PRINT ADC(2)", "analogue input 2", "in"),
+        ("COMMS(5) = COMMS(6)", "comms element 5", "out"),
+        ("COMMS(5) = COMMS(6)", "comms element 6", "in"),
+        ("NVLONG(7) = NVLONG(7) + 1", "nv word 7", "in/out"),
+        ("PRINT REMOTEINX(1, 2, 3)", "remote node 1, 2, 3", "in"),
+        ("PRINT INX(n) : n = 1", "input ?", "in"),
+        ("DRIVEENABLEOUTPUT(0) = 4", "output 4", "out"),
+    ],
+)
+def test_channels_of_mint(line: str, title: str, direction: str) -> None:
+    assert channel(line + "\n", title).direction == direction
+
+
+@cases(
+    "line, title, direction",
+    [
+        ("WN3", "input 3", "in"),
+        ("CN33,IN33,NO,NO", "output 33", "in/out"),
+        ("GA2,TR0", "analogue input 2", "in"),
+        ("AL5,OA1", "analogue output 1", "out"),
+        ("CN@20", "output @20", "out"),
+        ("1MN,1JN", "analogue input 1", "in"),
+    ],
+)
+def test_channels_of_mccl(line: str, title: str, direction: str) -> None:
+    assert channel(line + "\n", title, "mccl").direction == direction
+
+
+def test_the_machine_file_names_an_input() -> None:
+    entries = [{"channel": 3, "name": "door", "at": 1.0}]
+    assert channel("PAUSE INX(3)\n", "input 3", input=entries).name == "door"
+
+
+def test_axes_have_literal_and_computed_moves() -> None:
+    text = "SPEED(0, 1) = 10, 20\nx = 5\nMOVEA(0) = 12.5 : MOVER(1) = x\nGO(0, 1)\nMASTERSOURCE(1) = 1\n"
+    found = {each.axis: each for each in made(text).axes}
+    assert [(fact.text, fact.is_computed, fact.lines) for fact in found[0].of("move")] == [
+        ("MOVEA = 12.5", False, [3])
+    ]
+    assert [(fact.text, fact.is_computed) for fact in found[1].of("move")] == [("MOVER = x", True)]
+    assert [fact.text for fact in found[1].of("speed")] == ["SPEED = 20"]
+    assert [fact.keyword for fact in found[1].of("master")] == ["MASTERSOURCE"]
+
+
+def test_units_and_what_nothing_reaches() -> None:
+    text = "Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
+    text += "Sub Spare\n  PRINT 4\nEnd Sub\nTask Lamp\n  Fill\nEnd Task\n"
+    found = made(text)
+    units = {each.title: each for each in found.units}
+    assert units["program"].calls == {"sub Fill": [1]}
+    assert units["program"].starts == {"task Lamp": [2]}
+    assert units["sub Fill"].called_by == {"program": [1], "task Lamp": [14]}
+    assert [title for title, each in units.items() if not each.is_reached] == ["sub Spare"]
+    assert found.unreached == [(4, 5), (11, 11)]
+
+
+def test_variables_have_the_lines_that_read_and_write_them() -> None:
+    text = "Dim n As Integer = 3\nDim NV total As Integer\nFor i = 1 To n\n  total = total + i\nNext\n"
+    found = {each.name: each for each in made(text).variables}
+    assert (found["n"].writes, found["n"].reads) == ([1], [3])
+    assert (found["total"].writes, found["total"].reads, found["total"].is_retained) == ([4], [4], True)
+    assert (found["i"].writes, found["i"].reads) == ([3], [4])
+
+
+def test_registers_of_mccl() -> None:
+    found = {each.name: each for each in made("AL5,AR20\nRA20,1MN,1MR@20\n", "mccl").variables}
+    assert (found["20"].writes, found["20"].reads) == ([1], [2])
+
+
+@cases("numbers, text", [([], ""), ([3], "3"), ([3, 4], "3, 4"), ([7, 3, 4, 5], "3-5, 7")])
+def test_lines_as_text(numbers: list[int], text: str) -> None:
+    assert lines(numbers) == text

@@ -1,0 +1,387 @@
+"""`motionlang run`, used by a person or by a program."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from motionlang.cli import simulated
+from motionlang.cli.commands import COMMANDS
+from motionlang.commands.run import command as run
+from tests.cases import cases
+from tests.cli.programs import BALLSCREW, Cell
+
+TABLE = """\
+01 200.000000
+
+ballscrew.mcl · MCCL · ended after 1.00009 s · 1 move
+
+axis  command  line  profile      start  time  from   to  distance  peak
+                                      s     s    uu   uu        uu  uu/s
+────────────────────────────────────────────────────────────────────────
+   1  MR          4  trapezoid  0.00008   1.0     0  200       200   250
+      ├ accel                             0.2                   25
+      ├ slew                              0.6                  150
+      └ decel                             0.2                   25
+
+axis  position  counts      scale  feedback  state
+            uu          counts/uu
+──────────────────────────────────────────────────
+   1       200  240000       1200  demand    on
+"""
+
+WRONG = """\
+error[unknown-word]: there is no command XX (?1: unrecognised command)
+ --> wrong.mcl:2:1
+  |
+2 | 1XX3
+  | ^^^^
+
+error[disabled-axis]: axis 2 is off
+ --> wrong.mcl:3:1
+  |
+3 | 2MR10
+  | ^^^^^
+"""
+
+
+def without_hints(text: str) -> str:
+    """Return a text without its hints, which depend on the language."""
+    return "".join(line for line in text.splitlines(keepends=True) if "hint: " not in line)
+
+
+def test_output_then_the_table(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl")
+    assert (ran.status, ran.out, ran.err) == (0, TABLE, "")
+
+
+def test_only_the_programs_own_output(cell: Cell) -> None:
+    assert cell("run", "ballscrew.mcl", "--format", "none").out == "01 200.000000\n"
+
+
+def test_json_is_one_document_and_nothing_else(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl", "--format", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, ran.err) == (0, "")
+    assert report["output"] == ["01 200.000000"]
+    assert report["moves"][0]["phases"][1] == {
+        "name": "slew",
+        "duration": pytest.approx(0.6),
+        "distance": 150.0,
+    }
+
+
+def test_mistakes_go_to_standard_error(cell: Cell) -> None:
+    ran = cell("run", "wrong.mcl", "--format", "none")
+    assert (ran.status, ran.out, without_hints(ran.err)) == (1, "?1\n", WRONG)
+
+
+def test_json_has_the_mistakes_too(cell: Cell) -> None:
+    ran = cell("run", "wrong.mcl", "--format", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, without_hints(ran.err)) == (1, WRONG)
+    assert [(d["code"], d["line"], d["column"]) for d in report["diagnostics"]] == [
+        ("unknown-word", 2, 1),
+        ("disabled-axis", 3, 1),
+    ]
+
+
+def test_json_of_a_file_that_cannot_be_read_has_the_mistake(cell: Cell) -> None:
+    assert json.loads(cell("run", "none.mcl", "--format", "json").out)["diagnostics"][0]["code"] == "file"
+
+
+def test_a_folder_is_no_program(cell: Cell) -> None:
+    assert cell("run", ".").err == "error[file]: . cannot be read: is a directory\n"
+
+
+def test_a_suffix_that_no_dialect_owns(cell: Cell) -> None:
+    cell.write("pick.txt", BALLSCREW)
+    ran = cell("run", "pick.txt")
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err == (
+        "error[file]: unknown language of pick.txt: no language has the extension .txt\n"
+        "  hint: add --lang mint or --lang mccl; .mnt, .mntx and .prg are Mint, .mcl and .mccl are MCCL\n"
+    )
+    assert cell("run", "pick.txt", "--lang", "mccl", "--format", "none").status == 0
+
+
+def test_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"1MN,1TP\r1XX\r")))
+    ran = cell("run", "-", "--lang", "mccl", "--format", "none")
+    assert ran.status == 1
+    assert " --> <stdin>:2:1\n" in ran.err
+    assert "unknown language of standard input: it has no name" in cell("run", "-").err
+
+
+@pytest.mark.parametrize("content", [b"", b"\0\xff\xfe\x00" * 50, b"\xef\xbb\xbf1MN\r\n", bytes(range(256))])
+def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
+    cell.write("bytes.mcl", content)
+    ran = cell("run", "bytes.mcl", "--format", "json", "--until", "10")
+    assert ran.status in (0, 1)
+    assert json.loads(ran.out)["schema"] == "motionlang.report/2"
+
+
+def test_until_ends_what_would_go_on(cell: Cell) -> None:
+    report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--format", "json").out)
+    assert (report["time"], report["moves"][0]["ended"]) == (2.5, "end-of-run")
+
+
+def test_set_gives_machine_keys_their_kind(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl", "--set", "controller.instruction_time=1e-3", "--format", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
+
+
+def test_the_machine_file_and_what_overrides_it(cell: Cell) -> None:
+    cell.write("cell.toml", "[controller]\ninstruction_time = 1e-3\naxes = 2\n")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--format", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
+    override = ("--set", "controller.instruction_time=1e-6")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", *override, "--format", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-6)
+
+
+def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
+    for line in ("trace ballscrew.mcl x.npz --rate 200", "plot ballscrew.mcl x.svg"):
+        ran = cell(*line.split())
+        assert (ran.status, ran.err) == (0, "")
+    with np.load(cell.folder / "x.npz") as archive:
+        assert archive["axis1_position_uu"][-1] == 200.0
+        assert len(archive["time_s"]) == 202
+    assert (cell.folder / "x.svg").read_text().startswith("<svg")
+
+
+def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
+    trace = ("trace", "ballscrew.mcl", "x.csv", "--rate", "10", "--columns")
+    assert cell(*trace, "jerk.1,position").status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
+    ran = cell(*trace, "speed")
+    assert (ran.status, ran.out) == (2, "")
+    assert (
+        "'speed' is not a quantity of an axis; choose from position, velocity, acceleration, jerk, actual"
+        in ran.err
+    )
+    assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
+
+
+def test_a_picture_shows_the_requested_window(cell: Cell) -> None:
+    plot = ("plot", "ballscrew.mcl", "x.svg")
+    assert cell(*plot, "--from", "0.2", "--to", "0.5", "--axes", "1").err == ""
+    assert "the run ended after 1.0" in cell(*plot, "--from", "7").err
+    assert "axis 3 did not move in this run: 1 did" in cell(*plot, "--axes", "3").err
+    assert "axis 2 did not move in this run: 1 did" in cell(*plot, "--path", "1,2").err
+
+
+def test_a_page_and_an_svg_need_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("matplotlib", "pyarrow"):
+        monkeypatch.setitem(sys.modules, name, None)
+    assert cell("plot", "ballscrew.mcl", "x.html").err == ""
+    assert cell("plot", "ballscrew.mcl", "x.svg").err == ""
+    assert "MR" in (cell.folder / "x.html").read_text(encoding="utf-8")
+    for verb, file, extra in (("plot", "x.png", "plot"), ("trace", "x.parquet", "parquet")):
+        ran = cell(verb, "ballscrew.mcl", file)
+        assert ran.status == 1
+        assert f'python -m pip install "motionlang[{extra}]"' in ran.err
+
+
+def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
+    run = ("trace", "ballscrew.mcl", "x.csv", "--points")
+    assert cell(*run).status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[5:10] == [
+        "0.001000000,0.000000000,0.625000000,625.000000000",
+        "0.001250000,0.000156250,0.625000000,625.000000000",
+        "0.001500000,0.000312500,0.625000000,625.000000000",
+        "0.001750000,0.000468750,0.625000000,625.000000000",
+        "0.002000000,0.000625000,1.875000000,1250.000000000",
+    ]
+    assert cell(*run, "100", "--rate", "200").status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[4] == "0.015000000,0.031250000,6.250000000,625.000000000"
+
+
+@cases(
+    "line, message",
+    [
+        (
+            "trace OUT.csv --rate nan",
+            "argument --rate: 'nan' is not a rate above 0 and up to 10,000,000 samples per second",
+        ),
+        ("trace OUT.txt", "OUT writes .csv, .npz, .parquet, .vcd and .mcap, not .txt files"),
+        ("plot OUT.html --from 1 --to 1", "--to must be after --from"),
+        ("plot OUT.html --path 0", "argument --path: '0' is not a path: give two or three axes, such as 0,1"),
+        ("plot OUT", "OUT writes .png, .svg and .html, so the file needs one of these extensions"),
+        (
+            "run --realtime 0",
+            "argument --realtime: '0' is not a factor above 0: --realtime 10 is ten times as fast",
+        ),
+        ("run --rate 5", "unrecognized arguments: --rate 5"),
+    ],
+)
+def test_a_wrong_command_line_is_2(line: str, message: str, cell: Cell) -> None:
+    verb, *options = line.split()
+    ran = cell(verb, "ballscrew.mcl", *options)
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.splitlines()[0] == f"motionlang {verb}: error: {message}"
+
+
+def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
+    assert cell("rnu", "x").err == "motionlang: error: there is no command rnu\n  hint: did you mean run?\n"
+    assert cell("pick.mnt").err.splitlines()[-1] == "  hint: motionlang run pick.mnt runs a program"
+    report = cell("run", "x", "--format", "jsn").err
+    assert report == (
+        "motionlang run: error: argument --format: 'jsn' is not one of text, json, csv, none\n"
+        "  hint: did you mean json?\n"
+    )
+    for option, suggestion in (
+        ("--alow", "--allow"),
+        ("--json", "--format json"),
+    ):
+        assert cell("run", "x", option).err.splitlines()[-1] == f"  hint: did you mean {suggestion}?"
+    set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
+    assert "there is no key controller.axs; did you mean controller.axes?" in set_key
+
+
+def test_a_path_that_cannot_be_written_is_known_before_the_run(cell: Cell) -> None:
+    ran = cell("trace", "ballscrew.mcl", "no/x.csv", "--format", "text")
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.startswith("motionlang trace: error: there is no folder no\n")
+
+
+def test_a_full_disk_ends_in_a_diagnostic(cell: Cell) -> None:
+    (cell.folder / "full.csv").symlink_to("/dev/full")
+    ran = cell("trace", "ballscrew.mcl", "full.csv")
+    assert ran.status == 1
+    assert ran.err == "error[file]: full.csv cannot be written: no space left on device\n"
+
+
+def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only sleeping advances the clock; 1 s at twice real time is a sleep of 0.5 s."""
+    clock = [100.0]
+    monkeypatch.setattr(simulated, "monotonic", lambda: clock[0])
+    monkeypatch.setattr(simulated, "sleep", lambda seconds: clock.__setitem__(0, clock[0] + seconds))
+    ran = cell("run", "ballscrew.mcl", "--realtime", "2", "--format", "none")
+    assert (ran.status, ran.out) == (0, "01 200.000000\n")
+    assert clock[0] - 100.0 == pytest.approx(0.5, abs=1e-3)
+
+
+def test_realtime_needs_no_factor(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    factors: list[float] = []
+
+    def pacer(factor: float) -> Callable[[float], None]:
+        factors.append(factor)
+        return lambda now: None
+
+    monkeypatch.setattr(run, "pacer", pacer)
+    for arguments in (
+        ("ballscrew.mcl", "--realtime"),
+        ("--realtime", "3", "jog.mcl"),
+    ):
+        cell("run", *arguments, "--format", "none", "--until", "2")
+    assert factors == [1.0, 3.0]
+
+
+def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    def pacer(factor: float) -> object:
+        def pace(now: float) -> None:
+            if now > 0.5:
+                raise KeyboardInterrupt
+
+        return pace
+
+    monkeypatch.setattr(run, "pacer", pacer)
+    ran = cell("run", "ballscrew.mcl", "--realtime", "--format", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"]) == (130, "interrupted")
+    assert report["moves"][0]["ended"] == "end-of-run"
+    assert ran.err.startswith("error[interrupted]: the run was ended from the keyboard")
+
+
+def test_a_terminal_without_lines_gets_a_plain_table(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", out)
+    assert cell("run", "ballscrew.mcl").status == 0
+    out.seek(0)
+    text = out.read()
+    assert "ballscrew.mcl - MCCL - ended after" in text
+    assert "      | accel " in text
+
+
+def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
+    Path("cell").mkdir()
+    Path("cell/x.mcl").write_text("XX\n")
+    assert " --> cell/x.mcl:1:1\n" in cell("run", "cell/x.mcl").err
+
+
+def test_no_command_at_all_is_answered_with_the_next_steps(cell: Cell) -> None:
+    ran = cell()
+    assert (ran.status, ran.out) == (2, "")
+    assert "motionlang run ballscrew.mcl " in ran.err
+    assert "motionlang --help " in ran.err
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_is_listed_and_explained(cell: Cell, command: str) -> None:
+    assert re.search(rf"\n  {command}\s", cell("--help").out)
+    shown = cell(command, "--help").out
+    assert shown.startswith(f"usage: motionlang {command} ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "lost", "what"),
+    [
+        (("trace", "x.csv", "./x.csv", "--lang", "mint"), "x.csv", "the program"),
+        (("trace", "a.mnt", "m.csv", "--machine", "m.csv"), "m.csv", "the machine file"),
+        (("trace", "a.mnt", "nv.csv", "--nv", "nv.csv"), "nv.csv", "the nv data"),
+        (("plot", "x.svg", "link.svg", "--lang", "mint"), "x.svg", "the program"),
+    ],
+)
+def test_what_a_run_reads_is_not_written_over(
+    cell: Cell, arguments: tuple[str, ...], lost: str, what: str
+) -> None:
+    cell.write("a.mnt", "PRINT 1\n")
+    file = cell.write(lost, "PRINT 1\n" if what == "the program" else "")
+    (cell.folder / "link.svg").symlink_to("x.svg")
+    before = file.read_text()
+    ran = cell(*arguments)
+    assert (ran.status, ran.out, file.read_text()) == (1, "", before)
+    assert f"{arguments[2]} is {what} of this run" in ran.err
+
+
+@pytest.mark.parametrize("value", ["9" * 5000, "[" * 3000, "0x" + "f" * 5000])
+def test_a_setting_of_any_length_is_reported(cell: Cell, value: str) -> None:
+    ran = cell("run", "ballscrew.mcl", "--set", f"controller.axes={value}")
+    assert ran.status in (1, 2)
+    assert "controller.axes must be " in ran.err
+    assert len(ran.err) < 500
+
+
+def test_a_forgotten_go_is_reported_by_the_run(cell: Cell) -> None:
+    cell.write("forgotten.mnt", "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\n  MOVER(0) = -10\nMOVER(1) = 3\n")
+    ran = cell("run", "forgotten.mnt", "--format", "none")
+    assert ran.status == 0
+    assert ran.err.count("warning[never-started]") == 2
+    assert "forgotten.mnt:4:3" in ran.err
+    assert "MOVER on axis 1 was loaded and never started" in ran.err
+    assert "hint: GO(1) starts the buffered moves" in ran.err
+
+
+def test_more_than_a_page_or_a_proof_takes_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("motionlang.commands.scope.MAX_RECORDS", 1)
+    ran = cell("plot", "ballscrew.mcl", "a.html", "--format", "text")
+    assert ran.status == 1
+    assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
+    assert not (cell.folder / "a.html").exists()
+    monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", 0)
+    ran = cell("prove", "ballscrew.mcl", "--format", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
+    (diagnostic,) = report["diagnostics"]
+    assert (diagnostic["code"], diagnostic["hint"]) == ("proof", "end the run sooner with --until")

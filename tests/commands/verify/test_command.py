@@ -1,0 +1,236 @@
+"""`motionlang verify`: comparison of programs with their golden files."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from motionlang.kernel.result import Run
+from tests.cli.programs import BALLSCREW, Cell
+
+
+def test_update_then_verify(cell: Cell) -> None:
+    for name in ("wrong.mcl", "jog.mcl"):
+        (cell.folder / name).unlink()
+    ran = cell("verify", ".", "--update")
+    assert (ran.status, ran.out) == (
+        0,
+        "./ballscrew.mcl: written\n1 of 1 programs have current golden files\n",
+    )
+    assert (cell.folder / "ballscrew.golden.txt").read_text() == "01 200.000000\n"
+    assert cell("verify", ".").out == "1 of 1 programs match their golden files\n"
+    assert cell("verify", ".", "--update").out == "1 of 1 programs have current golden files\n"
+
+
+def test_a_difference_is_named_by_its_position(cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    golden = cell.folder / "ballscrew.golden.json"
+    document = json.loads(golden.read_text())
+    document["moves"][0]["phases"][0]["duration"] = 0.25
+    document["moves"][0]["peak_speed"] += 1e-9  # less than a billionth of 250: an equal figure
+    del document["axes"][0]["error"]
+    golden.write_text(json.dumps(document))
+    (cell.folder / "ballscrew.golden.txt").write_text("01 199.000000\n")
+    ran = cell("verify", "ballscrew.mcl")
+    assert ran.status == 1
+    assert ran.out == (
+        "ballscrew.mcl: differs\n"
+        "  line 4: MR of axis 1, 1 move: accel 0.25 → 0.2 s\n"
+        "  axes[0].error is new\n"
+        "  the motion first differs at 0.000080 s, on axis 1\n"
+        "  the printed output differs from ballscrew.golden.txt\n"
+        "0 of 1 programs match their golden files\n"
+    )
+
+
+PICK = (
+    "SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nPRINT TIME\n"
+)
+
+
+def test_a_line_that_is_put_in_is_no_difference_and_a_mistake_is_shown(cell: Cell) -> None:
+    cell.write("pick.mnt", PICK)
+    cell("verify", "pick.mnt", "--update")
+    cell.write("pick.mnt", "' a remark\n\n" + PICK)
+    assert cell("verify", "pick.mnt").status == 0
+    cell.write("pick.mnt", PICK.replace("ACCEL", "ACEL"))
+    ran = cell("verify", "pick.mnt")
+    assert ran.status == 1
+    assert "  the run: ended → fault\n" in ran.out
+    assert "  missing: line 2: MOVEA of axis 0 by 100 uu" in ran.out
+    assert "pick.mnt:1:18" in ran.err
+
+
+def answers(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO(text))
+
+
+def golden(cell: Cell, name: str) -> str:
+    return "".join((cell.folder / f"{name}.golden.{kind}").read_text() for kind in ("json", "txt"))
+
+
+@pytest.fixture
+def changed(cell: Cell) -> Cell:
+    """Return a folder of three programs that are slower and print more than expected."""
+    for name in ("wrong.mcl", "jog.mcl", "ballscrew.mcl"):
+        (cell.folder / name).unlink()
+    for name in ("a.mnt", "b.mnt", "c.mnt"):
+        cell.write(name, PICK.replace("PRINT TIME", 'PRINT "there"'))
+    cell("verify", ".", "--update")
+    for name in ("a.mnt", "b.mnt", "c.mnt"):
+        program = PICK.replace("PRINT TIME", 'PRINT "there" : PRINT "at last"')
+        cell.write(name, program.replace("= 200", "= 150"))
+    return cell
+
+
+def test_changes_are_accepted_one_by_one(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Accepted are the first program's move, the second one's line, the third's both."""
+    before = golden(changed, "c")
+    answers(monkeypatch, "y\nn\nn\nx\nn\ny\ny\na\n")
+    ran = changed("verify", ".", "--review", "--jobs", "1")
+    assert ran.status == 1
+    assert ran.out.count("accept change 1 of 3?") == 4  # x is no answer: that is reported, and asked again
+    assert "y  accept this change" in ran.out
+    ran = changed("verify", ".")
+    first, _, second = ran.out.partition("./b.mnt: differs\n  time: ")
+    # A further statement takes its 10 us: that is a change of its own, which was rejected as well.
+    assert "the run ends +0.000010 s after its last motion\n  new: printed line 2, 'at last'\n" in first
+    assert "MOVEA" not in first
+    assert "line 2: MOVEA of axis 0, 1 move: duration 0.7" in second
+    assert "printed" not in second
+    assert ran.out.endswith("1 of 3 programs match their golden files\n")
+    assert golden(changed, "c") != before
+    assert (changed.folder / "b.golden.txt").read_text() == "there\nat last\n"
+    assert (changed.folder / "a.golden.txt").read_text() == "there\n"
+
+
+def test_whoever_quits_has_what_was_accepted(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = golden(changed, "c")
+    answers(monkeypatch, "d\ny\nq\n")
+    assert changed("verify", ".", "--review", "--jobs", "1").status == 1
+    ran = changed("verify", ".")
+    assert "./a.mnt: differs\n  time: " in ran.out
+    assert "MOVEA" not in ran.out.partition("b.mnt")[2].partition("c.mnt")[0]
+    assert golden(changed, "c") == before
+
+
+@pytest.mark.parametrize("given", ["", "y\n"])
+def test_without_an_answer_nothing_is_written(
+    given: str, changed: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = golden(changed, "a")
+    answers(monkeypatch, given)
+    ran = changed("verify", ".", "--review", "--jobs", "1")
+    assert ran.status == 2
+    assert "standard input is at its end" in ran.err
+    assert golden(changed, "a") == before
+    assert changed("verify", ".", "--review", "--update").status == 2
+    assert golden(changed, "a") == before
+
+
+def test_new_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    answers(monkeypatch, "n\ny\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 1
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
+    (cell.folder / "ballscrew.golden.txt").write_text("01 199.000000\n")
+    answers(monkeypatch, "y\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
+    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/2", "mo')  # truncated
+    answers(monkeypatch, "n\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 1
+    answers(monkeypatch, "y\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
+
+
+def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:
+    cell.write("pick.txt", "1MN")
+    ran = cell("verify", "jog.mcl", "none.mcl", "pick.txt")
+    assert ran.status == 1
+    assert ran.out == (
+        "jog.mcl: no jog.golden.json next to it; --update writes one\n"
+        "0 of 3 programs match their golden files\n"
+    )
+    assert "error[file]: none.mcl cannot be read: no such file or directory\n" in ran.err
+    assert "unknown language of pick.txt" in ran.err
+
+
+def test_a_golden_file_that_is_no_json(cell: Cell) -> None:
+    cell.write("jog.golden.json", "{")
+    ran = cell("verify", "jog.mcl")
+    assert ran.status == 1
+    assert "jog.mcl: jog.golden.json is not JSON: " in ran.out
+    assert cell("verify", "jog.mcl", "--update").status == 0
+    assert cell("verify", "jog.mcl").status == 0
+
+
+def test_a_folder_that_is_not_there(cell: Cell) -> None:
+    ran = cell("verify", "scripts")
+    assert (ran.status, ran.err) == (1, "error[file]: scripts cannot be read: no such file or directory\n")
+
+
+# A process whose files are limited to 64 bytes, like a full disk.
+SMALL_DISK = """
+import resource, signal, sys
+from motionlang.cli import main
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64))
+sys.exit(main(["verify", "ballscrew.mcl", "--update"]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX limits")
+@pytest.mark.parametrize("old", ["{}", None])
+def test_where_there_is_no_room_the_old_golden_file_stays(old: str | None, tmp_path: Path) -> None:
+    (tmp_path / "ballscrew.mcl").write_text(BALLSCREW)
+    if old is not None:
+        (tmp_path / "ballscrew.golden.json").write_text(old)
+    before = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    # Without -B the limit would also cut the bytecode that Python writes, and break later imports.
+    ran = subprocess.run(
+        [sys.executable, "-B", "-c", SMALL_DISK], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    message = "error[file]: ballscrew.golden.json cannot be written: file too large\n"
+    assert (ran.returncode, ran.stderr) == (1, message)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == before
+
+
+@pytest.mark.parametrize("option", [[], ["--update"]], ids=str)
+def test_a_wrong_machine_file_beside_a_program(option: list[str], cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    cell.write("ballscrew.machine.toml", "[controller]\naxs = 3\n")
+    ran = cell("verify", "ballscrew.mcl", *option)
+    assert ran.status == 1
+    assert "error[machine-file]: there is no key controller.axs\n" in ran.err
+    assert "ballscrew.machine.toml:2:1" in ran.err
+
+
+def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_files(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    from motionlang import run
+    from motionlang.commands.verify import command as verify
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("bundles")))
+
+    def stumbles(program: str) -> Run:
+        assert "ballscrew" not in program, "somebody has thought wrong"
+        return run(program)
+
+    monkeypatch.setattr(verify, "run", stumbles)
+    (cell.folder / "wrong.mcl").unlink()
+    ran = cell("verify", ".", "--update")
+    assert ran.status == 1
+    assert ran.out == "./jog.mcl: written\n1 of 2 programs have current golden files\n"
+    assert "error[crash]: internal error: AssertionError: somebody has thought wrong" in ran.err
+    assert not (cell.folder / "ballscrew.golden.json").exists()
+    files = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
+    assert files == ["ballscrew.mcl", "crash.txt"]

@@ -1,0 +1,422 @@
+"""The board's ASCII interface, character by character, as its clients use it."""
+
+from __future__ import annotations
+
+import cProfile
+import gc
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.hosts.mccl.console import Console
+from motionlang.hosts.mccl.port import Port
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.mccl import DIALECT as MCCL
+from motionlang.kernel.source import Source
+from tests.cases import examples
+
+
+def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
+    """Return a console with one open port that has sent its first prompt."""
+    console = Console(Machine({"controller.model": model}, first_axis=1))
+    port = console.open(echo)
+    port.take()
+    return console, port
+
+
+def ask(console: Console, port: Port, sent: bytes) -> bytes:
+    """Send bytes, run the board until it has answered, and return the answer."""
+    assert port.feed(sent) == len(sent)
+    console.settle()
+    return port.take()
+
+
+def mx_command(console: Console, port: Port, text: str) -> str:
+    """Send a command and CR like the beam-line driver; return the line that follows.
+
+    A leading prompt is removed; an answer with `?` raises ValueError.
+    """
+    reply = ask(console, port, text.encode() + b"\r")
+    line, end, rest = reply.partition(b"\n")
+    assert end
+    assert rest in (b"", b">")
+    answer = line.removeprefix(b">").removesuffix(b"\r").decode()
+    if answer.startswith("?"):
+        raise ValueError(int(answer[1:]))
+    return answer
+
+
+def test_every_command_is_answered_with_a_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1SA70000.000000\r") == b"\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+    assert ask(console, port, b"\r") == b"\n>"
+
+
+def test_the_sequence_of_the_beam_line_driver() -> None:
+    console, port = board()
+    assert mx_command(console, port, "1SV11000.000000") == ""
+    mx_command(console, port, "MD1,1MN,1MR1000,1WS0.1")
+    assert mx_command(console, port, "GT1,TR0") == "1"
+    with pytest.raises(ValueError, match="1"):
+        mx_command(console, port, "1XX")
+    with pytest.raises(ValueError, match="-6"):
+        mx_command(console, port, "MC9")
+
+
+def test_the_sequence_of_the_self_test() -> None:
+    """The self-test reads once for the value and a second time for the prompt."""
+    console, port = board()
+    assert ask(console, port, b"TC1\r").split(b"\n") == [b"01 0", b">"]
+
+
+def test_line_ends() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP\n") == b"01 0\n>"
+    assert ask(console, port, b"1TP\r\n") == b"01 0\n>"
+    assert ask(console, port, b"1TP\r2TP\r") == b"01 0\n>02 0\n>"
+    old, port = board("dcx-at200")
+    assert ask(old, port, b"1TP\r") == b"01 0\r>"
+    oldest, port = board("dcx-pc100")
+    assert ask(oldest, port, b"1TP\r") == b"01 0\r"
+
+
+def test_echo_and_backspace() -> None:
+    console, port = board(echo=None)
+    assert ask(console, port, b"1TX\x08P\r") == b"1TX\b \bP\n01 0\n>"
+    assert ask(console, port, b"EF\r") == b"EF\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+    assert ask(console, port, b"\x08\x7f1TP\r") == b"01 0\n>"
+
+
+def test_escape_aborts_a_wait_and_the_line() -> None:
+    console, port = board()
+    port.feed(b"1MN,1VM,1GO,WA100,1TP\r")
+    console.run(1.0)
+    assert port.busy
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert not port.busy
+    # The motion does not belong to the line.
+    assert console.machine.controller.velocity(1) == 40000.0
+    assert ask(console, port, b"TE\r") == b"-7\n>"
+
+
+def test_escape_at_the_prompt_clears_the_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1MR\x1b\x1b1TP\r") == b"\n>\n>01 0\n>"
+
+
+def test_a_blank_pauses_a_busy_port() -> None:
+    console, port = board()
+    port.feed(b"AA1,WA0.1,RP\r")
+    console.run(1.05)
+    port.feed(b" ")
+    console.run(5.0)
+    paused_at = port.task.registers[0]
+    assert paused_at == 11
+    port.feed(b" ")
+    console.run(6.0)
+    assert port.task.registers[0] > paused_at
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+
+
+def test_other_characters_wait_until_the_port_is_idle() -> None:
+    console, port = board()
+    assert ask(console, port, b"WA1,1TP\r2TP\r") == b"01 0\n>02 0\n>"
+    port.feed(b"WA1\r")
+    taken = port.feed(b"1TP," * 2000)
+    assert taken == 4096
+
+
+def test_single_steps() -> None:
+    console, port = board()
+    assert ask(console, port, b"\x02") == b""
+    assert ask(console, port, b"AL1,AA2,TR0\r") == b"{ C0,AL1 } <"
+    assert ask(console, port, b"x") == b"{ C1,AA2 } <"
+    assert ask(console, port, b"x") == b"{ C2,TR0 } <"
+    assert ask(console, port, b"x") == b"3\n>"
+    assert ask(console, port, b"AL9,TR0\r") == b"{ C0,AL9 } <"
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert ask(console, port, b"TR0\r") == b"3\n>"
+
+
+def test_xoff_holds_the_output() -> None:
+    console, port = board()
+    assert ask(console, port, b"\x131TP\r") == b""
+    assert ask(console, port, b"\x11") == b"01 0\n>"
+    assert ask(console, port, b"\x131TP\r") == b""
+    assert ask(console, port, b"\x1b") == b"01 0\n>\n>"
+
+
+def test_too_long_a_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP," * 300 + b"\r") == b"?4\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+def test_a_host_that_does_not_read_holds_the_board_up_and_not_the_memory() -> None:
+    console, port = board()
+    port.feed(b"HE,RP\r")
+    console.run(60.0)
+    assert len(port.take()) < 200_000
+    assert port.busy
+
+
+def test_ports_share_the_board_and_not_the_first_ten_registers() -> None:
+    console, first = board()
+    second = console.open(echo=False)
+    second.take()
+    ask(console, first, b"AL5,AR1,AR20\r")
+    assert ask(console, second, b"TR1,TR20\r") == b"0\n5\n>"
+
+
+def test_a_host_that_vanishes_in_mid_line() -> None:
+    """The line is abandoned; motion, background tasks and other hosts continue."""
+    console, port = board()
+    other = console.open(echo=False)
+    other.take()
+    port.feed(b"MD1,WA1,AL9,AR20\r")
+    port.feed(b"1MN,1MR100000,GT1,WA5,1AB\r1MR")
+    console.run(0.5)
+    console.close(port)
+    console.run(10.0)
+    assert ask(console, other, b"1TP,TR20\r") == b"01 100000\n9\n>"
+
+
+def test_a_task_that_polls_does_not_hold_others_up() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,IF33,MJ1,NO,AL7,AR20\r")
+    ask(console, port, b"GT1\r")
+    console.run(3600.0)
+    assert ask(console, port, b"CN33,WA0.1,TR20\r") == b"7\n>"
+
+
+@settings(max_examples=examples(150))
+@given(st.lists(st.binary(max_size=40), max_size=8))
+def test_any_characters(sent: list[bytes]) -> None:
+    console, port = board(echo=None)
+    for piece in sent:
+        port.feed(piece)
+        console.run(console.now + 0.01)
+        port.take()
+    port.feed(b"\x1b\x1b")
+    console.run(console.now + 1.0)
+    port.feed(b"\x11\x1b")
+    port.take()
+    assert b"01 0" in ask(console, port, b"RT\r1TP\r") or not port.board.prompt
+
+
+def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP\r1TP 2TP\r") == b"01 0\n>01 0\n02 0\n>"
+
+
+def test_a_port_that_waits_for_a_key_is_not_working() -> None:
+    """Time does not advance while the board waits for a host."""
+    console, port = board()
+    ask(console, port, b"MD1,WA1,RP\r")
+    ask(console, port, b"GT1\r")
+    port.feed(b"\x02WA1,TR0\r")
+    began = console.now
+    assert console.settle()
+    assert (port.busy, port.working) == (True, False)
+    assert console.now < began + 0.1
+
+
+def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
+    console, _ = board()
+    printed: list[str] = []
+    console.download(Source("home.mcl", "WA0.5\n1TP\n"), printed.append, lambda _: None)
+    console.run(console.now + 0.1)
+    assert console.working
+    assert console.settle()
+    assert not console.working
+    assert "".join(printed) == "01 0\n"
+
+
+def test_the_name_of_an_unknown_command_is_reported_in_capitals() -> None:
+    (found,) = MCCL.check(Source("zz.mcl", "1zz\n"), {})
+    assert found.message.startswith("there is no command ZZ ")
+
+
+def test_what_background_tasks_say_to_a_host_that_does_not_read_is_lost_in_the_end() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,HE,RP\r")
+    ask(console, port, b"GT1\r")
+    console.run(console.now + 0.05)
+    assert 500_000 < len(port.take()) < 600_000
+    console.close(port)
+    console.run(console.now + 0.01)
+    assert port.take() == b""
+
+
+def test_an_error_of_our_own_costs_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    console, port = board()
+    other = console.open(echo=False)
+    other.take()
+    monkeypatch.setattr("motionlang.hosts.mccl.port.PortTask.gate", lambda task: 1 / 0)
+    port.feed(b"1TP\r")
+    other.feed(b"1TP\r")
+    with pytest.raises(ZeroDivisionError) as trouble:
+        console.settle()
+    monkeypatch.undo()
+    console.drop_broken(trouble.value)
+    assert console.settle()
+    assert port.take() == b"?3\n>"
+    assert other.take() == b"01 0\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [b"1TP\r", b"1MR5,1WS\r", b"1TP\r"],
+        [b"1T", b"P\r", b"\n", b"1TP\r\n", b"\r"],
+        [b"1TP\r2TP\r", b"1TP\x08\x08\x08TR0\r", b"\x1b1TP\r"],
+        [b"XF65,XN66\r", b"1TP,NA\r", b"B1TP\r"],
+        [b"XF0\r", b"1TP\r", b"EN\r", b"1TP\r"],
+        [b"1TP," * 100 + b"\r", b"\t1TP\r", "1TP\N{DEGREE SIGN}\r".encode("latin-1")],
+        [b"1MR100000,1WS0\r", b"1TP\r", b" 1TP\r"],
+    ],
+)
+@pytest.mark.parametrize("echo", [True, False])
+def test_a_line_at_once_is_the_same_as_its_characters(lines: list[bytes], echo: bool) -> None:
+    whole, single = board(echo=echo), board(echo=echo)
+    for line in lines:
+        for code in line:
+            assert single[1].feed(bytes([code])) == 1
+        single[0].settle()
+        assert ask(*whole, line) == single[1].take()
+        assert whole[0].now == single[0].now
+
+
+def test_a_longer_line_takes_no_more_calls() -> None:
+    """With a function call per character, 20 more would take 60 calls."""
+    console, port = board()
+
+    def calls(sent: bytes) -> int:
+        profile = cProfile.Profile()
+        ask(console, port, sent)
+        gc.disable()  # whose calls would count
+        try:
+            profile.runcall(ask, console, port, sent)
+        finally:
+            gc.enable()
+        return sum(entry.callcount for entry in profile.getstats())
+
+    assert calls(b"NO" + b" " * 20 + b"\r") < calls(b"NO \r") + 10
+
+
+def test_the_wait_between_two_lines_has_no_line() -> None:
+    console, port = board()
+    ask(console, port, b"MD5,1TP\r")
+    for sent in (b"MC5\r", b"1WA0.1\r", b"1ZZ\r"):
+        ask(console, port, sent)
+        wait = port.task.wait
+        assert wait is not None
+        assert wait.cause == "host"
+        assert port.task.stack == (0,)
+
+
+def test_entries_end_with_a_carriage_return_or_a_line_feed() -> None:
+    """A line feed behind a carriage return ends nothing."""
+    _, port = board()
+    assert port.next_entry(b"1TP\r2TP\r") == (b"1TP\r", True)
+    assert port.next_entry(b"\n2TP\r") == (b"\n", False)
+    assert port.next_entry(b"2TP\n\n") == (b"2TP\n", True)
+    assert port.next_entry(b"\n") == (b"\n", True)
+    assert port.next_entry(b"\r") == (b"\r", True)
+    assert port.next_entry(b"1T") == (b"1T", False)
+    assert port.next_entry(b"\n") == (b"\n", True)
+    assert port.next_entry(b"") == (b"", False)
+    assert port.next_entry(b"1TP\r") == (b"1TP\r", True)
+    assert port.next_entry(b"2\nTP\r") == (b"2\n", True)
+
+
+def test_what_a_busy_port_accepts() -> None:
+    """ESC, and at the beginning the control characters and blanks.
+
+    One key while it single-steps.
+    """
+    console, port = board()
+    assert port.accepts(b"1TP\r")
+    waiting = bytearray(b"1TP\r\x1b2TP\r\x1b3TP\r")
+    port.drop_abandoned(waiting)
+    assert waiting == b"1TP\r\x1b2TP\r\x1b3TP\r"
+    port.feed(b"WA9\r")
+    console.run(1.0)
+    assert not port.accepts(b"1TP\r")
+    assert port.accepts(b"1TP\r\x1b")
+    port.drop_abandoned(waiting)
+    assert waiting == b"\x1b3TP\r"
+    del waiting[0]
+    port.drop_abandoned(waiting)
+    assert waiting == b"3TP\r"
+    assert port.at_once(b"\x02\x11\x13 1TP\r") == b"\x02\x11\x13 "
+    assert port.at_once(b"1 ") == b""
+    assert port.at_once(b"  ") == b"  "
+    assert port.at_once(b"\x1b\x1b") == b"\x1b"
+    port.feed(b"\x02")
+    assert port.at_once(b"xy") == b"x"
+
+
+def test_unread_output_suspends_the_port_from_65536_characters_on() -> None:
+    _, port = board()
+    port.send("x" * 65535)
+    assert not port.full
+    port.send("x")
+    assert port.full
+    port.take()
+    assert not port.full
+
+
+def test_output_is_lost_from_half_a_million_characters_on() -> None:
+    _, port = board()
+    port.send("x" * (8 * 65536 - 1))
+    port.send("yz")
+    port.send("lost")
+    assert port.take()[-3:] == b"xyz"
+
+
+@pytest.mark.parametrize(
+    ("sent", "prompt"),
+    [("PC62", b">"), ("PC0", b""), ("PC31", b""), ("PC32", b" "), ("PC33", b"!"), ("PC126", b"~")],
+)
+def test_the_prompt_is_a_printable_character(sent: str, prompt: bytes) -> None:
+    console, port = board()
+    assert ask(console, port, sent.encode() + b"\r") == b"\n" + prompt
+
+
+def test_echo_is_switched_off_and_on_again() -> None:
+    console, port = board(echo=None)
+    assert ask(console, port, b"EF\r") == b"EF\n>"
+    assert ask(console, port, b"EN\r") == b"\n>"
+    assert ask(console, port, b"1TP\r") == b"1TP\n01 0\n>"
+
+
+def test_codes_of_flow_control() -> None:
+    """XF and XN choose them, and 0 is none: NUL is an ordinary character then."""
+    console, port = board()
+    assert ask(console, port, b"XF65,XN66\r") == b"\n>"
+    assert ask(console, port, b"A1TP\r") == b""
+    assert ask(console, port, b"B") == b"01 0\n>"
+    assert ask(console, port, b"XF0,XN0\r") == b"\n>"
+    assert ask(console, port, b"\x00\x131TP\r")[-5:] == b"1 0\n>"
+
+
+def test_a_line_of_4096_characters_waits_and_no_more() -> None:
+    console, port = board()
+    port.feed(b"WA1\r")
+    assert port.feed(b"x" * 4095) == 4095
+    assert port.feed(b"xyz") == 1
+    assert port.feed(b"\x1b") == 1
+    assert port.feed(b"1TP\r") == 4
+    console.settle()
+    assert port.take().endswith(b"?-7\n>01 0\n>")
+
+
+def test_a_blank_before_a_line_does_not_pause_an_idle_port() -> None:
+    console, port = board()
+    assert ask(console, port, b" 1TP\r") == b"01 0\n>"
+    assert not port.task.paused

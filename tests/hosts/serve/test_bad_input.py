@@ -1,0 +1,203 @@
+"""No input ends the server or uses unlimited resources, nor does a silent host.
+
+A host cannot reach anything beyond the board.
+"""
+
+from __future__ import annotations
+
+import random
+import socket
+import sys
+import threading
+from importlib import import_module
+
+import pytest
+
+from motionlang.hosts.mccl.console import Console
+from motionlang.hosts.serve import Limits
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.mccl.keywords import table
+from tests.hosts.serve.conftest import Board, Serve
+
+
+@pytest.fixture(params=["lockstep", "real"])
+def board(request: pytest.FixtureRequest, serve: Serve) -> Board:
+    return serve(clock=request.param)
+
+
+def test_half_a_line_is_forgotten_with_its_host(board: Board) -> None:
+    """The next host begins with an empty line; the motor stays enabled."""
+    first = board.connect()
+    assert first.ask(b"1MN,1MR100,1WS") == b"\n>"
+    first.send(b"1MR50000,1V")
+    first.socket.close()
+    second = board.connect()
+    assert second.ask(b"1WS,1TP") == b"01 100\n>"
+    assert int(second.ask(b"1TS").split()[1]) & 2
+
+
+def test_motion_outlives_its_host(board: Board) -> None:
+    first, second = board.connect(), board.connect()
+    assert first.ask(b"1SA1000000,1DS1000000,1SV400000,1MN,1MR2000") == b"\n>"
+    first.break_off()
+    assert second.ask(b"1WS,1TP") == b"01 2000\n>"
+
+
+def test_a_background_task_outlives_its_host_silently(board: Board) -> None:
+    first, second = board.connect(), board.connect()
+    assert first.ask(b"MD1,1TP,AL@20,AA1,AR20,WA0.001,RP") == b"\n>"
+    first.ask(b"GT1")
+    first.break_off()
+    while int(second.ask(b"TR20").split()[0]) < 20:
+        pass
+
+
+def test_a_line_whose_host_is_gone_has_ten_seconds(serve: Serve) -> None:
+    """Here it has 0.05 s: a closed connection soon frees its slot and the board."""
+    board = serve(clock="real", limits=Limits(linger=0.05))
+    first, second = board.connect(), board.connect()
+    first.send(b"AL@20,AA1,AR20,RP\r")
+    first.socket.shutdown(socket.SHUT_WR)
+    assert first.all() == b""
+    counted = second.ask(b"TR20")
+    assert second.ask(b"WA0.02,TR20") == counted
+
+
+def test_a_line_of_250_kilobytes(board: Board) -> None:
+    first, second = board.connect(), board.connect()
+    sender = threading.Thread(target=first.send, args=(b"1MR1," * 50_000 + b"\r",))
+    sender.start()
+    for _ in range(20):
+        assert second.ask(b"2TP") == b"02 0\n>"
+    sender.join()
+    first.expect(b"?4\n>")
+    assert first.ask(b"1TP,TE") == b"01 0\n4\n>"
+
+
+def test_binary_garbage(board: Board) -> None:
+    noise = random.Random(1).randbytes(20_000)
+    first, second = board.connect(), board.connect()
+    first.send(noise + b"\r")
+    for _ in range(5):
+        assert second.ask(b"VE").startswith(b"MultiFlex")
+    first.send(b"\x11\x1b\x1b")
+    first.socket.shutdown(socket.SHUT_WR)
+    assert first.all()
+
+
+def test_a_host_that_never_reads_holds_up_only_itself(serve: Serve) -> None:
+    board = serve(clock="real", limits=Limits(outbox=4096))
+    first, second = board.connect(), board.connect()
+    first.send(b"HE,RP\r")
+    for _ in range(200):
+        second.ask(b"1TP")
+    host = board.server.hosts[0]
+    assert len(host._outbox) < 200_000
+    assert first.until(b"\n")
+    assert second.ask(b"1TP") == b"01 0\n>"
+
+
+def test_a_host_that_sends_without_end_is_read_no_further(serve: Serve) -> None:
+    board = serve(limits=Limits(inbox=8192, chunk=4096))
+    first, second = board.connect(), board.connect()
+    first.socket.settimeout(0.2)
+    with pytest.raises(TimeoutError):
+        first.send(b"WN40\r" + b"1TP\r" * 10_000_000)
+    assert second.ask(b"1TP") == b"01 0\n>"
+    assert len(board.server.hosts[0]._inbox) <= 8192 + 4096
+
+
+def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
+    """Foreground and background loops, with the maximum number of tasks of the board."""
+    board.connect().send(b"AA1,RP\r")
+    assert board.connect().ask(b"MD1,AA1,RP") == b"\n>"
+    other = board.connect()
+    answers = other.ask(b"GT1," * 40 + b"TE")
+    assert answers == b"?-1\n>"
+    for _ in range(20):
+        assert other.ask(b"1TP") == b"01 0\n>"
+    assert other.ask(b"RT") == b"\n>"
+
+
+def test_no_command_reaches_the_file_system() -> None:
+    """No command, plain or with a text, opens, creates or removes a file.
+
+    None connects to a host or starts a process either.
+    """
+    console = Console(Machine(first_axis=1))
+    port = console.open(echo=False)
+    lines = [row.example for row in table()] + [f'{row.name}"../../etc/passwd"' for row in table()]
+    watched = ("open", "os.", "subprocess.", "shutil.", "socket.", "import", "exec", "compile")
+    seen: list[tuple[str, object]] = []
+    watching = False
+
+    def audit(event: str, arguments: tuple[object, ...]) -> None:
+        if watching and event.startswith(watched):
+            seen.append((event, arguments))
+
+    import_module("motionlang.kernel.controller.triggers.next_watches")  # which only the second round needs
+    sys.addaudithook(audit)
+    for again in (False, True):  # the first round imports the commands' modules
+        watching = again
+        answered = 0
+        for line in lines:
+            port.feed(line.encode() + b"\r")
+            console.settle(console.now + 100.0)
+            answered += not port.busy
+            port.feed(b"\x1b")
+        assert answered > len(lines) * 0.9
+    watching = False
+    assert seen == []
+
+
+def test_an_internal_error_is_reported_and_costs_a_line(
+    serve: Serve, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    board = serve(clock="real")
+    first, second = board.connect(), board.connect()
+
+    def broken(*given: object) -> None:
+        raise ZeroDivisionError("so it is")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("motionlang.hosts.mccl.port.PortTask.gate", broken)
+        first.send(b"1TP\r")
+        first.expect(b"?3\n>")
+    assert first.ask(b"1TP") == second.ask(b"1TP") == b"01 0\n>"
+    assert len(board.complaints) == 1
+    assert board.complaints[0].startswith("internal error, please report it: ZeroDivisionError: so it is (")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_hosts_at_random(board: Board, seed: int) -> None:
+    """Partial lines, control characters, noise, broken connections.
+
+    The last host is served just like the first.
+    """
+    rng = random.Random(seed)
+    pieces = [row.example.encode() for row in table()]
+    pieces += [
+        b"\r",
+        b"\r\n",
+        b"\x1b",
+        b" ",
+        b"\x02",
+        b"\x13",
+        b"\x11",
+        b"\x08",
+        b",",
+        b"@",
+        b'"',
+        b"RP\r",
+        b"GT1\r",
+    ]
+    for _ in range(12):
+        wire = board.connect()
+        for _ in range(rng.randrange(1, 30)):
+            wire.send(rng.choice(pieces) if rng.random() < 0.9 else rng.randbytes(3))
+        if rng.random() < 0.5:
+            wire.break_off()
+    last = board.connect()
+    last.send(b"\x1bRT\rEF\r\x1b")
+    assert b"?" not in last.ask(b"TE") or last.ask(b"1TP")
+    assert board.complaints == []

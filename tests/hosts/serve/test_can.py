@@ -1,0 +1,85 @@
+"""`motionlang serve --can` as a process: EDS file, exit, error messages."""
+
+from __future__ import annotations
+
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import canopen
+import pytest
+
+from motionlang.cli import main
+from motionlang.hosts.commands.can import _switches
+from motionlang.lab.copley.switches import Switches
+from tests.cli.programs import MAX_SECONDS
+from tests.hosts.serve.test_command import line_with
+
+
+def test_drives_are_served_until_a_signal(tmp_path: Path) -> None:
+    path = tmp_path / "drive.eds"
+    command = [
+        sys.executable,
+        "-m",
+        "motionlang",
+        "serve",
+        "--can",
+        "virtual:served",
+        "--drives",
+        "2",
+        "--eds",
+        str(path),
+    ]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert line_with(process, "CANopen drives, nodes 1 to 2, on virtual served") == "; Ctrl-C ends it"
+        units = line_with(process, "units: ")
+        process.send_signal(signal.SIGTERM)
+        out, err = process.communicate(timeout=MAX_SECONDS)
+    assert units == "positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²"
+    assert (process.returncode, err) == (0, "")
+    assert re.fullmatch(r"received 0 frames; machine time \d+\.\d{3} s\n", out), out
+    dictionary: Any = canopen.import_od(str(path), node_id=5)
+    assert dictionary[0x1400][1].default == 0x205
+    assert dictionary[0x6081].default == 100_000
+
+
+def test_the_switches_are_those_of_the_machine_file() -> None:
+    settings = {
+        "axis.2.travel": [-900.0, 900.0],
+        "axis.2.home_switch": [0.0, 50.0],
+        "axis.2.index_every": 100.0,
+    }
+    assert _switches(settings, 1) == Switches()
+    assert _switches(settings, 2) == Switches(-900.0, 900.0, 0.0, 100.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--can", "vcan0"], "'vcan0' is not INTERFACE:CHANNEL, such as socketcan:vcan0"),
+        (["--can", "virtual:x", "--drives", "128"], "'128' is not a number of drives from 1 to 127"),
+        (["--tcp", "0", "--drives", "2"], "--drives and --eds need --can INTERFACE:CHANNEL"),
+        (["--can", "virtual:x", "--tcp", "0"], "--can serves drives, which run no program"),
+        (["a.mnt", "--can", "virtual:x"], "--can serves drives, which run no program"),
+        (["--can", "virtual:x", "--clock", "lockstep"], "--can needs --clock real"),
+        (["--can", "virtual:x", "--set", "width=3"], "--set width: the drives of --can run no program"),
+        (["--can", "virtual:x", "--log"], "--echo and --log have no effect with --can"),
+    ],
+)
+def test_what_does_not_go_together(
+    words: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["serve", *words])
+    assert ended.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_bus_and_a_file_that_cannot_be_opened(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["serve", "--can", "nothing:x"]) == 1
+    assert "error[address]: the CAN bus 'nothing x' cannot be opened" in capsys.readouterr().err
+    assert main(["serve", "--can", "virtual:x", "--eds", str(tmp_path / "no" / "drive.eds")]) == 1
+    assert "drive.eds cannot be written: no such file or directory" in capsys.readouterr().err

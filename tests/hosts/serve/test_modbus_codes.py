@@ -1,0 +1,384 @@
+"""Requests and exceptions of the Modbus application protocol V1.1b3, byte by byte.
+
+They go through a real connection. The server answers from a run with NetData: elements 0 to 999 are registers
+0 to 1999.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import struct
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from threading import Thread
+from types import SimpleNamespace
+from typing import Any
+from unittest.mock import MagicMock
+
+import pytest
+
+from motionlang.hosts.serve import Limits, modbus
+from motionlang.hosts.serve.modbus import ModbusServer
+from motionlang.hosts.serve.modbus_requests import Identity
+from motionlang.hosts.serve.outside import LockStep
+from motionlang.hosts.serve.refusals import Refusals
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
+
+PATIENCE = 60.0
+PROGRAM = "NETINTEGER(0) = 0x00030002\nNETINTEGER(5) = 0x12\nPAUSE NETINTEGER(999) = 1\n"
+
+
+@contextmanager
+def served(
+    limits: Limits | None = None,
+    complain: Callable[[str], None] = lambda text: None,
+    unit: int | None = None,
+) -> Iterator[ModbusServer]:
+    outside = LockStep()
+    identity = Identity("motionlang", "NextMove e100", "0.1.0")
+    server = ModbusServer(
+        outside, "127.0.0.1", 0, limits=limits, unit=unit, identity=identity, complain=complain
+    )
+    server.start()
+    source = Source("served.mnt", PROGRAM)
+    thread = Thread(target=lambda: run(source, until=float("inf"), outside=outside))
+    thread.start()
+    try:
+        yield server
+        outside.ask(partial(end, outside)).result(PATIENCE)
+        thread.join(PATIENCE)
+    finally:
+        outside.close()
+        server.stop()
+
+
+def end(outside: LockStep) -> None:
+    """Write the element that the program waits for, which ends it."""
+    assert outside.machine is not None
+    outside.machine.host.write("netdata", 999, [1])
+
+
+@contextmanager
+def client(server: ModbusServer) -> Iterator[Callable[[bytes], bytes]]:
+    """Yield a function that sends a request in a frame and returns the response."""
+    with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+
+        def ask(request: bytes) -> bytes:
+            connection.sendall(frame(request))
+            return response(connection)
+
+        yield ask
+
+
+def frame(request: bytes, transaction: int = 7, protocol: int = 0, unit: int = 9) -> bytes:
+    return struct.pack(">HHHB", transaction, protocol, len(request) + 1, unit) + request
+
+
+def response(connection: socket.socket, transaction: int = 7) -> bytes:
+    head = exactly(connection, 7)
+    found, protocol, length, unit = struct.unpack(">HHHB", head)
+    assert (found, protocol, unit) == (transaction, 0, 9)
+    return exactly(connection, length - 1)
+
+
+def exactly(connection: socket.socket, count: int) -> bytes:
+    data = b""
+    while len(data) < count:
+        more = connection.recv(count - len(data))
+        assert more, "the server closed the connection"
+        data += more
+    return data
+
+
+def words(function: int, *values: int) -> bytes:
+    return struct.pack(f">B{len(values)}H", function, *values)
+
+
+ZEROS = "00" * 242
+# The objects of the identification: number, length, text.
+VENDOR, PRODUCT, VERSION, NAME = (
+    f"{number:02x}{len(text):02x}" + text.encode().hex()
+    for number, text in ((0, "motionlang"), (1, "NextMove e100"), (2, "0.1.0"), (4, "NextMove e100"))
+)
+# A request, and its response by the specification.
+ANSWERS = {
+    "read holding registers": ("03 0000 0002", "03 04 0002 0003"),
+    "read input registers": ("04 0001 0001", "04 02 0003"),
+    "read the last register": ("03 07cf 0001", "03 02 0000"),
+    "read 125 registers": ("03 000c 007d", "03 fa" + "00" * 250),
+    "write a register": ("06 0014 1234", "06 0014 1234"),
+    "write registers": ("10 0014 0002 04 000a 0102", "10 0014 0002"),
+    # The example of the specification, 6.16: 12 hex and F2, or 25 and not F2, is 17.
+    "mask write": ("16 000a 00f2 0025", "16 000a 00f2 0025"),
+    "write 121 and read": ("17 0000 0001 0020 0079 f2" + ZEROS, "17 02 0002"),
+    # 01: unsupported functions.
+    "read coils": ("01 0000 0001", "81 01"),
+    "read discrete inputs": ("02 0000 0001", "82 01"),
+    "write a coil": ("05 ffff ff00", "85 01"),
+    "write coils": ("0f 0000 0001 01 01", "8f 01"),
+    "diagnostics": ("08 0000 0000", "88 01"),
+    "report server id": ("11", "91 01"),
+    "another encapsulated interface": ("2b 0d 01 00", "ab 01"),
+    "function 0": ("00", "80 01"),
+    "function 80 hex": ("83 0000 0001", "83 01"),
+    # 6.21 of the specification: basic, regular, from an object on, and a single one.
+    "identify, basic": ("2b 0e 01 00", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
+    "identify, regular": ("2b 0e 02 00", "2b 0e 02 82 00 00 04" + VENDOR + PRODUCT + VERSION + NAME),
+    "identify from object 2": ("2b 0e 01 02", "2b 0e 01 82 00 00 01" + VERSION),
+    "identify from an object that does not exist": ("2b 0e 01 07", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
+    "identify, the product": ("2b 0e 04 01", "2b 0e 04 82 00 00 01" + PRODUCT),
+    "identify, an object that does not exist": ("2b 0e 04 07", "ab 02"),
+    "identify, category 5": ("2b 0e 05 00", "ab 03"),
+    "identify, too short": ("2b 0e 01", "ab 03"),
+    # 03 before 02: quantities, and lengths that do not fit them.
+    "read no register": ("03 0000 0000", "83 03"),
+    "read 126 registers": ("03 0000 007e", "83 03"),
+    "read 126 registers that do not exist": ("04 ffff 007e", "84 03"),
+    "read, too short": ("03 0000 00", "83 03"),
+    "read, too long": ("03 0000 0001 00", "83 03"),
+    "write a register, too short": ("06 0014", "86 03"),
+    "write no register": ("10 0000 0000 00", "90 03"),
+    "write 124 registers": ("10 0000 007c f8" + "00" * 246, "90 03"),
+    "write with another byte count": ("10 0000 0002 02 0001 0002", "90 03"),
+    "write with a value missing": ("10 0000 0002 04 0001", "90 03"),
+    "mask write, too short": ("16 000a 00f2", "96 03"),
+    "read and write no register": ("17 0000 0001 0000 0000 00", "97 03"),
+    "read no register and write": ("17 0000 0000 0000 0001 02 0001", "97 03"),
+    "read 126 registers and write": ("17 0000 007e 0000 0001 02 0001", "97 03"),
+    # 02: a range with a register that does not exist.
+    "read beyond the end": ("03 07cf 0002", "83 02"),
+    "read beyond 65535": ("03 ffff 0002", "83 02"),
+    "write beyond the end": ("06 07d0 0001", "86 02"),
+    "write across the end": ("10 07cf 0002 04 0001 0002", "90 02"),
+    "mask write beyond the end": ("16 07d0 0000 0000", "96 02"),
+    "write, and read beyond the end": ("17 07cf 0002 0014 0001 02 0009", "97 02"),
+    "write beyond the end, and read": ("17 0000 0001 07d0 0001 02 0009", "97 02"),
+}  # fmt: skip
+
+
+def test_each_request_has_the_response_of_the_specification() -> None:
+    with served() as server, client(server) as ask:
+        found = {name: ask(bytes.fromhex(request)) for name, (request, _) in ANSWERS.items()}
+        assert found == {name: bytes.fromhex(answer) for name, (_, answer) in ANSWERS.items()}
+        assert ask(words(3, 10, 1)) == bytes.fromhex("03 02 0017")  # written by the mask
+        # Rejected requests wrote nothing: 20 and 21 have the values of "write registers".
+        assert ask(words(3, 20, 2)) == bytes.fromhex("03 04 000a 0102")
+
+
+def test_requests_sent_ahead_are_answered_in_order() -> None:
+    with served() as server, socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+        ahead = [frame(words(6, 30 + k, k), transaction=k) for k in range(100)]
+        connection.sendall(b"".join(ahead))
+        assert [response(connection, k) for k in range(100)] == [words(6, 30 + k, k) for k in range(100)]
+
+
+def test_frames_of_other_protocols_are_skipped_and_no_frame_ends_the_connection() -> None:
+    with served() as server:
+        with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+            connection.sendall(frame(words(3, 0, 1), protocol=1) + frame(words(3, 0, 1)))
+            assert response(connection) == bytes.fromhex("03 02 0002")
+        for length in (0, 1, 255, 65535):
+            with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+                connection.sendall(struct.pack(">HHHB", 1, 0, length, 1))
+                assert connection.recv(1) == b""
+
+
+def test_only_frames_for_its_unit_and_for_any_device_are_answered() -> None:
+    with (
+        served(unit=9) as server,
+        socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection,
+    ):
+        ask = words(3, 0, 1)
+        connection.sendall(frame(ask, 1, unit=8) + frame(ask, 2, unit=0) + frame(ask, 3, unit=9))
+        connection.sendall(frame(ask, 4, unit=10) + frame(ask, 5, unit=255))
+        heads = []
+        for _ in range(3):
+            number, _, length, unit = struct.unpack(">HHHB", exactly(connection, 7))
+            exactly(connection, length - 1)
+            heads.append((number, unit))
+        assert heads == [(2, 0), (3, 9), (5, 255)]
+
+
+def test_a_client_too_many_is_turned_away() -> None:
+    """The first two are still served.
+
+    Each rejection is logged in a line, or is counted in the next line.
+    """
+    lines: list[str] = []
+    with served(Limits(hosts=2), lines.append) as server:
+        with client(server) as first, client(server) as second:
+            assert first(words(3, 0, 1)) == second(words(3, 0, 1))
+            for _ in range(20):
+                with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as third:
+                    assert third.recv(1) == b""
+            assert first(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+        assert lines[0].endswith(" was turned away: 2 clients are connected already")
+    refused = [line for line in lines if "turned away" in line]
+    others = [
+        int(line.rpartition("(")[2].split()[0]) for line in refused if line.endswith("since the last line)")
+    ]
+    assert len(refused) + sum(others) == 20
+
+
+def test_a_silent_client_makes_room() -> None:
+    with served(Limits(hosts=1, idle=0.0)) as server:
+        silent = socket.create_connection(("127.0.0.1", server.port), PATIENCE)
+        silent.sendall(frame(words(3, 0, 1)))
+        assert response(silent) == bytes.fromhex("03 02 0002")
+        with silent, client(server) as ask:
+            assert ask(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+            assert silent.recv(1) == b""
+
+
+def test_a_client_that_has_sent_nothing_makes_room_and_requests_are_counted() -> None:
+    """A request that is rejected counts unless it cannot be parsed."""
+    with served(Limits(hosts=1, idle=0.0)) as server:
+        silent = socket.create_connection(("127.0.0.1", server.port), PATIENCE)
+        with silent, client(server) as ask:
+            assert ask(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+            assert ask(bytes.fromhex("2b 0e 01 07"))[:1] == b"\x2b"
+            assert ask(bytes.fromhex("01 0000 0001")) == bytes.fromhex("81 01")
+            assert silent.recv(1) == b""
+            assert server.requests == 2
+
+
+def test_rejected_clients_are_reported_once_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first is reported at once; one call reports the others a second later."""
+    calls, lines, now = list[float](), list[str](), [100.0]
+    loop = SimpleNamespace(call_later=lambda seconds, call: calls.append(seconds))
+    monkeypatch.setattr(modbus, "asyncio", SimpleNamespace(get_running_loop=lambda: loop))
+    server = ModbusServer(LockStep(), "127.0.0.1", 0)
+    server._refusals = Refusals(lines.append, lambda: now[0])
+    for text in ("first", "second", "third"):
+        server._refuse(text)
+        now[0] += 0.25
+    assert (lines, calls) == (["first"], [0.75])
+    server._refusals.flush()
+    assert lines == ["first", "third (1 more since the last line)"]
+
+
+@pytest.mark.parametrize(
+    ("last_received", "busy", "left"),
+    [
+        ((41.0, 40.5), (False, False), []),  # neither has been silent for 60 s
+        ((41.0, 40.0), (False, False), [1]),
+        ((39.0, 40.0), (False, False), [0]),  # the longest-silent one
+        ((39.0, 40.0), (True, False), [1]),
+        ((39.0, 39.0), (True, True), []),
+    ],
+)
+def test_a_client_that_is_silent_for_a_minute_makes_room(
+    last_received: tuple[float, float],
+    busy: tuple[bool, bool],
+    left: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is 100 s; the task of a client that makes room is cancelled."""
+    monkeypatch.setattr(modbus, "monotonic", lambda: 100.0)
+    cancelled: list[int] = []
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    for number, (time, is_busy) in enumerate(zip(last_received, busy, strict=True)):
+        task = MagicMock(cancel=partial(cancelled.append, number))
+        server._connections[task] = SimpleNamespace(last_received=time, busy=is_busy)
+    assert server._make_room() is bool(left)
+    assert cancelled == left
+    assert len(server._connections) == 2 - len(left)
+
+
+def test_a_server_that_has_not_started_can_be_stopped() -> None:
+    ModbusServer(LockStep(), "127.0.0.1", 0).stop()
+
+
+def test_a_request_after_the_end_of_the_run_is_a_failure_of_the_device() -> None:
+    """Exception 04; bit 7 of the function is set."""
+    outside = LockStep()
+    outside.close()
+    server = ModbusServer(outside, "127.0.0.1", 0)
+    assert asyncio.run(server._answer(words(3, 0, 1))) == bytes.fromhex("83 04")
+
+
+def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
+    server = ModbusServer(LockStep(), "127.0.0.1", 0)
+    server.start()
+    assert server._thread is not None
+    assert (server._thread.daemon, server._thread.is_alive()) == (True, True)
+    server.stop()
+    assert not server._thread.is_alive()
+
+
+def test_at_the_end_a_client_gets_the_answer_that_it_waits_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Idle connections are closed at once, a request is cancelled after half a second."""
+    waits, wait = list[float](), asyncio.wait
+
+    async def wait_no_time(tasks: Any, timeout: float) -> Any:
+        waits.append(timeout)
+        return await wait(tasks, timeout=0.0)
+
+    monkeypatch.setattr(asyncio, "wait", wait_no_time)
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    connections = [SimpleNamespace(busy=busy, writer=MagicMock()) for busy in (False, True)]
+
+    async def end() -> list[bool]:
+        tasks = [asyncio.ensure_future(asyncio.Event().wait()) for _ in connections]
+        server._connections = dict(zip(tasks, connections, strict=True))
+        await server._end()
+        await asyncio.sleep(0)
+        return [task.cancelled() for task in tasks]
+
+    assert asyncio.run(end()) == [True, True]
+    assert [each.writer.close.call_count for each in connections] == [1, 0]
+    assert waits == [0.5]
+
+
+def test_a_client_with_an_address_of_ipv6_is_turned_away() -> None:
+    lines: list[str] = []
+    server: Any = ModbusServer(LockStep(), "::1", 0, limits=Limits(hosts=0), complain=lines.append)
+    writer = MagicMock(get_extra_info=lambda name: ("::1", 4000, 0, 0))
+    asyncio.run(server._accept(MagicMock(), writer))
+    assert lines == ["[::1]:4000 was turned away: 0 clients are connected already"]
+    writer.close.assert_called_once_with()
+
+
+def test_a_connection_is_busy_while_its_request_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    drain, found = MagicMock(), list[bool]()
+
+    async def answer(data: bytes) -> bytes:
+        found.append(connection.busy)
+        return b"\x83\x04"
+
+    async def drained() -> None:
+        drain()
+
+    connection = SimpleNamespace(busy=False, writer=MagicMock(drain=drained))
+    monkeypatch.setattr(server, "_answer", answer)
+
+    async def run_once() -> None:
+        reader = asyncio.StreamReader()
+        reader.feed_data(frame(words(3, 0, 1)))
+        await server._answer_next(reader, connection)
+
+    asyncio.run(run_once())
+    assert (found, connection.busy) == ([True], False)
+    connection.writer.write.assert_called_once_with(frame(b"\x83\x04"))
+    drain.assert_called_once_with()
+
+
+@pytest.mark.parametrize("is_over", [False, True])
+def test_the_end_of_a_server_is_noticed_after_each_frame(is_over: bool) -> None:
+    """The frame is for another unit, so that it is not answered."""
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0, unit=1)
+
+    async def goes_on() -> bool:
+        server._over = asyncio.Event()
+        if is_over:
+            server._over.set()
+        reader = asyncio.StreamReader()
+        reader.feed_data(frame(words(3, 0, 1)))
+        found: bool = await server._answer_next(reader, SimpleNamespace(last_received=0.0))
+        return found
+
+    assert asyncio.run(goes_on()) is not is_over

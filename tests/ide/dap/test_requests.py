@@ -1,0 +1,586 @@
+"""Requests of the debug adapter.
+
+Arguments, lines from 0 or 1, variables, watches, and the frames of messages.
+"""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from motionlang.ide.dap.arguments import Arguments, Refused
+from motionlang.ide.dap.framing import MAX_BODY, MAX_HEADER, WrongMessage, read, written
+from motionlang.ide.dap.showing import Showing
+from tests.ide.dap.client import Client
+from tests.ide.debug.test_debugger import CALLS, MOVE
+
+PROGRAM = """\
+Dim a(3) As Integer, n As Integer
+SPEED(0) = 50 : MOVEA(0) = 100 : GO(0)
+OUTX(2) = 1
+a(2) = 7
+n = n + 1
+PAUSE IDLE(0)
+Print n
+"""
+
+
+@pytest.fixture
+def stopped(client: Client, tmp_path: Path) -> tuple[Client, dict[str, Any]]:
+    """A session at line 5 of the program, with an input that is on, and its stop."""
+    path = tmp_path / "a.mnt"
+    path.write_text(PROGRAM)
+    client.launch(path, input=["5=1"], analog=["0=25"])
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 5}])
+    return client, client.begin()
+
+
+# --------------------------------------------------------------------------------------------------- arguments
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "wanted"),
+    [
+        ("text", "x", "x"),
+        ("text", 5, "a must be a text"),
+        ("text", None, "a must be a text"),
+        ("number", -7, -7),
+        ("number", 2**53 - 1, 2**53 - 1),
+        ("number", 2**53, "a must be a whole number"),
+        ("number", -(2**53), "a must be a whole number"),
+        ("number", True, "a must be a whole number"),
+        ("number", 1.0, "a must be a whole number"),
+        ("seconds", 0, 0.0),
+        ("seconds", 2.5, 2.5),
+        ("seconds", None, None),
+        ("seconds", -0.5, "a must be a time in seconds"),
+        ("seconds", 1e9, "a must be a time in seconds"),
+        ("seconds", True, "a must be a time in seconds"),
+        ("flag", True, True),
+        ("flag", None, False),
+        ("flag", 1, "a must be true or false"),
+        ("objects", None, []),
+        ("objects", [1], "a must be a list of objects"),
+        ("objects", {}, "a must be a list of objects"),
+        ("texts", None, []),
+        ("texts", "x", ["x"]),
+        ("texts", ["x", "y"], ["x", "y"]),
+        ("texts", ["x", 1], "a must be a list of texts"),
+        ("texts", 1, "a must be a list of texts"),
+        ("items", None, {}),
+        ("items", {"x": 1, "y": "z"}, {"x": 1, "y": "z"}),
+        ("items", {"x": True}, "the values of a must be numbers or texts"),
+        ("items", {"x": []}, "the values of a must be numbers or texts"),
+        ("items", [], "a must be an object"),
+    ],
+)
+def test_an_argument(kind: str, value: object, wanted: object) -> None:
+    arguments = Arguments({"a": value})
+    try:
+        found = getattr(arguments, kind)("a")
+    except Refused as refused:
+        found = str(refused)
+    assert found == wanted
+
+
+def test_arguments_that_are_missing() -> None:
+    none = Arguments(None)
+    assert (none.text("a", "x"), none.number("a", 7), none.seconds("a", 2.0)) == ("x", 7, 2.0)
+    assert none.flag("a", True) is True
+    with pytest.raises(Refused, match="arguments must be an object"):
+        Arguments([])
+
+
+# --------------------------------------------------------------------------------------------------- messages
+
+
+def framed(*parts: bytes) -> io.BytesIO:
+    return io.BytesIO(b"".join(parts))
+
+
+def test_messages_one_after_another() -> None:
+    """The header has any letter case and further fields.
+
+    Blank lines before it are skipped.
+    """
+    stream = framed(
+        written({"a": "ä"}),
+        b"\r\n\n",
+        b"content-LENGTH : 2 \r\nContent-Type: x\r\n\r\n{}",
+        b"Content-Length: 5\r\n\r\n{}",
+    )
+    assert [read(stream) for _ in range(4)] == [{"a": "ä"}, {}, None, None]
+    assert written({"a": "ä"}) == b'Content-Length: 11\r\n\r\n{"a": "\xc3\xa4"}'
+
+
+@pytest.mark.parametrize(
+    ("data", "message", "is_fatal"),
+    [
+        (b"Content-Length: 2\r\n\r\n[]", "the message is not an object", False),
+        (b"Content-Length: 1\r\n\r\n{", "the message is not JSON in UTF-8", False),
+        (b"Content-Length: 1\r\n\r\n\xff", "the message is not JSON in UTF-8", False),
+        (b"Content-Length: x\r\n\r\n", "the message may have up to 67108864 bytes", True),
+        (
+            b"Content-Length: %d\r\n\r\n" % (MAX_BODY + 1),
+            f"the message may have up to {MAX_BODY} bytes",
+            True,
+        ),
+        (b"Other: 1\r\n\r\n", "the header has no Content-Length", True),
+        (b"x" * MAX_HEADER + b"\n", "the header is too long", True),
+        (b"a: b\r\n" * 2000, "the header is too long", True),
+        (b"no line end", "the header is too long", True),
+    ],
+)
+def test_a_message_that_cannot_be_read(data: bytes, message: str, is_fatal: bool) -> None:
+    """The stream can go on after a body that is no message.
+
+    It cannot after a wrong header.
+    """
+    with pytest.raises(WrongMessage) as caught:
+        read(framed(data))
+    assert (str(caught.value), caught.value.is_fatal) == (message, is_fatal)
+
+
+class Narrow(io.BytesIO):
+    """A stream on which at most 3 bytes of a message arrive at a time."""
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        assert size is not None
+        return super().read(min(size, 3))
+
+
+def test_messages_that_arrive_in_several_packets() -> None:
+    stream = Narrow(written({"a": "bcdef"}) + written({"g": 1}))
+    assert [read(stream) for _ in range(3)] == [{"a": "bcdef"}, {"g": 1}, None]
+
+
+def test_a_body_of_the_largest_size_is_read() -> None:
+    """The stream ends before it."""
+    assert read(framed(b"Content-Length: %d\r\n\r\n{}" % MAX_BODY)) is None
+
+
+def test_a_header_of_the_largest_size() -> None:
+    field = b"a: " + b"b" * (8192 - 3 - 2 - 19 - 2) + b"\r\n"
+    head = b"Content-Length: 2\r\n"
+    assert read(framed(field, head, b"\r\n{}")) == {}
+    with pytest.raises(WrongMessage):
+        read(framed(b"b", field, head, b"\r\n{}"))
+
+
+# -------------------------------------------------------------------------------------------------- variables
+
+
+def test_the_variables_of_each_scope(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, stop = stopped
+    scopes = client.scopes(stop)
+    assert scopes["Variables"] == {"a": "3 elements", "n": "0"}
+    assert scopes["Inputs"] == {"input 5": "1", "analogue input 0": "25"}
+    assert scopes["Outputs"]["output 2"] == "1"
+    assert scopes["Axes"]["axis 0"].startswith("position ")
+    assert "Local" not in scopes
+
+
+def reference(client: Client, stop: dict[str, Any], scope: str) -> int:
+    frame = client.ask("stackTrace", threadId=stop["body"]["threadId"])["stackFrames"][0]["id"]
+    scopes = client.ask("scopes", frameId=frame)["scopes"]
+    (found,) = [int(each["variablesReference"]) for each in scopes if each["name"] == scope]
+    return found
+
+
+def test_elements_and_their_sections(stopped: tuple[Client, dict[str, Any]]) -> None:
+    """`start` and `count` select elements; an element is set by its name."""
+    client, stop = stopped
+    (array,) = [
+        each
+        for each in client.ask("variables", variablesReference=reference(client, stop, "Variables"))[
+            "variables"
+        ]
+        if each["name"] == "a"
+    ]
+    assert (array["evaluateName"], array["type"]) == ("a", "Integer")
+    number = array["variablesReference"]
+    for how, wanted in (
+        ({}, ["0", "7", "0"]),
+        ({"start": 1}, ["7", "0"]),
+        ({"start": 1, "count": 1}, ["7"]),
+        ({"start": -1, "count": 2}, ["0", "7"]),
+        ({"count": 0}, ["0", "7", "0"]),
+    ):
+        found = client.ask("variables", variablesReference=number, **how)["variables"]
+        assert [each["value"] for each in found] == wanted
+    assert client.ask("setVariable", variablesReference=number, name="a(3)", value="n + 4")["value"] == "4"
+    found = client.ask("variables", variablesReference=number)["variables"]
+    assert [each["value"] for each in found] == ["0", "7", "4"]
+
+
+def test_the_lines_of_an_axis_have_units(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, stop = stopped
+    found = client.ask("variables", variablesReference=reference(client, stop, "Axes"))["variables"]
+    assert "evaluateName" not in found[0]
+    lines = {
+        each["name"]: each["value"]
+        for each in client.ask("variables", variablesReference=found[0]["variablesReference"])["variables"]
+    }
+    assert lines["target"] == "100 uu"
+    assert lines["velocity"].endswith(" uu/s")
+    assert (lines["state"], lines["buffer"]) == ("moving", "0 elements")
+
+
+@pytest.mark.parametrize(
+    ("scope", "name", "value", "message"),
+    [
+        ("Axes", "axis 0", "1", "only variables and inputs can be changed"),
+        ("Outputs", "output 2", "0", "only variables and inputs can be changed"),
+        ("Variables", "b", "1", "there is no variable b here"),
+        ("Inputs", "axis 5", "1", "axis 5 is no input"),
+        ("Inputs", "input x", "1", "input x is no input"),
+        ("Variables", "a", "1", "a cannot be set; set one of its elements"),
+    ],
+)
+def test_what_cannot_be_set(
+    stopped: tuple[Client, dict[str, Any]], scope: str, name: str, value: str, message: str
+) -> None:
+    client, stop = stopped
+    number = reference(client, stop, scope)
+    assert message in client.refused("setVariable", variablesReference=number, name=name, value=value)
+
+
+def test_an_input_is_set_at_a_stop(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, stop = stopped
+    number = reference(client, stop, "Inputs")
+    for name, value in (("input 5", " 0 "), ("analogue input 0", "50")):
+        answer = client.ask("setVariable", variablesReference=number, name=name, value=value)
+        assert answer == {"value": value.strip(), "variablesReference": 0}
+    client.go("next")
+    assert client.ask("evaluate", expression="input(5)")["result"] == "0"
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("n", "variable module/n"),
+        ("axis 0", "variable machine/axis 0"),
+        ("output 2", "variable machine/output 2"),
+        ("nothing", None),
+    ],
+)
+def test_what_can_be_watched(stopped: tuple[Client, dict[str, Any]], name: str, data: str | None) -> None:
+    client, _ = stopped
+    found = client.ask("dataBreakpointInfo", name=name)
+    assert found["dataId"] == data
+    assert found["description"] == (
+        f"{name} changes" if data else f"{name} cannot be watched; use a motion breakpoint"
+    )
+    assert found.get("accessTypes") == (["write"] if data else None)
+
+
+@pytest.mark.parametrize(
+    ("scope", "name", "data"),
+    [
+        ("Variables", "n", "variable module/n"),
+        ("Axes", "axis 0", "variable machine/axis 0"),
+        ("Inputs", "input 5", "input 5"),
+        ("Outputs", "output 2", "output 2"),
+        ("Inputs", "analogue input 0", None),
+    ],
+)
+def test_what_can_be_watched_in_a_scope(
+    stopped: tuple[Client, dict[str, Any]], scope: str, name: str, data: str | None
+) -> None:
+    client, stop = stopped
+    number = reference(client, stop, scope)
+    assert client.ask("dataBreakpointInfo", variablesReference=number, name=name)["dataId"] == data
+
+
+def test_watches_that_are_none(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, _ = stopped
+    wanted = ["output 2", "input 5", "variable module/n", "output x", "variable ", "axis 0"]
+    found = client.ask("setDataBreakpoints", breakpoints=[{"dataId": each} for each in wanted])["breakpoints"]
+    assert [each["verified"] for each in found] == [True, True, True, False, False, False]
+    stop = client.go("continue")
+    assert stop["body"]["text"].startswith("n changes from 0 to 1")
+
+
+@pytest.mark.parametrize(
+    ("expression", "wanted"),
+    [("n + 2", "2"), ("a(2)", "7"), ("a", "3 elements"), ("time < 1", "1"), ("output(2)", "1")],
+)
+def test_an_expression_is_evaluated(
+    stopped: tuple[Client, dict[str, Any]], expression: str, wanted: str
+) -> None:
+    client, _ = stopped
+    found = client.ask("evaluate", expression=expression)
+    assert found["result"] == wanted
+    assert bool(found["variablesReference"]) == (expression == "a")
+
+
+# ------------------------------------------------------------------------------------- lines, frames, phases
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_a_client_that_counts_from_0_or_1(client: Client, tmp_path: Path, first: int) -> None:
+    """Statements are in lines 4, 5, 8, 9 and 11, counted from 1."""
+    path, shift = tmp_path / "a.mnt", first - 1
+    path.write_text(CALLS)
+    client.ask("initialize", adapterID="motionlang", linesStartAt1=bool(first), columnsStartAt1=bool(first))
+    client.ask("launch", program=str(path))
+    source = {"path": str(path)}
+    lines = client.ask("breakpointLocations", source=source, line=4 + shift, endLine=9 + shift)["breakpoints"]
+    assert [each["line"] - shift for each in lines] == [4, 5, 8, 9]
+    lines = client.ask("breakpointLocations", source=source, line=5 + shift)["breakpoints"]
+    assert [each["line"] - shift for each in lines] == [5]
+    lines = client.ask("breakpointLocations", source=source, line=8 + shift)["breakpoints"]
+    assert [each["line"] - shift for each in lines] == [8]
+    points = client.ask(
+        "setBreakpoints",
+        source=source,
+        breakpoints=[{"line": 2 + shift}, {"line": 12 + shift}, {"line": 9 + shift, "condition": "1 +"}],
+    )["breakpoints"]
+    assert [each["verified"] for each in points] == [True, False, False]
+    assert points[0]["line"] == 4 + shift
+    assert "message" not in points[0]
+    stop = client.begin()
+    (frame, caller) = client.ask("stackTrace", threadId=stop["body"]["threadId"])["stackFrames"]
+    assert (frame["line"], frame["column"]) == (4 + shift, 3 + shift)
+    assert (frame["endLine"], frame["endColumn"]) == (4 + shift, 8 + shift)
+    assert caller["line"] == 9 + shift
+    target = client.ask("gotoTargets", source=source, line=10 + shift)["targets"][0]
+    assert (target["line"], target["label"]) == (11 + shift, "the next time that line 11 begins")
+
+
+def test_breakpoints_of_another_file(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.launch(path)
+    for source in ({"path": str(tmp_path / "b.mnt")}, {}, {"path": ""}):
+        (point,) = client.ask("setBreakpoints", source=source, breakpoints=[{"line": 5}])["breakpoints"]
+        assert (point["verified"], point["message"]) == (
+            False, "this file is not the program that is debugged",
+        )  # fmt: skip
+        assert client.ask("breakpointLocations", source=source, line=5)["breakpoints"] == []
+
+
+def test_some_frames_of_a_stack(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.launch(path)
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 4}])
+    thread = client.begin()["body"]["threadId"]
+    for how, names in (
+        ({}, ["Add", "main"]),
+        ({"startFrame": 1}, ["main"]),
+        ({"startFrame": 1, "levels": 1}, ["main"]),
+        ({"levels": 1}, ["Add"]),
+        ({"startFrame": -3, "levels": 1}, ["Add"]),
+        ({"startFrame": 2, "levels": 5}, []),
+    ):
+        found = client.ask("stackTrace", threadId=thread, **how)
+        assert ([each["name"] for each in found["stackFrames"]], found["totalFrames"]) == (names, 2)
+    assert "there is no thread 99" in client.refused("stackTrace", threadId=99)
+    assert "there is no frame 999 at this stop" in client.refused("scopes", frameId=999)
+    assert "there is no frame 0 at this stop" in client.refused("scopes", frameId=0)
+
+
+def test_threads_say_what_they_wait_for(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("Run Blink\nWAIT(100)\nPrint 1\nEnd\nTask Blink\n  PAUSE INX(2)\nEnd Task\n")
+    client.launch(path)
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 3}])
+    assert client.ask("threads")["threads"] == [{"id": 1, "name": "program"}]
+    client.begin()
+    names = [each["name"] for each in client.ask("threads")["threads"]]
+    assert names[0] == "ParentTask"
+    assert names[1].lower().startswith("blink (waits ")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (".input", "there is no command .input with these values"),
+        (".changed", "there is no command .changed with these values"),
+        (".quit", "there is no command .quit with these values; .help lists the commands"),
+        (".goto", "is no time, such as 2.5"),
+        (".changed nothing", "there is no variable nothing here"),
+    ],
+)
+def test_a_command_of_the_console_that_is_none(
+    stopped: tuple[Client, dict[str, Any]], line: str, message: str
+) -> None:
+    client, _ = stopped
+    assert message in client.refused("evaluate", expression=line, context="repl")
+
+
+def test_a_line_of_the_console_changes_a_variable_or_compares(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, _ = stopped
+
+    def typed(line: str, context: str = "repl") -> str:
+        return str(client.ask("evaluate", expression=line, context=context)["result"])
+
+    lines = ("n = 2 * 3", "n", "n == 6", "a(2) = n + 1", "a(2)")
+    assert [typed(line) for line in lines] == ["6", "6", "1", "7", "7"]
+    assert typed("n = 7", "watch") == "0"
+    for line, message in (
+        ("bags = 100", "there is no variable bags here"),
+        ("a(9) = 1", "there is no a(9)"),
+        ("a = 1", "a cannot be set; set one of its elements"),
+        ("n = ", "the expression ends too early"),
+        ("n = n +", "the expression ends too early"),
+        ("position(0) = 3", "there is no variable position(0) here"),
+    ):
+        assert client.refused("evaluate", expression=line, context="repl") == message
+    assert typed("n") == "6"
+
+
+def test_commands_of_the_console(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, _ = stopped
+    assert ".goto" in client.ask("evaluate", expression=".help", context="repl")["result"]
+    none = {"result": "", "variablesReference": 0}
+    assert client.ask("evaluate", expression=".input 6=1", context="repl") == none
+    client.go("next")
+    assert client.ask("evaluate", expression="input(6)")["result"] == "1"
+    client.ask("evaluate", expression=".changed a", context="repl")
+    assert client.frames(client.wait("stopped"))[0] == ("main", 4)
+    client.ask("evaluate", expression=".changed input 9", context="repl")
+    assert client.wait("stopped")["body"]["text"] == "nothing has changed input 9 yet"
+
+
+def test_an_internal_error_in_a_command_ends_the_session_with_its_text(
+    client: Client, tmp_path: Path
+) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(MOVE)
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+
+    def fail() -> None:
+        raise KeyError("broken")
+
+    client.adapter._debugger.next = fail  # type: ignore[method-assign]
+    client.ask("next")
+    output = client.wait("output")
+    assert output["body"] == {"category": "stderr", "output": "internal error: KeyError: 'broken'\n"}
+    client.wait("terminated")
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "last"),
+    [("Print 1\n", 0, "ended after "), ("Print 1\nDim a(2)\na(n + 9) = 1\n", 1, "fault after ")],
+)
+def test_the_end_of_a_program(client: Client, tmp_path: Path, text: str, status: int, last: str) -> None:
+    """The exit status is that of the command line.
+
+    The console says how the program ended.
+    """
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim n As Integer\n" + text)
+    client.launch(path)
+    client.ask("configurationDone")
+    texts = []
+    while (event := client.wait("output", "exited"))["event"] == "output":
+        texts.append(event["body"])
+    assert event["body"] == {"exitCode": status}
+    assert texts[0] == {"category": "stdout", "output": "1\n"}
+    assert (texts[-1]["category"], texts[-1]["output"].startswith(last)) == ("console", True)
+
+
+def test_requests_in_the_wrong_phase(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(MOVE)
+    assert client.refused("launch", program=str(path)) == "launch is not possible now: the session is new"
+    assert client.refused("fly") == "there is no request 'fly'"
+    client.launch(path, stopOnEntry=True)
+    assert client.refused("next") == "next is not possible now: the session is configuring"
+    client.begin()
+    assert client.refused("initialize") == "initialize is not possible now: the session is stopped"
+    assert "time must be a time in seconds" in client.refused("goToTime")
+
+
+def test_numbers_that_json_does_not_have_are_no_message() -> None:
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        written({"a": float("nan")})
+
+
+def test_an_error_has_a_number_and_is_shown_for_requests_of_the_user(client: Client) -> None:
+    """Braces would be variables of the text."""
+    error = client.request("fly{me}")["body"]["error"]
+    assert error == {"id": 1, "format": "there is no request 'fly(me)'", "showUser": True}
+
+
+def test_filters_by_name(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(MOVE)
+    client.launch(path)
+    found = client.ask("setExceptionBreakpoints", filters=["error", "limit", "rain"])["breakpoints"]
+    assert [each["verified"] for each in found] == [True, True, False]
+    assert found[2]["message"] == "there is no filter 'rain'"
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_completions_of_a_client_that_counts_columns_from_0_or_1(
+    client: Client, tmp_path: Path, first: int
+) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.ask("initialize", adapterID="motionlang", columnsStartAt1=bool(first))
+    client.ask("launch", program=str(path), stopOnEntry=True)
+    client.begin()
+    found = client.ask("completions", text="1 + to", column=6 + first)["targets"]
+    assert [(each["label"], each["start"], each["length"]) for each in found] == [("total", 4 + first, 2)]
+
+
+def test_the_console_is_free_again_after_an_answer(client: Client, tmp_path: Path) -> None:
+    """The first line answers INPUT; the next one is an expression."""
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim n As Integer\nINPUT n\nPrint n\n")
+    client.launch(path)
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 3}])
+    client.ask("configurationDone")
+    while "waits for a line" not in client.wait("output")["body"]["output"]:
+        pass
+    none = {"result": "", "variablesReference": 0}
+    assert client.ask("evaluate", expression="21", context="repl") == none
+    client.wait("stopped")
+    assert client.ask("evaluate", expression="n * 2", context="repl")["result"] == "42"
+
+
+@pytest.mark.parametrize(
+    ("lines", "first", "line", "column"), [([3, 7], 1, 7, 1), ([3, 7], 0, 6, 0), ([], 1, 1, 1), ([], 0, 0, 0)]
+)
+def test_the_frame_of_a_program_that_has_ended(lines: list[int], first: int, line: int, column: int) -> None:
+    """It is after the last statement; numbers of earlier frames are not used again."""
+    state = SimpleNamespace(tasks=list)
+    debugger: Any = SimpleNamespace(run=object(), lines=lines, state=lambda: state)
+    showing = Showing(debugger, "/programs/a.mnt", first, first)
+    for number in (1, 2):
+        assert showing.stack(Arguments({"threadId": 1})) == {
+            "stackFrames": [
+                {
+                    "id": number,
+                    "name": "end of the program",
+                    "source": {"name": "a.mnt", "path": "/programs/a.mnt"},
+                    "line": line,
+                    "column": column,
+                }
+            ],
+            "totalFrames": 1,
+        }
+        showing.forget()
+    with pytest.raises(Refused, match="there is no thread 2"):
+        showing.stack(Arguments({"threadId": 2}))
+    debugger.run = None
+    with pytest.raises(Refused, match="there is no thread 1"):
+        showing.stack(Arguments({"threadId": 1}))
+
+
+def test_threads_have_numbers_and_variables_of_the_stopped_one_can_be_set() -> None:
+    debugger: Any = SimpleNamespace(stop=None)
+    showing = Showing(debugger, "a.mnt", 1, 1)
+    assert [showing.number(name) for name in ("main", "lamp", "main", "timer")] == [1, 2, 1, 3]
+    showing._frames += [("main", 0), ("lamp", 0)]
+    assert not showing._is_current(0)
+    debugger.stop = SimpleNamespace(task="lamp")
+    assert [showing._is_current(frame) for frame in (0, 1)] == [False, True]

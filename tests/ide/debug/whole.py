@@ -1,0 +1,26 @@
+"""Everything that a run produces, for comparison with another run."""
+
+from __future__ import annotations
+
+from motionlang.kernel.report import text
+from motionlang.kernel.result import Run
+
+STREAMS = (
+    "waits",
+    "inputs",
+    "outputs",
+    "analogue_inputs",
+    "analogue_outputs",
+    "settings",
+    "events",
+    "prints",
+)
+
+
+def whole(run: Run) -> tuple[str, list[list[list[object]]]]:
+    """Return the report and the log of a run, which must be equal in both runs.
+
+    The report includes the figures of its loops.
+    """
+    log = run.machine.log
+    return text(run), [[list(each) for each in getattr(log, name)] for name in STREAMS]

@@ -1,0 +1,339 @@
+"""The controller's environment: switches and inputs by time and by position."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import DRIVE, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.kernel.controller.io.wiring import World
+
+
+def machine(**settings: object) -> Controller:
+    c = Controller(2)
+    for axis in c.axes:
+        for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
+            c.configure(axis, name, value)
+    World(c, {key.replace("__", "."): value for key, value in settings.items()})
+    return c
+
+
+def changes(c: Controller) -> list[tuple[float, int, float]]:
+    return [(round(time, 9), channel, value) for time, channel, value in c.log.inputs]
+
+
+def test_inputs_by_time() -> None:
+    c = machine(input=[{"channel": 3, "at": 1.5}, {"channel": 4, "at": 2.0, "for": 0.25, "value": 1}])
+    c.clock.advance(10.0)
+    assert changes(c) == [(1.5, 3, 1), (2.0, 4, 1), (2.25, 4, 0)]
+
+
+def test_an_input_by_position_follows_the_axis_in_both_directions() -> None:
+    c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    c.move_to(0, 0.0)
+    c.clock.advance(20.0)
+    assert changes(c) == [(1.0, 3, 1), (6.0, 3, 0)]
+
+
+def test_an_input_between_two_positions() -> None:
+    c = machine(input=[{"channel": 3, "axis": 0, "between": [2.0, 10.0]}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert changes(c) == [(0.5, 3, 1), (1.5, 3, 0)]
+
+
+def test_positions_of_the_world_are_user_units_whatever_the_scale() -> None:
+    c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
+    c.set_scale(0, 1000.0)
+    for name in ("speed", "accel", "decel"):
+        c.configure(0, name, float(c.setting(0, name) or 0) * 1000)
+    c.move_to(0, 12_000.0)
+    c.clock.advance(5.0)
+    assert changes(c) == [(1.0, 3, 1)]
+
+
+def test_travel_limits_stop_the_axis_and_show_on_their_inputs() -> None:
+    c = machine(axis__0__travel=[-5.0, 6.0], axis__0__forward_input=7)
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert c.position(0) == pytest.approx(6.0)
+    assert c.faults(0) == LIMIT_FORWARD
+    assert changes(c) == [(1.0, 7, 1)]
+
+
+def test_the_home_switch() -> None:
+    c = machine(axis__0__home_switch=[-4.0, -3.0], axis__0__home_input=2, axis__0__start=-3.5)
+    assert c.is_on_home_switch(0)
+    c.move_to(0, 8.0)
+    c.clock.advance(0.1)
+    assert c.is_on_home_switch(0)
+    c.clock.advance(5.0)
+    assert not c.is_on_home_switch(0)
+    assert changes(c) == [(0.0, 2, 1), (0.25, 2, 0)]
+
+
+@pytest.mark.parametrize(("value", "enabled"), [(1, True), (0, False)])
+def test_a_drive_is_off_while_its_enable_input_is_off_and_asks_no_other(value: int, enabled: bool) -> None:
+    c = machine(
+        axis__0__enable_input=3,
+        input=[
+            {"channel": 3, "at": 0.0},
+            {"channel": 4, "at": 0.5},
+            {"channel": 3, "at": 1.0, "value": value},
+        ],
+    )
+    c.clock.advance(0.1)
+    c.enable(0)
+    c.clock.advance(0.9)
+    assert c.is_enabled(0)
+    c.clock.advance(2.0)
+    assert c.is_enabled(0) is enabled
+
+
+def test_a_fault_at_a_time_switches_the_axis_off() -> None:
+    c = machine(fault=[{"axis": 0, "kind": "following-error", "at": 1.0}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert (c.position(0), c.faults(0), c.is_enabled(0)) == (6.0, FOLLOWING_ERROR, False)
+    assert c.log.moves[0].ended == "fault"
+
+
+def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:
+    c = machine(input=[{"channel": 5, "output": 1, "delay": 0.25}, {"channel": 6, "output": 1, "value": 0}])
+    assert changes(c) == [(0.0, 6, 1)]
+    c.clock.advance(1.0)
+    c.set_output(1, 1)
+    c.clock.advance(2.0)
+    assert changes(c)[1:] == [(1.0, 6, 0), (1.25, 5, 1)]
+    c.outputs.set_active_low({1})  # on means low now
+    c.clock.advance(3.0)
+    assert changes(c)[3:] == [(2.0, 6, 1), (2.25, 5, 0)]
+
+
+def test_a_fault_at_a_line_happens_the_first_time_only() -> None:
+    c = Controller(1)
+    world = World(c, {"fault": [{"axis": 0, "kind": "forward-limit", "line": 12}]})
+    world.reach(11)
+    assert c.faults(0) == 0
+    world.reach(12)
+    assert c.faults(0) == LIMIT_FORWARD
+    c.clear_faults(0)
+    world.reach(12)
+    assert c.faults(0) == 0
+
+
+def test_what_an_axis_does_about_a_fault_is_the_programs_choice() -> None:
+    c = Controller(1)
+    world = World(c, {"fault": [{"axis": 0, "kind": "following-error", "at": 1.0}]})
+    world.actions[0, FOLLOWING_ERROR] = "event"
+    c.jog(0, 100.0)
+    c.clock.advance(2.0)
+    assert (c.faults(0), c.is_enabled(0), c.velocity(0)) == (FOLLOWING_ERROR, True, 100.0)
+
+
+def test_a_fault_beyond_a_position_happens_where_the_axis_comes_there() -> None:
+    c = machine(fault=[{"axis": 0, "kind": "following-error", "above": 6.0}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert c.position(0) == pytest.approx(6.0)
+    assert c.faults(0) == FOLLOWING_ERROR
+
+
+def test_pulses_of_an_input_repeat_until_the_end_or_so_many_times() -> None:
+    every = {"channel": 3, "at": 1.0, "every": 2.0, "for": 0.5}
+    expected = [(1.0, 3, 1), (1.5, 3, 0), (3.0, 3, 1), (3.5, 3, 0), (5.0, 3, 1), (5.5, 3, 0)]
+    c = machine(input=[every])
+    c.clock.advance(6.0)
+    assert changes(c) == expected
+    c = machine(input=[every | {"times": 2}])
+    c.clock.advance(9.0)
+    assert changes(c) == expected[:4]
+    c = machine(input=[{"channel": 3, "every": 2.0, "for": 0.5, "value": 7}])
+    c.clock.advance(2.25)
+    assert changes(c) == [(0.0, 3, 7), (0.5, 3, 0), (2.0, 3, 7)]
+
+
+def test_marks_along_the_travel() -> None:
+    """8 counts/s and 16 counts/s2: 2 counts in the first half second, then 4 in each."""
+    c = machine(input=[{"channel": 3, "axis": 0, "between": [2.0, 6.0], "every": 8.0, "times": 2}])
+    c.move_to(0, 30.0)
+    c.clock.advance(3.0)
+    assert changes(c) == [(0.5, 3, 1), (1.0, 3, 0), (1.5, 3, 1), (2.0, 3, 0)]
+
+
+def test_inputs_that_are_wired_later_count_their_times_from_then() -> None:
+    c = Controller(1)
+    world = World(c, {})
+    c.clock.advance(2.0)
+    world.wire_inputs(
+        {
+            "input": [
+                {"channel": 3, "at": 1.0, "for": 0.5},
+                {"channel": 4},
+                {"channel": 5, "every": 1.0, "for": 0.25},
+            ],
+            "analogue": [{"channel": 1, "value": 12.5, "at": 0.5, "for": 1.0}],
+        }
+    )
+    assert world.driven == {1, 3, 4, 5}
+    c.clock.advance(3.0)
+    assert changes(c) == [(2.0, 4, 1), (2.0, 5, 1), (2.25, 5, 0), (3.0, 3, 1), (3.0, 5, 1)]
+    assert c.analogue_inputs[1] == 12.5
+    c.clock.advance(3.5)
+    assert c.analogue_inputs[1] == 0.0
+
+
+def test_below_a_position() -> None:
+    c = machine(input=[{"channel": 3, "axis": 0, "below": 6.0}, {"channel": 4, "axis": 1, "above": -1.0}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert changes(c) == [(0.0, 3, 1), (0.0, 4, 1), (1.0, 3, 0)]
+
+
+def test_the_travel_is_counted_from_the_start() -> None:
+    """The axis starts at 3 within -5 to 9: 8 back and 6 on.
+
+    Marks every 5 from machine position 0.
+    """
+    settings: dict[str, object] = {
+        "axis__0__travel": [-5.0, 9.0],
+        "axis__0__start": 3.0,
+        "axis__0__forward_input": 7,
+        "axis__0__reverse_input": 8,
+        "axis__0__index_every": 5.0,
+    }
+    c = machine(**settings)
+    assert (c.axes[0].index_every, c.axes[0].index_origin) == (5.0, -3.0)
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert c.position(0) == pytest.approx(6.0)
+    assert c.faults(0) == LIMIT_FORWARD
+    c.clear_faults(0)
+    c.enable(0)
+    c.move_to(0, -12.0)
+    c.clock.advance(10.0)
+    assert c.position(0) == pytest.approx(-8.0)
+    assert c.faults(0) == LIMIT_REVERSE
+    assert [(channel, value) for _, channel, value in changes(c)] == [(7, 1), (7, 0), (8, 1)]
+    c = machine(**settings)
+    c.set_scale(0, 2.0)
+    assert c.axes[0].index_origin == -6.0
+    c.move_to(0, 30.0)
+    c.clock.advance(9.0)
+    assert c.position(0) == pytest.approx(12.0)
+
+
+def test_a_home_switch_without_an_input_is_only_a_switch() -> None:
+    c = machine(axis__1__home_switch=[2.0, 4.0])
+    found = []
+    for target in (1.0, 3.0, 5.0):
+        c.move_to(1, target)
+        c.clock.advance(c.clock.now + 5.0)
+        found.append((c.is_on_home_switch(1), c.is_on_home_switch(0)))
+    assert found == [(False, False), (True, False), (False, False)]
+    assert changes(c) == []
+
+
+def test_a_drive_is_disabled_at_once_while_its_enable_input_is_off() -> None:
+    """Channel 3 is off at power-up.
+
+    The stop of the moving axis is an e-stop in the log.
+    """
+    c = machine(axis__0__enable_input=3, input=[{"channel": 3, "at": 1.0, "for": 2.0}])
+    assert not c.is_enabled(0)
+    assert c.is_enabled(1)
+    assert not c.may_enable(0)
+    c.clock.advance(1.5)
+    assert c.may_enable(0)
+    assert not c.is_enabled(0)
+    c.enable(0)
+    c.jog(0, 8.0)
+    c.clock.advance(4.0)
+    assert not c.is_enabled(0)
+    assert c.velocity(0) == 0.0
+    (stop,) = [each for each in c.log.events if each.kind == "e-stop" and each.time > 0.0]
+    assert (stop.time, stop.axis, stop.text) == (3.0, 0, "input 3 is off")
+
+
+def test_errors_of_drives_and_of_the_controller() -> None:
+    """A drive has its error bits until its fault is cleared.
+
+    Only a new error of the controller is reported.
+    """
+    c, misc = Controller(2), list[int]()
+    world = World(
+        c,
+        {
+            "fault": [
+                {"axis": 1, "kind": "drive", "value": 6, "at": 1.0},
+                {"axis": 1, "kind": "drive", "value": 8, "at": 2.0},
+                {"kind": "controller", "value": 3, "at": 1.0},
+                {"kind": "controller", "value": 5, "at": 2.0},
+                {"kind": "controller", "value": 1, "at": 3.0},
+                {"kind": "drive", "at": 4.0},
+            ]
+        },
+    )
+    c.listeners.append(lambda what, value: misc.append(value), "misc")
+    c.clock.advance(1.5)
+    assert (world.drive_errors, world.misc, misc) == ({1: 6}, 3, [3])
+    assert (c.faults(1), c.faults(0)) == (DRIVE, 0)
+    c.clock.advance(3.5)
+    assert (world.drive_errors, world.misc, misc) == ({1: 14}, 7, [3, 4])
+    c.clear_faults(1)
+    assert world.drive_errors == {}
+    c.clock.advance(4.0)
+    assert world.drive_errors == {0: 1}
+
+
+def test_an_output_may_switch_an_input_on_at_a_value_of_its_own() -> None:
+    c = machine(input=[{"channel": 5, "output": 1}])
+    assert changes(c) == []
+    c.set_output(1, 1)
+    c.set_output(2, 1)
+    c.set_output(1, 0)
+    c.clock.advance(1.0)
+    assert changes(c) == [(0.0, 5, 1), (0.0, 5, 0)]
+
+
+def test_encoders_run_from_their_time_on() -> None:
+    c = machine(
+        encoder=[
+            {"channel": 2, "velocity": 10.0, "accel": 20.0, "at": 1.0},
+            {"aux": 1, "velocity": -4.0, "index_every": 3.0},
+        ]
+    )
+    c.clock.advance(2.0)
+    assert c.encoder_position(2) == pytest.approx(2.5 + 5.0)
+    assert c.encoder_position(1001) == -8.0
+    assert (c.encoder(1001).index_every, c.encoder(2).index_every) == (3.0, 0.0)
+
+
+def test_a_sensor_along_the_travel_in_user_units() -> None:
+    """2 V and 0.5 V per unit from 6 on, in the region up to 10.
+
+    The scale is 4 counts per unit.
+    """
+    entry = {"channel": 1, "axis": 0, "between": [6.0, 10.0], "value": 2.0, "per_unit": 0.5}
+    for start in (0.0, 1.0):
+        c = machine(analogue=[entry], axis__0__start=start)
+        c.set_scale(0, 4.0)
+        found = []
+        for position in (5.0, 7.0, 9.0, 11.0):
+            c.move_to(0, 4.0 * (position - start))
+            c.clock.advance(c.clock.now + 20.0)
+            found.append(c.analogue_inputs[1])
+        assert found == pytest.approx([0.0, 2.5, 3.5, 0.0])
+
+
+def test_a_sensor_is_in_user_units_after_a_new_scale_within_its_region() -> None:
+    """At 7 it has 2.5 V; at 8, which is 4 counts on, 3 V."""
+    entry = {"channel": 1, "axis": 0, "between": [6.0, 10.0], "value": 2.0, "per_unit": 0.5}
+    c = machine(analogue=[entry], axis__0__start=7.0)
+    assert c.analogue_inputs[1] == pytest.approx(2.5)
+    c.set_scale(0, 4.0)
+    c.move_to(0, 4.0)
+    c.clock.advance(20.0)
+    assert c.analogue_inputs[1] == pytest.approx(3.0)

@@ -1,0 +1,325 @@
+"""Speeds that change in motion: the examples of the FEEDRATE page, and more.
+
+The page is MN1270 p. 79-81.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.planners.reference import Slope
+from tests.kernel.controller.machines import machine, until
+
+
+def test_case_1_in_speed_mode_a_new_speed_acts_at_once() -> None:
+    c = machine(speed=30.0, feedrate_mode=0)
+    c.load_by(0, 50.0)
+    c.go([0])
+    at_25 = c.crossing_time(0, 25.0)
+    assert at_25 == pytest.approx(0.3 + 20.5 / 30)
+    until(c, at_25).configure(0, "speed", 10.0)
+    assert until(c, at_25 + 0.1).velocity(0) == pytest.approx(20.0)
+    assert until(c, at_25 + 0.2).velocity(0) == pytest.approx(10.0)
+    assert c.remaining(0) == pytest.approx(21.0)
+    assert c.idle_time(0) == pytest.approx(at_25 + 0.2 + 20.5 / 10 + 0.1)
+
+
+def test_case_2_in_feed_rate_mode_a_move_keeps_the_speed_it_was_loaded_with() -> None:
+    c = machine(speed=30.0, feedrate_mode=1)
+    c.load_by(0, 50.0)
+    c.go([0])
+    until(c, c.crossing_time(0, 25.0)).configure(0, "speed", 10.0)
+    c.load_by(0, 20.0)
+    c.go([0])
+    until(c, 9.0)
+    first, second = (move.profile for move in c.log.moves)
+    assert first is not None
+    assert second is not None
+    assert (first.peak_speed, second.peak_speed) == (30.0, 10.0)
+    assert first.duration == pytest.approx(50 / 30 + 0.3)
+    assert second.duration == pytest.approx(20 / 10 + 0.1)
+
+
+def test_case_3_the_override_halves_the_speed_until_it_is_switched_off() -> None:
+    c = machine(speed=20.0, feedrate_mode=2, override=0.5)
+    c.load_to(0, 20.0)
+    c.go([0])
+    assert until(c, 0.5).velocity(0) == pytest.approx(10.0)
+    c.configure(0, "feedrate_mode", 0)
+    assert until(c, 0.6).velocity(0) == pytest.approx(20.0)
+    # 4.5 at 0.5 s, 1.5 while speeding up, 12 at 20, 2 to brake
+    assert c.idle_time(0) == pytest.approx(0.5 + 0.1 + 12 / 20 + 0.2)
+
+
+def test_the_override_acts_on_both_kinds_of_move_at_once() -> None:
+    for mode in (2, 3):
+        c = machine(feedrate_mode=mode)
+        c.load_by(0, 100.0)
+        c.go([0])
+        until(c, 1.0).configure(0, "override", 1.5)
+        assert until(c, 2.0).velocity(0) == pytest.approx(15.0)
+
+
+def test_an_override_of_nothing_holds_the_axis_and_keeps_the_move() -> None:
+    c = machine(feedrate_mode=2)
+    c.load_by(0, 20.0)
+    c.go([0])
+    until(c, 1.0).configure(0, "override", 0.0)
+    assert until(c, 5.0).velocity(0) == 0.0
+    assert c.position(0) == pytest.approx(9.5 + 0.5)
+    assert not c.is_idle(0)
+    c.configure(0, "override", 1.0)
+    assert c.idle_time(0) == pytest.approx(5.0 + 1.1)
+    assert until(c, 9.0).position(0) == 20.0
+    assert len(c.log.moves) == 1
+
+
+def test_both_kinds_of_move_share_one_buffer() -> None:
+    c = machine(buffer_size=5)
+    for mode in (1, 0):
+        c.configure(0, "feedrate_mode", mode)
+        c.load_by(0, 10.0)
+    c.configure(0, "speed", 20.0)
+    c.go([0])
+    until(c, 9.0)
+    assert [move.profile and move.profile.peak_speed for move in c.log.moves] == [10.0, 20.0]
+
+
+def test_a_new_rate_acts_on_the_braking_that_is_still_to_come() -> None:
+    c = machine(feedrate_mode=0)
+    c.load_by(0, 20.0)
+    c.go([0])
+    until(c, 1.0).configure(0, "decel", 25.0)
+    assert c.idle_time(0) == pytest.approx(1.0 + (10.5 - 2.0) / 10 + 0.4)
+
+
+def test_a_rate_too_low_to_stop_with_any_more_leaves_the_move_as_it_is() -> None:
+    c = machine(feedrate_mode=0)
+    c.load_by(0, 20.0)
+    c.go([0])
+    until(c, 2.05).configure(0, "decel", 1.0)  # it has been braking for 0.05 s
+    assert c.idle_time(0) == pytest.approx(2.1)
+    assert until(c, 3.0).position(0) == 20.0
+
+
+def test_a_speed_does_not_wake_an_axis_that_is_stopping() -> None:
+    c = machine(feedrate_mode=0)
+    c.move_to(0, 20.0)
+    until(c, 1.0).stop(0)
+    until(c, 1.05).configure(0, "speed", 20.0)
+    assert until(c, 9.0).position(0) == pytest.approx(10.0)
+
+
+def test_a_live_speed_of_zero_is_refused_by_name() -> None:
+    c = machine(feedrate_mode=0)
+    c.move_to(0, 20.0)
+    with pytest.raises(Rejected, match="speed is 0"):
+        c.configure(0, "speed", 0.0)
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "scurve"])
+def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: str) -> None:
+    c = machine(shape=shape, accel_jerk=1e4, decel_jerk=1e4)
+    c.jog(0, 10.0)
+    until(c, 1.0).configure(0, "max_speed", 4.0)
+    assert until(c, 2.0).velocity(0) == 4.0
+    c.configure(0, "max_speed", float("inf"))
+    assert until(c, 3.0).velocity(0) == 10.0
+    assert len(c.log.moves) == 1
+
+
+@pytest.mark.parametrize(("percent", "ramp"), [(0.5, 0.03), (1.0, 0.04)])
+@pytest.mark.parametrize("axes", [(0,), (0, 1)])
+def test_a_percentage_of_a_ramp_is_one_of_the_speed_that_a_move_has(
+    axes: tuple[int, ...], percent: float, ramp: float
+) -> None:
+    """A ramp to 2 at 100 takes 0.02 s, and half or all of that longer.
+
+    The speed of the axis has no effect. A move of 5 takes 5 / 2 s and one ramp; a path along the first axis, too.
+    """
+    c = machine(shape="scurve", s_ramp=percent, speed=2.0, feedrate_mode=1)
+    if axes == (0,):
+        c.load_by(0, 5.0)
+    else:
+        c.load_line_by(axes, [5.0, 0.0])
+    for axis in axes:
+        c.configure(axis, "speed", 0.0)
+    c.go([0])
+    assert c.idle_time(0) == pytest.approx(2.5 + ramp)
+    assert until(c, 0.5 * ramp).velocity(0) == pytest.approx(1.0)
+
+
+def test_a_stop_of_a_move_has_the_jerk_of_its_own_speed_and_rate() -> None:
+    """From 2 at 50 a ramp of 100 % takes 0.08 s, over 2 * 0.08 / 2 = 0.08."""
+    c = machine(shape="scurve", s_ramp=1.0, speed=2.0, feedrate_mode=1)
+    c.configure(0, "own_rates", (None, None, 50.0))
+    c.load_by(0, 5.0)
+    c.configure(0, "speed", 40.0)
+    c.go([0])
+    until(c, 1.0).stop(0)
+    assert c.idle_time(0) == pytest.approx(1.08)
+    assert until(c, 2.0).position(0) == pytest.approx(2.0 * 1.0 - 0.04 + 0.08)
+
+
+def test_a_jog_with_rates_of_its_own_has_their_jerk() -> None:
+    """A rise to 50 in 0.1 s, 50 for 0.1 s, and a fall in 0.1 s: 10 in 0.3 s."""
+    c = machine(shape="scurve", accel_jerk_time=0.1, decel_jerk_time=0.1)
+    c.jog(0, 10.0, rates=(50.0, 50.0))
+    assert until(c, 0.1).velocity(0) == pytest.approx(2.5)
+    assert until(c, 0.2).velocity(0) == pytest.approx(7.5)
+    assert until(c, 0.3).velocity(0) == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize(
+    ("begin", "end", "time"), [(0.0, 0.0, 0.1), (0.1, 0.0, 0.15), (0.0, 0.1, 0.15), (0.05, 0.1, 0.175)]
+)
+def test_a_speed_reference_of_nothing_ends_at_standstill(begin: float, end: float, time: float) -> None:
+    c = machine()
+    slope = Slope(100.0, begin, end)
+    c.refer_speed(0, 10.0, (slope, slope))
+    until(c, 1.0).refer_speed(0, 0.0, (slope, slope))
+    assert c.idle_time(0) == pytest.approx(1.0 + time)
+    assert until(c, 2.0).is_idle(0)
+
+
+def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:
+    c = machine()
+    c.refer_speed(0, 10.0, (Slope(100.0, 0.0, 0.0), Slope(50.0, 0.0, 0.0)))
+    until(c, 1.0).configure(0, "max_speed", 5.0)
+    assert until(c, 1.05).velocity(0) == pytest.approx(7.5)
+    assert until(c, 2.0).velocity(0) == 5.0
+
+
+def test_bit_1_of_the_feed_rate_mode_alone_lets_the_override_act() -> None:
+    c = machine(feedrate_mode=3)
+    c.load_by(0, 100.0)
+    c.go([0])
+    until(c, 1.0).configure(0, "feedrate_mode", 1)
+    c.configure(0, "override", 0.5)
+    assert until(c, 2.0).velocity(0) == 10.0
+    c.configure(0, "feedrate_mode", 2)
+    assert until(c, 3.0).velocity(0) == pytest.approx(5.0)
+
+
+def test_a_speed_reference_that_is_written_again_changes_nothing() -> None:
+    """At 100 counts/s² it has 5 counts/s after 0.05 s; then at 200 and 50 counts/s²."""
+    c = machine()
+    a = c.axes[0]
+
+    def refer(speed: float, rate: float, command: str = "SPEEDREF") -> tuple[float, int]:
+        slope = Slope(rate, 0.0, 0.0)
+        c.refer_speed(0, speed, (slope, slope), command=command, line=3)
+        return a.starts[-1], len(c.log.moves)
+
+    assert refer(0.0, 100.0) == (0.0, 0)
+    assert refer(10.0, 100.0) == (0.0, 1)
+    until(c, 0.05)
+    assert refer(10.0, 100.0) == (0.0, 1)
+    assert refer(10.0, 200.0) == (0.05, 1)
+    assert until(c, 0.06).velocity(0) == pytest.approx(7.0)
+    until(c, 1.0)
+    assert refer(10.0, 50.0) == (0.05, 1)
+    assert refer(20.0, 50.0) == (1.0, 1)
+    assert until(c, 1.1).velocity(0) == pytest.approx(15.0)
+    assert refer(20.0, 50.0, "other") == (1.1, 2)
+    assert until(c, 1.15).velocity(0) == pytest.approx(17.5)
+    assert [(move.command, move.line, move.ended) for move in c.log.moves] == [
+        ("SPEEDREF", 3, "retarget"),
+        ("other", 3, ""),
+    ]
+
+
+def test_position_references_form_one_entry_of_the_log() -> None:
+    """Each takes 1 ms, at 500 or -1500 counts/s.
+
+    An entry ends with a stop or another command.
+    """
+    c = machine(decel=1e6)
+    c.refer_position(0, 0.0, "POSREF", 3)
+    assert len(c.log.moves) == 0
+    c.refer_position(0, 0.5, "POSREF", 3)
+    assert until(c, 0.0005).velocity(0) == pytest.approx(500.0)
+    assert (c.position(0), c.target(0), c.idle_time(0)) == pytest.approx((0.25, 0.5, 0.001))
+    c.refer_position(0, 0.5, "POSREF", 3)
+    assert c.axes[0].starts[-1] == 0.0
+    until(c, 0.01).refer_position(0, -1.0, "POSREF", 4)
+    assert until(c, 0.0105).velocity(0) == pytest.approx(-1500.0)
+    c.refer_position(0, 1.0, "POSREF", 4)
+    assert until(c, 0.011).velocity(0) == pytest.approx((1.0 + 0.25) / 0.001)
+    until(c, 0.02).refer_position(0, 3.0, "other", 5)
+    until(c, 0.0205).stop(0)
+    until(c, 1.0).refer_position(0, 30.0, "other", 6)
+    until(c, 2.0)
+    assert [(move.command, move.line, move.start_time, move.ended) for move in c.log.moves] == [
+        ("POSREF", 3, 0.0, ""), ("other", 5, 0.02, "stop"), ("other", 6, 1.0, ""),
+    ]  # fmt: skip
+    first, last = c.log.moves[0].profile, c.log.moves[-1].profile
+    assert first is not None
+    assert last is not None
+    assert (first.duration, first.end, last.duration, last.end) == pytest.approx((0.0115, 1.0, 0.001, 30.0))
+    for position in (float("inf"), float("nan")):
+        with pytest.raises(Rejected, match=f"axis 0 cannot go to {position:g}"):
+            c.refer_position(0, position)
+
+
+def test_a_velocity_that_is_decided_at_each_tick() -> None:
+    """It speeds up by 0.1 and slows down by 0.05 counts/s each ms.
+
+    At rest there are no more ticks.
+    """
+    c = machine(decel=50.0, max_speed=8.0)
+    wanted = [10.0, False]
+    decided: list[float] = []
+
+    def decide() -> tuple[float, bool]:
+        decided.append(c.clock.now)
+        return wanted[0], bool(wanted[1])
+
+    track = c.track(0, decide, "HTA", 3)
+    with pytest.raises(Rejected, match="axis 0 is in HTA, which takes no other motion"):
+        c.track(0, decide, "HTA", 3)
+    c.jog(1, 1.0)
+    with pytest.raises(Rejected, match="axis 1 is moving"):
+        c.track(1, decide, "HTA", 3)
+    until(c, 0.0505)
+    assert (len(decided), c.is_idle(0)) == (50, False)
+    assert c.velocity(0) == pytest.approx(4.95)
+    assert until(c, 0.0905).velocity(0) == pytest.approx(8.0)
+    wanted[0] = 6.98
+    until(c, 0.1105)
+    assert c.velocity(0) == pytest.approx(7.025)
+    assert until(c, 0.2).velocity(0) == pytest.approx(6.98)
+    wanted[0] = -1.0
+    until(c, 0.5)
+    assert c.velocity(0) == pytest.approx(-1.0)
+    wanted[0] = 0.0
+    until(c, 1.0)
+    count = len(decided)
+    assert (c.velocity(0), track.resting, c.axes[0].is_at_standstill) == (0.0, True, True)
+    until(c, 2.0)
+    assert len(decided) == count
+    wanted[:] = [0.0, True]
+    track.wake()
+    until(c, 2.0105)
+    assert len(decided) == count + 10
+    assert not track.resting
+    c.suspend(0)
+    until(c, 3.0)
+    assert (track.resting, len(decided)) == (True, count + 10)
+    wanted[0] = 1.0
+    c.resume(0)
+    assert until(c, 4.0).velocity(0) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("rate", "time"), [(50.0, 0.2), (0.0, 0.1)])
+def test_an_error_stops_a_speed_reference_at_its_own_rate(rate: float, time: float) -> None:
+    """From 10 counts/s it takes 0.2 s at 50 counts/s², whatever stop follows."""
+    c = machine(error_decel=100.0)
+    slope = Slope(100.0, 0.0, 0.0)
+    c.refer_speed(0, 10.0, (slope, slope), rate, "SPEEDREF", 3)
+    until(c, 1.0).fault(0, 2, "error-stop")
+    until(c, 1.05).stop(0, hard=True)
+    assert c.idle_time(0) == pytest.approx(1.0 + time)
+    assert until(c, 2.0).position(0) == pytest.approx(9.5 + 5.0 * time)
+    assert (c.target(0), c.log.moves[0].ended) == (c.position(0), "fault")

@@ -1,0 +1,634 @@
+"""Master and slave: gearing, ramps, cams, flying shears, offsets.
+
+Positions are exact at any time.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import Rejected
+from tests.cases import examples
+from tests.kernel.controller.machines import cam, machine, offset, until
+
+quick = settings(max_examples=examples(60))
+
+
+def at(c: Controller, axis: int, time: float) -> float:
+    return c.axes[axis].position(time)
+
+
+def speed(c: Controller, axis: int, time: float) -> float:
+    return c.axes[axis].velocity(time)
+
+
+# ------------------------------------------------------------------------------------------------ gearing
+
+
+def test_a_slave_repeats_its_master_at_the_ratio() -> None:
+    c = machine()
+    c.define_position(1, 5.0)
+    c.gear(1, 0, -0.5, command="FOLLOW", line=2)
+    c.move_to(0, 20.0)
+    assert not c.is_idle(1)
+    until(c, 1.0)
+    assert (c.position(0), c.position(1)) == pytest.approx((9.5, 5.0 - 4.75))
+    assert c.velocity(1) == pytest.approx(-5.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(-5.0)
+    assert c.master_of(1) == 0
+    assert c.moving() == []  # a slave at rest does not delay the end of a run
+    c.move_to(0, 0.0)
+    assert c.moving() == [0, 1]
+    assert until(c, 20.0).position(1) == pytest.approx(5.0)
+
+
+def test_the_log_has_one_entry_for_all_of_the_following() -> None:
+    c = machine()
+    c.gear(1, 0, 2.0, command="FOLLOW", line=2)
+    until(c, 1.0).move_to(0, 20.0)
+    until(c, 5.0).move_to(0, 10.0)
+    until(c, 9.0).stop(1)
+    entry = c.log.moves[0]
+    assert (entry.axis, entry.command, entry.line, entry.ended) == (1, "FOLLOW", 2, "stop")
+    assert entry.profile is not None
+    assert entry.profile.duration == pytest.approx(9.0)
+    assert entry.profile.position(2.0) == pytest.approx(19.0)
+    assert entry.profile.peak_speed == pytest.approx(20.0)
+    (phase,) = entry.profile.cut(9.0).phases
+    assert (phase.name, phase.distance) == ("gear", 20.0)
+    assert until(c, 12.0).position(1) == 20.0
+    assert c.is_idle(1)
+
+
+def test_slaves_of_slaves() -> None:
+    c = machine(3)
+    c.gear(1, 0, 2.0)
+    c.gear(2, 1, 3.0)
+    c.move_to(0, 20.0)
+    assert until(c, 1.0).position(2) == pytest.approx(57.0)
+    for slave, master in ((0, 2), (0, 0), (0, 1)):
+        with pytest.raises(Rejected, match="follow itself"):
+            c.gear(slave, master, 1.0)
+
+
+def test_a_new_zero_of_the_master_does_not_move_the_slave() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.move_to(0, 20.0)
+    until(c, 1.0).define_position(0, 1000.0)
+    assert until(c, 9.0).position(1) == pytest.approx(20.0)
+    c.define_position(1, 7.0)
+    c.move_by(0, 1.0)
+    assert until(c, 20.0).position(1) == pytest.approx(8.0)
+
+
+def test_with_a_ramp_the_slave_catches_up_with_the_velocity_at_its_own_rate() -> None:
+    c = machine()
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 2.0, ramp=True)  # 20 counts/s, at 100 counts/s²
+    assert until(c, 1.1).velocity(1) == pytest.approx(10.0)
+    assert until(c, 1.2).velocity(1) == pytest.approx(20.0)
+    assert until(c, 2.2).position(1) == pytest.approx(2.0 + 20.0)
+    c.gear(1, 0, 0.5, ramp=True)
+    assert until(c, 2.35).velocity(1) == pytest.approx(5.0)
+    assert until(c, 3.0).velocity(1) == pytest.approx(5.0)
+
+
+@pytest.mark.parametrize(("speed", "back"), [(9.0, 0.0), (-9.0, 0.0), (6.0, -2.0)])
+def test_a_ramp_may_take_up_to_a_million_seconds(speed: float, back: float) -> None:
+    """At 1e-5 counts/s² a velocity of 9 takes 900 000 s; from -2 to 6 it is 800 000 s."""
+    c = machine()
+    c.configure(1, "accel", 1e-5)
+    c.configure(1, "decel", 1e-5)
+    c.jog(0, 2.0)
+    until(c, 1.0)
+    if back:
+        c.gear(1, 0, back / 2.0)
+    c.gear(1, 0, speed / 2.0, ramp=True)
+    end = 1.0 + 1e5 * abs(speed - back)
+    assert until(c, 0.5 * end).velocity(1) == pytest.approx(0.5 * (speed + back), abs=1e-4)
+    assert until(c, end + 1.0).velocity(1) == pytest.approx(speed)
+
+
+@pytest.mark.parametrize("speed", [15.0, -15.0])
+def test_a_ramp_of_more_than_a_million_seconds_is_refused(speed: float) -> None:
+    """At 1e-5 counts/s² a velocity of 15 takes 1.5 million s."""
+    c = machine()
+    c.configure(1, "accel", 1e-5)
+    c.jog(0, 10.0)
+    with pytest.raises(Rejected, match=f"axis 1 cannot ramp to {speed:g} counts/s, the speed of its master"):
+        until(c, 1.0).gear(1, 0, speed / 10.0, ramp=True)
+
+
+def test_a_master_that_changes_during_the_ramp_is_met_all_the_same() -> None:
+    c = machine()
+    c.configure(1, "accel", 20.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 1.0, ramp=True)
+    until(c, 1.2).jog(0, 20.0)
+    until(c, 3.0)
+    assert c.velocity(1) == pytest.approx(20.0)
+    assert speed(c, 1, 1.5) == pytest.approx(10.0)
+    assert speed(c, 1, 1.99) == pytest.approx(19.8)
+
+
+def test_a_slave_that_is_off_follows_no_master() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).disable(1)
+    assert until(c, 2.0).position(1) == pytest.approx(9.5)
+    with pytest.raises(Rejected, match="off"):
+        c.gear(1, 0, 1.0)
+
+
+@quick
+@given(
+    st.lists(st.tuples(st.floats(0.05, 2.0), st.floats(-30.0, 30.0)), min_size=1, max_size=5),
+    st.floats(-3.0, 3.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
+)
+def test_gearing_is_exact_through_any_moves(
+    moves: list[tuple[float, float]], ratio: float, shape: str
+) -> None:
+    c = machine(shape=shape)
+    c.gear(1, 0, ratio)
+    for pause, target in moves:
+        c.move_to(0, target)
+        until(c, c.clock.now + pause)
+    end = c.clock.now
+    for k in range(101):
+        t = k * end / 100.0
+        assert at(c, 1, t) == pytest.approx(ratio * at(c, 0, t), abs=1e-9)
+        assert speed(c, 1, t) == pytest.approx(ratio * speed(c, 0, t), abs=1e-9)
+    trace = c.trace.sample(1000.0)
+    assert np.abs(trace.get(1, "position") - ratio * trace.get(0, "position")).max() < 1e-9
+
+
+def test_watches_on_a_slave_are_exact() -> None:
+    c = machine()
+    seen: list[float] = []
+    c.watch(1, 5.0, lambda direction: seen.append(c.clock.now))
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    until(c, 9.0)
+    assert seen == pytest.approx([1.05])
+
+
+def test_an_encoder_that_the_world_turns_is_a_master_too() -> None:
+    c = machine()
+    c.gear(1, 3, 0.1, encoder=True)
+    until(c, 1.0)
+    c.drive_encoder(3, 1000.0, 500.0)
+    assert until(c, 3.0).position(1) == pytest.approx(100.0)
+    assert (c.encoder_position(3), c.encoder_velocity(3)) == pytest.approx((1000.0, 1000.0))
+    c.drive_encoder(3, 0.0)
+    assert until(c, 5.0).position(1) == pytest.approx(100.0)
+
+
+# -------------------------------------------------------------------------------------------------- shears
+
+
+def shear(c: Controller, *segments: tuple[float, float]) -> None:
+    for distance, over in segments:
+        c.load_fly(1, 0, distance, over, command="FLY")
+    c.go([1])
+
+
+def test_a_flying_shear_by_its_figures() -> None:
+    """The slave reaches the web's speed in 200 of the master, and follows it for 500.
+
+    It stops in 200 and returns in 800.
+    """
+    c = machine(buffer_size=10, speed=100.0, accel=1e6)
+    shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
+    c.jog(0, 100.0)
+    until(c, 30.0)
+    starts = [move.start_time for move in c.log.moves if move.command == "FLY"]
+    at_200 = c.axes[0].profiles[1].crossing(200.0)
+    assert at_200 is not None
+    assert starts == pytest.approx([0.0, at_200, at_200 + 5.0, at_200 + 7.0, at_200 + 11.0])
+    assert [at(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 600.0, 700.0, 350.0])
+    assert [speed(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 100.0, 0.0, -175.0], abs=1e-3)
+    assert speed(c, 1, at_200 + 2.0) == pytest.approx(100.0)
+    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
+    assert c.is_idle(1)
+
+
+def test_a_shear_rests_when_its_master_does_and_goes_on_with_it() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.move_to(0, 4.0)
+    assert until(c, 5.0).position(1) == pytest.approx(5.0 * 0.16)
+    assert not c.is_idle(1)
+    c.move_to(0, 10.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(5.0)
+
+
+def test_a_shear_whose_master_goes_back_first_ends_where_it_should() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.move_to(0, -4.0)
+    c.clock.at(0.1, lambda: c.retarget_to(0, 10.0))  # it reverses before 0 is reached again
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(5.0)
+    assert c.is_idle(1)
+
+
+def test_a_shear_that_is_over_at_speed_brakes() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.jog(0, 10.0)
+    until(c, 9.0)
+    assert c.is_idle(1)
+    assert c.position(1) == pytest.approx(5.0 + 0.5)
+    c.move_by(1, 1.0)
+    assert until(c, 12.0).position(1) == pytest.approx(6.5)
+
+
+@quick
+@given(
+    st.lists(st.tuples(st.floats(-9.0, 9.0), st.floats(1.0, 9.0)), min_size=1, max_size=5),
+    st.floats(1.0, 40.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve"]),
+)
+def test_a_shear_is_where_it_should_be_at_every_join(
+    segments: list[tuple[float, float]], end: float, shape: str
+) -> None:
+    c = machine(buffer_size=10, shape=shape)
+    shear(c, *segments)
+    c.move_to(0, end)
+    until(c, 99.0)
+    slave = master = 0.0
+    for distance, over in segments:
+        slave, master = slave + distance, master + over
+        if master < end:
+            time = c.axes[0].profiles[1].crossing(master)
+            assert time is not None
+            assert at(c, 1, time) == pytest.approx(slave, abs=1e-8)
+    last = c.axes[1].starts[-1]
+    h = 1e-6
+    for k in range(1, 60):
+        t = k * last / 60.0
+        slope = (at(c, 1, t + h) - at(c, 1, t - h)) / (2.0 * h)
+        assert speed(c, 1, t) == pytest.approx(slope, abs=1e-2 * (1.0 + abs(slope)))
+
+
+# ---------------------------------------------------------------------------------------------------- cams
+
+
+def test_a_linear_cam_repeats_and_advances() -> None:
+    c = machine()
+    cam(c, 1, 0, [0.0, 10.0, 20.0, 40.0], [0.0, 5.0, 5.0, 2.0], cyclic=True)
+    c.jog(0, 10.0)
+    until(c, 0.55)  # the master is at 5
+    assert c.position(1) == pytest.approx(2.5)
+    assert c.cam_index(1) == 0
+    assert until(c, 1.55).position(1) == pytest.approx(5.0)
+    assert c.cam_index(1) == 1
+    assert until(c, 4.55).position(1) == pytest.approx(2.0 + 2.5)
+    c.jog(0, -10.0)
+    reversal = c.clock.now
+    until(c, reversal + 0.2 + 4.5)  # back to where it was, and 45 further back: at 0 of the first cycle
+    assert c.position(0) == pytest.approx(0.0, abs=1e-9)
+    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
+    assert until(c, c.clock.now + 1.0).position(1) == pytest.approx(-2.0 + 2.0 + 1.5)
+    assert len([move for move in c.log.moves if move.axis == 1]) == 1
+
+
+def test_a_cam_once_ends_by_itself() -> None:
+    c = machine()
+    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 4.0, 3.0], smooth=True)
+    c.move_to(0, 30.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(3.0)
+    assert c.is_idle(1)
+    assert c.log.moves[0].profile is not None
+    low, high = c.log.moves[0].profile.extrema()
+    assert low == pytest.approx(0.0, abs=1e-9)
+    assert high > 4.0
+
+
+@pytest.mark.parametrize("rise", [2.0, 0.5])
+def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
+    """At the cam's end the slave has `rise` counts/s: the table takes one second.
+
+    It brakes at 1 count/s².
+    """
+    c = machine()
+    c.configure(1, "decel", 1.0)
+    c.jog(0, 10.0)
+    cam(until(c, 1.0), 1, 0, [0.0, 10.0], [0.0, rise])
+    assert until(c, 9.0).position(1) == pytest.approx(rise + 0.5 * rise * rise)
+    assert c.is_idle(1)
+
+
+@quick
+@given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
+def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], distance: float, back: bool) -> None:
+    from tests.kernel.planners.splines import cubic_table
+
+    values = [0.0, *values]
+    positions = [3.0 * k for k in range(len(values))]
+    c = machine()
+    cam(c, 1, 0, positions, values, smooth=True, cyclic=True)
+    c.move_to(0, distance)
+    if back:
+        until(c, 1.0)
+        c.move_to(0, -distance)
+    until(c, 99.0)
+    curve = cubic_table(positions, values, True)
+    length, rise = positions[-1], values[-1]
+    for k in range(200):
+        t = k * c.axes[0].starts[-1] / 200.0
+        m = at(c, 0, t)
+        cycle = math.floor(m / length)
+        expected = curve.position(m - cycle * length) + cycle * rise
+        assert at(c, 1, t) == pytest.approx(expected, abs=1e-6)
+
+
+def test_the_spline_is_smooth_and_closes() -> None:
+    from tests.kernel.planners.splines import cubic_table
+
+    curve = cubic_table([0.0, 1.0, 3.0, 4.0, 6.0], [0.0, 2.0, -1.0, 4.0, 3.0], True)
+    for knot in (1.0, 3.0, 4.0):
+        for read, slack in ((curve.position, 1e-6), (curve.velocity, 1e-6), (curve.acceleration, 1e-6)):
+            assert read(knot - 1e-9) == pytest.approx(read(knot + 1e-9), abs=slack)
+    assert curve.velocity(0.0) == pytest.approx(curve.velocity(6.0))
+    assert curve.acceleration(0.0) == pytest.approx(curve.acceleration(6.0 - 1e-9), abs=1e-6)
+    level = cubic_table([0.0, 1.0, 3.0], [0.0, 2.0, -1.0])
+    assert (level.velocity(0.0), level.velocity(3.0)) == (0.0, 0.0)
+
+
+# ------------------------------------------------------------------------------------------------- offsets
+
+
+def moving_slave() -> Controller:
+    c = machine()
+    c.jog(0, 10.0)
+    c.gear(1, 0, 1.0)
+    return until(c, 1.0)  # both at 9.5, at 10 counts/s
+
+
+def test_an_offset_lies_on_top_of_following() -> None:
+    c = moving_slave()
+    offset(c, 1, 20.0)  # at 10 counts/s more: 2.1 s
+    assert until(c, 2.0).velocity(1) == pytest.approx(20.0)
+    assert c.offset_remaining(1) == pytest.approx(20.0 - 9.5)
+    c.jog(0, 5.0)
+    assert until(c, 2.5).velocity(1) == pytest.approx(15.0)
+    until(c, 5.0)
+    assert c.velocity(1) == pytest.approx(5.0)
+    assert c.position(1) - c.position(0) == pytest.approx(20.0)
+    assert c.offset_remaining(1) == 0.0
+
+
+def test_a_second_offset_adds_to_the_first() -> None:
+    c = moving_slave()
+    offset(c, 1, 20.0)
+    offset(until(c, 2.0), 1, -25.0)
+    until(c, 9.0)
+    assert c.position(1) - c.position(0) == pytest.approx(-5.0)
+
+
+def test_an_offset_on_a_cam() -> None:
+    c = machine()
+    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
+    c.jog(0, 10.0)
+    plain = machine()
+    cam(plain, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
+    plain.jog(0, 10.0)
+    offset(until(c, 1.0), 1, 3.0)
+    until(plain, 6.0)
+    until(c, 6.0)
+    for k in range(140, 600):
+        assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 3.0, abs=1e-9)
+    for k in range(600):
+        assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35
+
+
+def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
+    """The slave follows the exact motion, not the pieces that are made for drawing it."""
+    c = machine(3, shape="scurve", accel_jerk=1000.0, decel_jerk=6000.0)
+    c.load_fly(1, 0, 30.0, 20.0)
+    c.go([1])
+    c.gear(2, 1, -19.42)
+    c.move_to(0, 15.0)
+    for k in range(1, 60):
+        until(c, 0.02 * k)
+        assert c.position(2) == pytest.approx(-19.42 * c.position(1), rel=1e-12, abs=1e-15)
+
+
+def test_a_tie_that_lasts_goes_on_as_another_entry_of_the_log(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("motionlang.kernel.controller.motion.follow.MAX_FOLLOWED", 3)
+    c = machine()
+    c.gear(1, 0, 1.0, command="FOLLOW", line=2)
+    for n in range(6):
+        until(c, 2.0 * n).move_to(0, 10.0 * (n % 2 == 0))
+    until(c, 20.0)
+    entries = [move for move in c.log.moves if move.axis == 1]
+    assert len(entries) > 1
+    assert {each.command for each in entries} == {"FOLLOW"}
+    assert c.position(1) == pytest.approx(c.position(0))
+
+
+def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
+    """An offset of 6 begins at 1 s; 0.35 s later 3 counts of it are covered.
+
+    The second one of -2 makes 4 of it in all. Both begin late, so their own times differ from the machine's.
+    """
+    c, plain = machine(), machine()
+    for each in (c, plain):
+        cam(each, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
+        each.jog(0, 10.0)
+    offset(until(c, 1.0), 1, 6.0)
+    until(c, 1.35)
+    assert c.offset_remaining(1) == pytest.approx(3.0)
+    offset(c, 1, -2.0)
+    assert c.offset_remaining(1) == pytest.approx(1.0)
+    until(c, 6.0)
+    until(plain, 6.0)
+    for k in range(200, 600):
+        assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 4.0, abs=1e-9)
+    for k in range(600):
+        assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35
+
+
+# The time of the resumption, what is left of the offset just before, the times, positions and velocities of the
+# slave, and the phases of the offset in the log.
+PAUSED: dict[str, tuple[float, float, list[tuple[float, float, float]], list[tuple[str, float, float]]]] = {
+    "in the ramp": (
+        1.6, 14.75, [(1.6, 20.5, 10.0), (1.65, 21.25, 20.0), (3.1375, 50.5, 10.0), (5.0, 69.125, 10.0)],
+        [
+            ("accel", 0.1, 0.5), ("slew", 0.4, 4.0), ("stop", 0.1, 0.75), ("accel", 0.05, 0.375),
+            ("slew", 1.3875, 13.875), ("decel", 0.1, 0.5),
+        ],
+    ),
+    "at rest": (
+        3.0, 14.5, [(1.7, 21.0, 0.0), (3.05, 21.25, 10.0), (3.1, 22.0, 20.0), (4.55, 50.5, 10.0), (5.0, 55.0, 10.0)],
+        [
+            ("accel", 0.1, 0.5), ("slew", 0.4, 4.0), ("stop", 0.2, 1.0), ("hold", 1.3, 0.0), ("accel", 0.1, 0.5),
+            ("slew", 1.35, 13.5), ("decel", 0.1, 0.5),
+        ],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PAUSED)
+def test_a_suspended_slave_pauses_its_offset(name: str) -> None:
+    """The slave is suspended at 1.5 s, at 19 counts and 20 counts/s.
+
+    Half of that speed is the offset's, which has covered 4.5 of 20 counts. The ramp at 100 counts/s² takes 0.2 s and
+    2 counts, 1 of them the offset's; after half of that time it is 0.75. The offset goes on at 10 counts/s.
+    """
+    resumed, left, states, phases = PAUSED[name]
+    c = moving_slave()
+    offset(c, 1, 20.0, command="OFFSET", line=4)
+    until(c, 1.5).suspend(1)
+    assert c.offset_remaining(1) == pytest.approx(15.5)
+    until(c, resumed)
+    assert c.offset_remaining(1) == pytest.approx(left)
+    c.resume(1)
+    assert c.offset_remaining(1) == pytest.approx(left)
+    until(c, 5.0)
+    assert [(at(c, 1, t), speed(c, 1, t)) for t, *_ in states] == [
+        pytest.approx(state, abs=1e-6) for _, *state in states
+    ]
+    assert c.offset_remaining(1) == 0.0
+    entry = c.log.moves[-1]
+    assert entry.profile is not None
+    assert (entry.command, entry.line, entry.start_time, entry.ended) == ("OFFSET", 4, 1.0, "")
+    assert [phase.name for phase in entry.profile.phases] == [kind for kind, _, _ in phases]
+    found = [(phase.duration, phase.distance) for phase in entry.profile.phases]
+    assert found == [pytest.approx(figures) for _, *figures in phases]
+
+
+def test_an_offset_commanded_during_a_suspension_waits_for_its_end() -> None:
+    """The slave rests at 10 counts; from 3 s on it follows again and does both."""
+    c = moving_slave()
+    until(c, 1.0).suspend(1)
+    offset(c, 1, 14.0)
+    offset(c, 1, 5.0)
+    assert c.offset_remaining(1) == 0.0
+    until(c, 3.0).resume(1)
+    assert c.offset_remaining(1) == pytest.approx(19.0)
+    until(c, 5.0)
+    assert c.position(1) == pytest.approx(10.0 + 0.5 + 19.0 + 19.0)
+    assert c.velocity(1) == pytest.approx(10.0)
+
+
+def test_a_ratio_that_is_written_again_begins_no_new_ramp() -> None:
+    """From 1 s on it gains 100 counts/s each second, from 1.1 s on 50 counts/s."""
+    c = machine()
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 2.0, ramp=True)
+    a = c.axes[1]
+    until(c, 1.1).gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.0
+    c.configure(1, "accel", 50.0)
+    c.gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.1
+    assert until(c, 1.2).velocity(1) == pytest.approx(15.0)
+    assert until(c, 1.3).velocity(1) == pytest.approx(20.0)
+    until(c, 2.0).configure(1, "accel", 100.0)
+    c.gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.1
+    c.gear(1, 0, 2.0)
+    assert (a.starts[-1], c.velocity(1)) == pytest.approx((2.0, 20.0))
+    c.set_ratio(1, 2.0)
+    c.set_ratio(0, 3.0)  # no slave
+    assert a.starts[-1] == 2.0
+    until(c, 2.5).set_ratio(1, -1.0)
+    assert (a.starts[-1], c.velocity(1)) == pytest.approx((2.5, -10.0))
+
+
+@pytest.mark.parametrize("ratio", [1e12, -1e12, math.inf, math.nan])
+def test_a_ratio_that_is_too_large_is_rejected(ratio: float) -> None:
+    c = machine()
+    c.gear(1, 0, 9e11)
+    message = rf"an axis cannot follow at a ratio of {ratio:g}".replace("+", r"\+")
+    with pytest.raises(Rejected, match=message):
+        c.gear(1, 0, ratio)
+    with pytest.raises(Rejected, match=message):
+        c.set_ratio(1, ratio)
+
+
+def test_a_slave_that_leaves_its_master_completes_its_profile() -> None:
+    """The master takes 2.1 s for 20 counts, unless it is stopped at 1.5 s."""
+    c = machine()
+    c.gear(1, 0, 0.5, command="FOLLOW")
+    c.move_to(0, 20.0)
+    until(c, 1.0).leave_master(1)
+    assert c.master_of(1) is None
+    assert (c.target(1), c.idle_time(1)) == pytest.approx((10.0, 2.1))
+    until(c, 1.5).stop(0)
+    until(c, 9.0)
+    assert (c.position(0), c.position(1)) == pytest.approx((15.0, 10.0))
+    entry = c.log.moves[0]
+    assert (entry.command, entry.ended, entry.target) == ("FOLLOW", "", 10.0)
+    assert entry.profile is not None
+    assert entry.profile.duration == pytest.approx(2.1)
+    c.leave_master(1)  # a no-op
+    assert c.is_idle(1)
+
+
+def test_a_slave_at_rest_that_leaves_its_master_is_idle() -> None:
+    c = machine(buffer_size=3)
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    until(c, 5.0)
+    c.load_to(1, 13.0)
+    c.axes[1].buffer[0].released = True
+    assert not c.is_idle(1)
+    c.leave_master(1)
+    assert c.log.moves[0].profile is not None
+    assert c.log.moves[0].profile.duration == pytest.approx(5.0)
+    assert until(c, 9.0).position(1) == pytest.approx(13.0)
+    c.gear(1, 0, 0.5)
+    c.leave_master(1)
+    c.move_to(0, 0.0)
+    assert c.is_idle(1)
+    assert c.target(1) == pytest.approx(13.0)
+    assert until(c, 20.0).position(1) == pytest.approx(13.0)
+
+
+def test_the_shortest_segment_of_a_shear_is_one_count_of_its_master() -> None:
+    """The ratio grows to 2 * 5 / 1: at 100 counts/s the slave stops over 50 more."""
+    c = machine()
+    shear(c, (5.0, 1.0))
+    c.jog(0, 10.0)
+    assert until(c, 9.0).position(1) == pytest.approx(55.0)
+    for over in (0.999, -0.999, 0.0):
+        with pytest.raises(Rejected, match=rf"a segment cannot go 5 counts while its master goes {over:g}$"):
+            c.load_fly(1, 0, 5.0, over)
+    c.load_fly(1, 0, 5.0, -1.0)
+    c.go([1])
+    c.jog(0, -10.0)
+    assert until(c, 20.0).position(1) == pytest.approx(110.0)
+
+
+def test_a_slave_that_returns_to_where_it_is_does_not_rest() -> None:
+    """At 1 s the master has 10 counts/s at 9.5; its new target is there, too."""
+    c = machine()
+    c.gear(1, 0, 1.0)
+    a = c.axes[1]
+    assert a.is_at_standstill
+    c.move_to(0, 20.0)
+    assert not a.is_at_standstill
+    until(c, 1.0).move_to(0, c.position(0))
+    assert a.profiles[-1].start == pytest.approx(a.profiles[-1].end)
+    assert not a.is_at_standstill
+    assert until(c, 5.0).position(1) == pytest.approx(9.5)
+    assert a.is_at_standstill
+    c.move_to(0, 30.0)
+    assert not a.is_at_standstill
+    until(c, 9.0)
+    assert (a.is_at_standstill, c.is_idle(1)) == (True, False)

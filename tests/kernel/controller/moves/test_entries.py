@@ -1,0 +1,290 @@
+"""Buffer entries other than moves and paths: cams, offsets, stored profiles."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.planners.reparametrised import Reparametrised
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import FrameType
+
+
+def ready(axes: int = 2) -> Controller:
+    controller = Controller(axes)
+    for axis in range(axes):
+        for name, value in (("speed", 100.0), ("accel", 1000.0), ("decel", 1000.0), ("buffer_size", 4.0)):
+            controller.configure(axis, name, value)
+    return controller
+
+
+def test_a_cam_waits_for_go_and_begins_where_both_axes_are() -> None:
+    controller = ready()
+    controller.jog(0, 10.0)
+    controller.load_cam(1, 0, lambda start: ([0.0, 10.0, 20.0], [start, start + 5.0, start + 4.0]))
+    controller.clock.advance(1.0)
+    assert controller.position(1) == 0.0
+    begin = controller.position(0)
+    controller.go([1])
+    controller.clock.advance(1.0 + 1.5)
+    assert controller.position(0) == pytest.approx(begin + 15.0)
+    assert controller.position(1) == pytest.approx(4.5)
+    assert controller.cam_index(1) == 1
+    controller.clock.advance(4.0)
+    assert controller.is_idle(1)
+
+
+def test_a_table_is_read_again_for_every_cycle() -> None:
+    controller, heights = ready(), [5.0, 7.0, 1.0]
+
+    def table(start: float) -> tuple[list[float], list[float]]:
+        height = heights.pop(0)
+        return [0.0, 10.0, 20.0], [start, start + height, start]
+
+    controller.load_cam(1, 0, table, cyclic=True)
+    controller.go([1])
+    controller.jog(0, 10.0)
+    peaks = []
+    for cycle in range(2):
+        at = controller.crossing_time(0, 20.0 * cycle + 10.0)
+        controller.clock.advance(at)
+        peaks.append(controller.position(1))
+    assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first call was the check at loading
+
+
+def climbing(segments: int, cycles: int) -> Controller:
+    """Return a controller after some cycles of a cam that rises as far as its master.
+
+    In the middle of each cycle the cam is 10 ahead of a straight line.
+    """
+    controller = ready()
+    positions = [100.0 * n / segments for n in range(segments + 1)]
+    points = positions, [x + 0.4 * x - 0.004 * x * x for x in positions]
+    controller.load_cam(1, 0, lambda _: points, cyclic=True)
+    controller.go([1])
+    controller.jog(0, 100.0)
+    controller.clock.advance(0.05 + cycles)  # the ramp takes 0.1 s and half of the distance
+    return controller
+
+
+def test_all_cycles_of_a_cam_share_its_curve() -> None:
+    controller = climbing(segments=20, cycles=500)
+    curves = {id(each.path) for each in controller.axes[1].profiles if isinstance(each, Reparametrised)}
+    assert len(curves) == 1
+    assert controller.position(0) == pytest.approx(50_000.0)
+    assert controller.position(1) == pytest.approx(50_000.0)
+    found = controller.crossing_time(1, 50_060.0)  # x + 0.4 x - 0.004 x² = 60: x = 50, a point of the table
+    assert found == pytest.approx(500.05 + 0.5)
+
+
+def test_a_crossing_of_a_long_table_is_looked_up() -> None:
+    def calls(segments: int) -> int:
+        controller = climbing(segments, cycles=3)
+        level = controller.position(1) - 40.0  # the cam is not there again
+        assert controller.crossing_time(1, level) == INFINITY
+        return count_calls(lambda: controller.crossing_time(1, level))
+
+    assert calls(1000) == calls(10)
+
+
+def count_calls(work: Callable[[], object]) -> int:
+    """Return how many functions are called.
+
+    The collector is off, because its callbacks would be counted, too.
+    """
+    made = 0
+
+    def count(_: FrameType, event: str, __: object) -> None:
+        nonlocal made
+        made += event in ("call", "c_call")
+
+    gc.disable()
+    sys.setprofile(count)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+        gc.enable()
+    return made
+
+
+def test_the_log_of_a_cam_whose_table_changes_is_packed_by_the_size_of_its_tables() -> None:
+    """A cycle of 800 segments counts as one hundred profiles."""
+    controller = ready()
+    positions = [float(n) for n in range(801)]
+    controller.load_cam(
+        1, 0, lambda _: (positions, [0.0] * 800 + [1.0]), cyclic=True
+    )  # a new one in each cycle
+    controller.go([1])
+    controller.jog(0, 800.0)
+    controller.clock.advance(150.0)
+    assert len(controller.log.moves) > 1  # the cam continues as another entry
+    assert controller.position(1) == pytest.approx(149.0, abs=1.0)
+
+
+def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
+    controller = ready()
+    with pytest.raises(Rejected, match="cannot follow the table"):
+        controller.load_cam(1, 0, lambda start: ([0.0, 0.0], [start, start]))
+    assert controller.room(1) == 4
+
+
+def test_offsets_of_the_buffer_come_one_after_the_other_on_top_of_following() -> None:
+    controller = ready()
+    controller.gear(1, 0, 1.0)
+    controller.jog(0, 50.0)
+    controller.clock.advance(1.0)
+    controller.load_offset(1, 10.0)
+    controller.load_offset(1, -4.0)
+    before = controller.position(1) - controller.position(0)
+    controller.go([1])
+    controller.clock.advance(1.0 + 0.2)
+    assert controller.position(1) - controller.position(0) == pytest.approx(before + 10.0)
+    assert controller.room(1) == 4  # the second one has begun
+    controller.clock.advance(2.0)
+    assert controller.position(1) - controller.position(0) == pytest.approx(before + 6.0)
+    assert controller.velocity(1) == pytest.approx(50.0)
+
+
+def test_an_offset_of_an_axis_without_a_master_is_a_move() -> None:
+    controller = ready()
+    controller.load_by(0, 20.0)
+    controller.load_offset(0, 10.0)
+    controller.go([0])
+    controller.clock.advance(5.0)
+    assert controller.position(0) == 30.0
+    assert controller.is_idle(0)
+
+
+def test_points_begin_where_the_move_before_it_ends_and_again_and_again() -> None:
+    controller = ready()
+
+    def make(start: float) -> tuple[list[float], list[float], list[float]]:
+        return [start, start + 1.0, start], [0.0, 0.0, 0.0], [0.5, 0.5]
+
+    controller.load_by(0, 20.0)
+    controller.load_points(0, make, make)
+    controller.go([0])
+    end = controller.idle_time(0)
+    controller.clock.advance(end + 7.5)
+    assert controller.position(0) == pytest.approx(21.0)
+    controller.stop(0)
+    controller.clock.advance(end + 9.0)
+    assert controller.is_idle(0)
+    assert controller.room(0) == 4
+
+
+def test_outputs_between_the_segments_of_a_shear_do_not_hold_it_up() -> None:
+    controller = ready()
+    controller.load_fly(1, 0, 5.0, 10.0)
+    controller.load_output(1, {3: 1.0})
+    controller.load_fly(1, 0, 5.0, 10.0)
+    controller.go([1])
+    controller.jog(0, 10.0)
+    controller.clock.advance(controller.crossing_time(0, 9.9))
+    assert controller.output(3) == 0
+    controller.clock.advance(controller.crossing_time(0, 10.1))
+    assert controller.output(3) == 1
+    assert controller.velocity(1) == pytest.approx(10.0, rel=0.02)
+    controller.clock.advance(controller.crossing_time(0, 20.1))
+    assert controller.position(1) == pytest.approx(10.0)
+
+
+def test_rates_of_its_own_stay_with_a_move() -> None:
+    controller = ready(1)
+    controller.configure(0, "own_rates", (50.0, 500.0, None))
+    controller.load_by(0, 100.0)
+    controller.configure(0, "own_rates", None)
+    controller.load_by(0, 100.0)
+    controller.go([0])
+    controller.clock.advance(10.0)
+    first, second = (move.profile for move in controller.log.moves)
+    assert first is not None
+    assert second is not None
+    assert [phase.duration for phase in first.phases] == [0.1, pytest.approx(96.25 / 50), 0.05]
+    assert second.duration == pytest.approx(1.1)
+
+
+def test_limits_hold_for_single_moves_and_jogs() -> None:
+    controller = ready(1)
+    controller.configure(0, "max_speed", 40.0)
+    controller.configure(0, "max_accel", 400.0)
+    controller.load_by(0, 100.0)
+    controller.go([0])
+    profile = controller.log.moves[0].profile
+    assert profile is not None
+    assert profile.peak_speed == 40.0
+    assert profile.phases[0].duration == pytest.approx(0.1)
+    controller.jog(0, -500.0)
+    controller.clock.advance(2.0)
+    assert controller.velocity(0) == -40.0
+
+
+def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
+    """Two sides of a square take 1.1 s; the output turns on at the corner, at 0.55 s."""
+    controller = ready()
+    controller.configure(0, "contour_mode", True)
+    controller.configure(0, "contour_angle", 90.0)
+    controller.load_line_by((0, 1), (50.0, 0.0))
+    controller.load_output(0, {3: 1.0})
+    controller.load_pulse(1, 4, 0.1)
+    controller.load_line_by((0, 1), (0.0, 50.0))
+    controller.go([0, 1])
+    corner = controller.crossing_time(0, 50.0)
+    assert corner == pytest.approx(0.55)
+    controller.clock.advance(0.549)
+    assert (controller.output(3), controller.output(4)) == (0, 0)
+    controller.clock.advance(0.551)
+    assert (controller.output(3), controller.output(4)) == (1, 1)
+    assert controller.path_speed(0) == pytest.approx(100.0)
+    controller.clock.advance(1.2)
+    assert controller.is_idle(0)
+    assert controller.is_idle(1)
+    assert controller.position(1) == 50.0
+    assert controller.log.moves[-1].start_time == pytest.approx(0.55)
+
+
+@pytest.mark.parametrize("cyclic", [False, True])
+def test_a_cam_behind_a_move_with_a_new_end_begins_there(cyclic: bool) -> None:
+    """The move ends at 12 instead of 10; the cam rises by 4 in 20 of its master."""
+    controller = ready()
+    controller.load_to(1, 10.0)
+    controller.load_cam(1, 0, lambda start: ([0.0, 20.0], [start, start + 4.0]), cyclic=cyclic)
+    controller.go([1])
+    controller.clock.advance(0.1)
+    controller.retarget_to(1, 12.0)
+    if not cyclic:
+        controller.load_by(1, 3.0)
+        assert controller.axes[1].buffer[-1].target == 19.0
+        controller.go([1])
+    controller.clock.advance(2.0)
+    assert controller.target(1) == (INFINITY if cyclic else 16.0)
+    controller.move_to(0, 20.0)
+    controller.clock.advance(5.0)
+    assert controller.position(1) == pytest.approx(16.0 if cyclic else 19.0)
+
+
+def test_points_that_are_prolonged_in_a_suspension_have_the_end_of_the_next_ones() -> None:
+    """Suspended at 0.95 s of 1 s, the playback stops at 1.05 s, in the next points."""
+    controller = ready()
+    controller.configure(0, "suspend_time", 0.2)
+
+    def make(start: float) -> tuple[list[float], list[float], list[float]]:
+        return [start, start + 1.0, start + 2.0], [0.0, 0.0, 0.0], [0.5, 0.5]
+
+    controller.load_points(0, make, make)
+    controller.go([0])
+    assert controller.target(0) == 2.0
+    controller.clock.advance(0.95)
+    controller.suspend(0)
+    assert controller.target(0) == 4.0
+    controller.clock.advance(2.0)
+    assert 2.0 < controller.position(0) < 3.0

@@ -1,0 +1,607 @@
+"""Paths of several axes: figures, joins, blends, and their exact geometry."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.moves.geometry import Line, corner
+from tests.cases import examples
+from tests.kernel.controller.machines import machine, remaining, until
+
+quick = settings(max_examples=examples(60))
+INFINITY = float("inf")
+
+
+def plane(axes: int = 2, **settings: float | str) -> Controller:
+    """Return axes with 100, 50 and 200 counts per unit.
+
+    Each has 10 units/s and 100 units/s².
+    """
+    c = Controller(axes)
+    for axis, counts in zip(c.axes, (100.0, 50.0, 200.0), strict=False):
+        c.set_scale(axis, counts)
+        for name, value in {"speed": 10.0, "accel": 100.0, "decel": 100.0}.items():
+            c.configure(axis, name, value * counts)
+        for name, value in {"buffer_size": 20, **settings}.items():  # type: ignore[assignment]
+            c.configure(axis, name, value)
+    return c
+
+
+def positions(c: Controller, time: float | None = None) -> list[float]:
+    """Return the positions of the axes, user units."""
+    now = c.clock.now if time is None else time
+    return [a.position(now) / a.scale.counts for a in c.axes.values()]
+
+
+def path_speed(c: Controller, time: float) -> float:
+    return math.hypot(*(a.velocity(time) / a.scale.counts for a in c.axes.values()))
+
+
+# ------------------------------------------------------------------------------------------------- lines
+
+
+def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 3)  # 3 by 4 units: 5
+    c.go([0])
+    assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.6)
+    until(c, 0.3)
+    assert positions(c) == pytest.approx([1.5, 2.0])
+    assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
+    assert remaining(c, 0) == pytest.approx(2.5)
+    assert c.vector_angle(0, 1) == pytest.approx(math.degrees(math.atan2(4.0, 3.0)))
+    assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
+    until(c, 1.0)
+    assert positions(c) == [3.0, 4.0]
+    assert c.is_idle(0)
+    assert c.is_idle(1)
+    assert [(move.axis, move.command, move.line, move.target) for move in c.log.moves] == [
+        (0, "VECTORR", 3, 300.0),
+        (1, "VECTORR", 3, 200.0),
+    ]
+
+
+def test_go_on_the_master_starts_the_whole_and_go_on_another_axis_nothing() -> None:
+    c = plane()
+    c.load_line([0, 1], [300.0, 200.0])
+    c.go([1])
+    assert until(c, 1.0).is_idle(0)
+    c.go([0])
+    assert not c.is_idle(1)
+
+
+def test_a_path_waits_until_all_its_axes_are_ready() -> None:
+    c = plane()
+    c.load_by(1, 50.0)  # 0.2 s: 1 unit
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0, 1])
+    assert until(c, 0.1).is_idle(0)
+    until(c, 2.0)
+    assert c.log.moves[1].start_time == c.log.moves[2].start_time == pytest.approx(0.2)
+    assert positions(c) == [3.0, 5.0]
+
+
+def test_a_path_takes_an_entry_in_each_buffer() -> None:
+    c = plane(3, buffer_size=2)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    assert [c.room(axis) for axis in c.axes] == [1, 1, 2]
+    c.load_by(1, 1.0)
+    with pytest.raises(Rejected, match="axis 1 is full"):
+        c.load_line_by([0, 1], [300.0, 200.0])
+    assert [c.room(axis) for axis in c.axes] == [1, 0, 2]
+
+
+def test_two_paths_stop_in_the_corner_between_them() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    assert path_speed(until(c, 0.6), 0.6) == pytest.approx(0.0, abs=1e-6)
+    assert until(c, 3.0).log.moves[2].start_time == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(
+    ("axes", "code"), [([0], "axis"), ([0, 0], "axis")]
+)  # fmt: skip
+def test_a_path_needs_different_axes(axes: list[int], code: str) -> None:
+    with pytest.raises(Rejected) as rejected:
+        plane().load_line(axes, [1.0] * len(axes))
+    assert rejected.value.code == code
+
+
+def test_a_path_of_no_length_takes_no_time() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [0.0, 0.0])
+    c.load_line_by([0, 1], [300.0, 0.0])
+    c.go([0])
+    until(c, 5.0)
+    assert positions(c) == [3.0, 0.0]
+    assert c.log.moves[2].start_time == 0.0
+
+
+def test_the_limits_of_each_axis_are_met() -> None:
+    c = plane()
+    c.configure(1, "max_speed", 100.0)  # 2 units/s
+    c.configure(1, "max_accel", 400.0)  # 8 units/s²
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 9.0)
+    speeds = [move.profile.peak_speed for move in c.log.moves if move.profile]
+    rates = [move.profile.peak_acceleration for move in c.log.moves if move.profile]
+    assert speeds == pytest.approx([150.0, 100.0])
+    assert rates == pytest.approx([10000.0 * 0.6, 4000.0]) or rates[1] <= 4000.0 + 1e-6
+
+
+# --------------------------------------------------------------------------------------------------- arcs
+
+
+def test_a_half_circle_by_its_figures() -> None:
+    c = plane()
+    c.load_arc([0, 1], [200.0, 0.0], -180.0, (), True, "CIRCLER")  # over the top: 0, 0 to 4, 0
+    c.go([0])
+    whole = 2.0 * math.pi / 10.0 + 0.1
+    assert c.idle_time(0) == pytest.approx(whole)
+    assert positions(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
+    assert c.vector_angle(0, 1) == pytest.approx(0.0, abs=1e-9)
+    until(c, 2.0)
+    assert positions(c) == [4.0, 0.0]
+
+
+def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
+    c = plane()
+    until(c, 0.0).define_position(0, 12.3)
+    c.load_arc([0, 1], [200.0, 77.0], 360.0, (), True)
+    c.go([0])
+    assert [until(c, 5.0).position(axis) for axis in (0, 1)] == [12.3, 0.0]
+
+
+def test_a_helix_rises_evenly() -> None:
+    c = plane(3)
+    c.load_arc([0, 1, 2], [200.0, 0.0], 90.0, [2000.0], False, "HELIXA")
+    c.go([0])
+    length = math.hypot(math.pi, 10.0)
+    assert c.idle_time(2) == pytest.approx(length / 10.0 + 0.1)
+    assert positions(until(c, c.idle_time(0) / 2.0))[2] == pytest.approx(5.0)
+    assert c.path_speed(0) == pytest.approx(10.0)
+    assert positions(until(c, 5.0)) == pytest.approx([2.0, -2.0, 10.0])
+
+
+@quick
+@given(
+    st.floats(-800.0, 800.0).filter(lambda angle: abs(angle) > 5.0),
+    st.floats(-5.0, 5.0),
+    st.floats(0.5, 5.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
+    st.floats(0.1, 0.9),
+    st.sampled_from(["", "stop", "suspend", "override"]),
+)
+def test_an_arc_never_leaves_its_circle(
+    angle: float, x: float, y: float, shape: str, share: float, event: str
+) -> None:
+    c = plane(feedrate_mode=2, shape=shape)
+    c.load_arc([0, 1], [100.0 * x, 50.0 * y], angle, (), True)
+    c.go([0])
+    at = share * c.idle_time(0)
+    until(c, at)
+    speed = c.path_speed(0)
+    if event == "stop":
+        c.stop(1)
+    elif event == "suspend":
+        c.suspend(1)
+        until(c, at + 1.0).resume(0)
+    elif event == "override":
+        c.configure(0, "override", 0.5)
+    until(c, 99.0)
+    assert c.is_idle(0)
+    assert c.is_idle(1)
+    radius = math.hypot(x, y)
+    for k in range(200):
+        px, py = positions(c, k * c.axes[0].starts[-1] / 200.0)
+        assert math.hypot(px - x, py - y) == pytest.approx(radius, abs=1e-9)
+        assert path_speed(c, k * c.axes[0].starts[-1] / 200.0) <= 10.0 * (1.0 + 1e-9)
+    assert path_speed(c, at) == pytest.approx(speed, abs=1e-9)
+    assert c.log.moves[0].ended == ("stop" if event == "stop" else "")
+
+
+# ------------------------------------------------------------------------------- stop, suspend, abort, faults
+
+
+def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
+    c = plane()
+    c.suspend(1)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    assert positions(until(c, 2.0)) == [0.0, 0.0]
+    assert not c.is_idle(0)
+    c.resume(1)
+    assert positions(until(c, 2.6)) == [3.0, 4.0]
+
+
+def test_an_error_stop_uses_the_error_rate_of_the_master() -> None:
+    c = plane()
+    c.configure(0, "error_decel", 20000.0)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3).fault(1, 2, "error-stop")
+    assert c.idle_time(0) == pytest.approx(0.35)
+
+
+def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3)
+    for verb in ("move_to", "jog", "retarget_to", "define_position"):
+        with pytest.raises(Rejected) as rejected:
+            getattr(c, verb)(1, 5.0)
+        assert rejected.value.code == "moving"
+    assert positions(until(c, 3.0)) == [3.0, 4.0]
+
+
+def test_a_path_without_speed_is_refused_with_its_line() -> None:
+    c = plane()
+    c.configure(0, "speed", 0.0)
+    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 9)
+    with pytest.raises(Rejected) as rejected:
+        c.go([0])
+    assert (rejected.value.code, rejected.value.line) == ("zero-speed", 9)
+
+
+# ------------------------------------------------------------------------------------------------ contours
+
+
+def test_a_contour_runs_through_a_smooth_join() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_arc([0, 1], [0.0, 50.0], 90.0, (), True)
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    length = 8.0 + math.pi / 2.0
+    total = length / 10.0 + 0.1
+    until(c, 9.0)
+    assert [round(move.start_time, 9) for move in c.log.moves[::2]] == [
+        0.0,
+        round(0.05 + 0.4, 9),
+        round(0.05 + 0.4 + math.pi / 20.0, 9),
+    ]
+    assert c.axes[0].starts[-1] == pytest.approx(total)
+    assert positions(c) == [5.0, 5.0]
+    for k in range(1, 100):
+        t = 0.1 + k * (total - 0.2) / 100.0
+        assert path_speed(c, t) == pytest.approx(10.0)
+
+
+def test_a_sharp_corner_is_a_stop() -> None:
+    c = plane(contour_mode=True, contour_angle=30.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    assert path_speed(until(c, 9.0), 0.5) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_path_released_under_way_prolongs_the_contour() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.2)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    assert c.axes[0].starts[-1] == pytest.approx(0.9)
+    assert path_speed(c, 0.45) == pytest.approx(10.0)
+    assert positions(c) == [8.0, 0.0]
+
+
+def test_a_path_released_while_braking_is_still_taken_up() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.45)  # 5 units/s, slowing down to rest at 0.5 s
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    assert path_speed(c, 0.5) == pytest.approx(10.0)
+    assert positions(c) == [8.0, 0.0]
+
+
+def test_each_path_keeps_its_own_speed_and_slows_down_in_time() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=1)
+    for speed in (1000.0, 500.0, 1000.0):
+        c.configure(0, "speed", speed)
+        c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    starts = [move.start_time for move in c.log.moves[::2]]
+    assert [path_speed(c, t) for t in starts] == pytest.approx([0.0, 5.0, 5.0], abs=1e-6)
+    peaks = [move.profile.peak_speed for move in c.log.moves[::2] if move.profile]
+    assert peaks == pytest.approx([1000.0, 500.0, 1000.0])
+
+
+def test_stop_runs_on_over_the_join_where_it_must() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.43).stop(0)  # at 3.8, half a unit from rest
+    until(c, 9.0)
+    assert positions(c) == pytest.approx([4.3, 0.0])
+    assert [move.ended for move in c.log.moves] == ["stop"] * 4
+
+
+corners = st.lists(
+    st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)).filter(lambda p: math.hypot(*p) > 0.05),
+    min_size=2,
+    max_size=6,
+)
+
+
+@quick
+@given(corners, st.sampled_from([0.0, 20.0, 180.0]), st.sampled_from(["trapezoid", "sinusoidal", "scurve"]))
+def test_contours_keep_speed_rate_and_line(
+    segments: list[tuple[float, float]], angle: float, shape: str
+) -> None:
+    c = plane(contour_mode=True, contour_angle=angle, shape=shape)
+    points = [(0.0, 0.0)]
+    for x, y in segments:
+        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
+        points.append((points[-1][0] + x, points[-1][1] + y))
+    c.go([0])
+    until(c, 99.0)
+    assert positions(c) == pytest.approx(points[-1], abs=1e-9)
+    speeds = []
+    for k in range(301):
+        t = k * c.axes[0].starts[-1] / 300.0
+        speeds.append(path_speed(c, t))
+        assert speeds[-1] <= 10.0 * (1.0 + 1e-9)
+        assert min(_away(positions(c, t), a, b) for a, b in pairwise(points)) < 1e-9
+    step = c.axes[0].starts[-1] / 300.0
+    for before, after in pairwise(speeds):
+        assert abs(after - before) <= 100.0 * step * (1.0 + 1e-6) + 1e-9
+
+
+def _away(point: list[float], a: tuple[float, float], b: tuple[float, float]) -> float:
+    """Return the distance of a point from a line segment."""
+    along = (b[0] - a[0], b[1] - a[1])
+    share = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / (along[0] ** 2 + along[1] ** 2)
+    share = min(1.0, max(0.0, share))
+    return math.hypot(point[0] - a[0] - share * along[0], point[1] - a[1] - share * along[1])
+
+
+# ------------------------------------------------------------------------------------------------- blends
+
+
+def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)  # the braking distance
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 9.0)
+    assert c.log.moves[2].start_time == pytest.approx(0.4)
+    assert c.axes[0].starts[-1] == pytest.approx(0.9)
+    assert positions(c) == pytest.approx([4.0, 4.0], abs=1e-12)
+    # half-way through the corner: x has 0.125 to go, y has covered 0.125
+    assert positions(c, 0.45) == pytest.approx([3.875, 0.125])
+    assert path_speed(c, 0.45) == pytest.approx(math.hypot(5.0, 5.0))
+    for k in range(90):
+        assert path_speed(c, 0.01 * k) <= 10.0 + 1e-9
+
+
+def test_blends_follow_one_another_and_end_exactly() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)
+    for x, y in ((4.0, 0.0), (0.0, 0.6), (3.0, 3.0)):
+        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
+    c.go([0])
+    until(c, 9.0)
+    assert positions(c) == pytest.approx([7.0, 3.6], abs=1e-12)
+    last = [0.0, 0.0]
+    for k in range(1, 1500):
+        here = positions(c, 0.001 * k)
+        assert math.hypot(here[0] - last[0], here[1] - last[1]) <= 0.02
+        last = here
+
+
+def test_blend_begins_the_next_path_at_once() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 0.4).blend(0)
+    assert c.log.moves[2].start_time == pytest.approx(0.4)
+    assert positions(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
+
+
+def test_a_stop_in_a_blend_ends_both() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 0.45).stop(0)
+    assert until(c, 9.0).is_idle(0)
+    assert positions(c) == pytest.approx([4.0, 0.25], abs=1e-9)
+
+
+def test_a_watch_sees_a_path_pass() -> None:
+    c = machine(2, buffer_size=9)
+    seen: list[float] = []
+    c.watch(1, 5.0, lambda direction: seen.append(c.clock.now * direction))
+    c.load_arc([0, 1], [10.0, 0.0], -180.0, (), True)  # up to 10 on axis 1 and back
+    c.go([0])
+    until(c, 99.0)
+    whole = 10.0 * math.pi / 10.0 + 0.1
+    first = 0.05 + (10.0 * math.pi / 6.0) / 10.0
+    assert seen == pytest.approx([first, -(whole - first)])
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_a_line_that_returns_has_a_corner_of_180_degrees(dimensions: int) -> None:
+    """It does in every direction, although rounding makes some unit vectors exceed 1."""
+    for degrees in range(360):
+        angle = math.radians(degrees)
+        end = [1000.0 * math.cos(angle), 1000.0 * math.sin(angle), 333.0 * math.cos(3.0 * angle)][:dimensions]
+        start, scales = [0.0] * dimensions, [1.0] * dimensions
+        out, back = Line(end).lay(start, scales), Line(start).lay(end, scales)
+        assert corner(out, back) == pytest.approx(180.0, abs=1e-5)
+        assert corner(out, out) == pytest.approx(0.0, abs=1e-5)
+
+
+# The second path, units, the units of axis 1 before it, the angle up to which a contour continues, and whether only
+# the angle between the paths makes the first one stop.
+CORNERS: dict[str, tuple[list[float], float, float, bool]] = {
+    "straight on": ([3.0, 0.0], 50.0, 30.0, False),
+    "a corner": ([0.0, 3.0], 50.0, 30.0, True),
+    "a corner, just too sharp": ([0.0, 3.0], 50.0, 89.999, True),
+    "a corner as sharp as allowed": ([0.0, 3.0], 50.0, 90.0, False),
+    "no distance": ([0.0, 0.0], 50.0, 30.0, False),
+    "straight on, in other units": ([3.0, 0.0], 25.0, 30.0, False),
+    "a corner as sharp as allowed, in other units": ([0.0, 3.0], 25.0, 90.0, False),
+    "a corner in other units": ([0.0, 3.0], 25.0, 30.0, True),
+}
+
+
+@pytest.mark.parametrize("name", CORNERS)
+def test_a_path_says_if_it_stops_for_the_angle_alone(name: str) -> None:
+    distances, scale, angle, stops = CORNERS[name]
+    c = plane(2, contour_mode=True, contour_angle=angle)
+    c.load_line_by([0, 1], [300.0, 0.0])
+    c.set_scale(1, scale)
+    c.load_line_by([0, 1], [100.0 * distances[0], scale * distances[1]])
+    c.go([0])
+    until(c, 0.1)
+    run = c.axes[0].move.action.run  # type: ignore[union-attr]
+    assert run.stops_at_corner is stops
+    until(c, 9.0)
+    assert not run.stops_at_corner
+    assert positions(c) == pytest.approx([3.0 + distances[0], distances[1]])
+
+
+def contour() -> Controller:
+    """Return a contour of three paths of 3 by 4 units, at 10, 5 and 10 units/s."""
+    c = plane(contour_mode=True, contour_angle=10.0, feedrate_mode=3)
+    for line, speed in enumerate((1000.0, 500.0, 1000.0), 1):
+        c.configure(0, "speed", speed)
+        c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
+    c.go([0])
+    return c
+
+
+# Line, start, duration, distance along the path and the cause of an early end.
+Row = tuple[int, float, float, float, str]
+
+
+def rows(c: Controller) -> list[Any]:
+    """Return the entries of the log, which are the same for both axes."""
+    found: list[list[Row]] = [[], []]
+    for move in c.log.moves:
+        assert move.profile is not None
+        distance = move.profile.distance / (60.0, 40.0)[move.axis]
+        found[move.axis].append((move.line, move.start_time, move.profile.duration, distance, move.ended))
+    assert found[1] == [(row[0], *(pytest.approx(each) for each in row[1:4]), row[4]) for row in found[0]]
+    return found[0]
+
+
+def slow_in_the_middle(c: Controller) -> None:
+    """Load the same contour with 50 units/s² for the second path."""
+    c.abort(0)
+    for line, (speed, decel) in enumerate(((1000.0, None), (500.0, 5000.0), (1000.0, None)), 1):
+        c.configure(0, "own_rates", (speed, None, decel))
+        c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
+    c.go([0])
+
+
+CHANGES: dict[str, tuple[list[tuple[float, str, tuple[object, ...]]], list[Row], float]] = {
+    "none": (
+        [], [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 1.0, 5.0, ""), (3, 1.5625, 0.5625, 5.0, "")], 15.0,
+    ),
+    "a stop that rests in the next path": (
+        [(0.5125, "stop", (1,))], [(1, 0.0, 0.5625, 5.0, "stop"), (2, 0.5625, 0.05, 0.125, "stop")], 5.125,
+    ),
+    "a stop in the second path": (
+        [(1.0, "stop", (0,))],
+        [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 0.4875, 0.4375 * 5.0 + 0.125, "stop")], 7.3125,
+    ),
+    "an abort in the second path": (
+        [(0.7, "abort", (1,))], [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 0.1375, 0.6875, "cancel")], 5.6875,
+    ),
+    # From rest at 5.125, 0.125 up to 5 units/s, and 4.75 at it.
+    "a suspension that rests in the next path": (
+        [(0.5125, "suspend", (0,)), (1.0, "resume", (0,))],
+        [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 1.4375, 5.0, ""), (3, 2.0, 0.5625, 5.0, "")], 15.0,
+    ),
+    # At 2.5 the speed halves: 0.05 s over 0.375, 0.40625 s at 5, and 0.025 s down to 2.5 units/s.
+    "half of all speeds": (
+        [(0.3, "configure", (0, "override", 0.5))],
+        [(1, 0.0, 0.78125, 5.0, ""), (2, 0.78125, 2.0, 5.0, ""), (3, 2.78125, 1.03125, 5.0, "")], 15.0,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_contour_and_its_log_after_a_change(name: str) -> None:
+    """At 100 units/s² a change from 10 to 5 units/s takes 0.05 s over 0.375.
+
+    A change from 10 to 0 takes 0.1 s over 0.5. So the first path takes 0.1 + 4.125/10 + 0.05 s, the second 5/5 s, and
+    the third as long as the first.
+    """
+    changes, wanted, end = CHANGES[name]
+    c = contour()
+    for time, verb, arguments in changes:
+        getattr(until(c, time), verb)(*arguments)
+    until(c, 9.0)
+    assert rows(c) == [(row[0], *(pytest.approx(each) for each in row[1:4]), row[4]) for row in wanted]
+    assert (c.position(0), c.position(1)) == pytest.approx((end * 60.0, end * 40.0))
+    assert (c.target(0), c.target(1)) == (c.position(0), c.position(1))
+    assert (c.is_idle(0), c.is_idle(1), c.room(0)) == (True, True, 20)
+
+
+def test_a_stop_is_delayed_to_a_path_that_must_not_be_entered_faster() -> None:
+    """At 0.505 s 4.55 are done.
+
+    At 50 units/s² the stop would enter the second path at 7.4 units/s. So it slows down to 5 units/s as planned, and
+    rests 0.1 s and 0.25 later.
+    """
+    c = plane(contour_mode=True, contour_angle=10.0)
+    slow_in_the_middle(c)
+    until(c, 0.505).stop(0)
+    assert path_speed(until(c, 0.6624), 0.6624) == pytest.approx(0.005)
+    assert until(c, 0.6626).is_idle(0)
+    assert positions(c) == pytest.approx([3.15, 4.2])
+    assert rows(c)[-2:] == [
+        (1, 0.0, pytest.approx(0.5625), pytest.approx(5.0), "stop"),
+        (2, pytest.approx(0.5625), pytest.approx(0.1), pytest.approx(0.25), "stop"),
+    ]
+
+
+def test_a_suspended_contour_says_where_it_rests() -> None:
+    c = contour()
+    until(c, 0.5125).suspend(1)
+    assert (c.path_speed(0), remaining(c, 0)) == pytest.approx((10.0, 0.375))
+    until(c, 0.58)
+    assert (c.target(0), c.target(1)) == (600.0, 400.0)
+    assert (c.path_speed(0), remaining(c, 1)) == pytest.approx((3.25, 4.875 + 0.0325**2 * 50.0))
+    until(c, 0.9)
+    assert (c.path_speed(0), remaining(c, 0)) == pytest.approx((0.0, 4.875))
+    assert c.idle_time(0) == INFINITY
+
+
+def test_a_path_that_is_blended_into_runs_through_to_the_next_one() -> None:
+    """The blend begins at 4 of 5 units, at 0.45 s; from there 10 units up take 1.1 s."""
+    c = plane(contour_mode=True, contour_angle=10.0, blend_mode=True, blend_distance=1.0)
+    c.load_line_by([0, 1], [500.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 250.0])
+    c.load_line_by([0, 1], [0.0, 250.0])
+    c.go([0])
+    assert path_speed(until(c, 1.0), 1.0) == pytest.approx(10.0)
+    assert positions(c) == pytest.approx([5.0, 5.0])
+    assert not until(c, 1.549).is_idle(0)
+    assert until(c, 1.551).is_idle(0)
+    assert positions(c) == [5.0, 10.0]
+    starts = [move.start_time for move in c.log.moves if move.axis == 1]
+    assert starts == pytest.approx([0.0, 0.45, 1.0])

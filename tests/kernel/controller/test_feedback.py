@@ -1,0 +1,159 @@
+"""Predictions of a simulated motor, compared with its readings sample by sample."""
+
+from __future__ import annotations
+
+from math import inf
+
+import pytest
+
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import FOLLOWING_ERROR
+from motionlang.kernel.controller.feedback import Feedback
+
+MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
+# A soft loop at 1000 samples a second, which overshoots and settles late.
+GAINS: dict[str, object] = {"proportional": 0.008, "derivative": 0.15}
+COUNT = 600
+
+
+def moving(at: float = 0.05) -> tuple[Controller, Feedback]:
+    """Return an axis on the way from 0 to 400 counts; at 0.03 s it gets another zero."""
+    controller = Controller(1)
+    a = controller.axes[0]
+    feedback = a.feedback = Feedback(a, controller.clock, MOTOR, GAINS)
+    for name, value in (("speed", 4000.0), ("accel", 40_000.0), ("decel", 40_000.0)):
+        controller.configure(0, name, value)
+    controller.move_to(0, 400.0)
+    controller.clock.advance(0.03)
+    controller.define_position(0, controller.position(0) + 1000.0)
+    controller.clock.advance(at)
+    return controller, feedback
+
+
+@pytest.fixture(scope="module")
+def readings() -> list[tuple[float, float, float]]:
+    """Return position, following error and velocity at every sample from 0.05 s on."""
+    controller, feedback = moving()
+    found = []
+    for k in range(50, COUNT):
+        controller.clock.advance(k / 1000)
+        found.append((feedback.position, feedback.error, feedback.velocity))
+    return found
+
+
+Readings = list[tuple[float, float, float]]
+
+
+def first(readings: Readings, is_there: list[bool]) -> float:
+    """Return the time of the first sample that is there."""
+    return (50 + is_there.index(True)) / 1000
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_when_a_motor_reaches_a_position(readings: Readings, share: float) -> None:
+    """The motor is past the middle of two samples at the second one."""
+    controller, feedback = moving()
+    begin, end = readings[0][0], readings[-1][0]
+    level = begin + share * (end - begin)
+    wanted = first(readings, [position >= level for position, _, _ in readings])
+    time = feedback.crossing_time(level)
+    while time < wanted - 1e-9:  # the end of the samples that are known
+        controller.clock.advance(time)
+        time = feedback.crossing_time(level)
+    assert time == pytest.approx(wanted)
+
+
+def test_when_a_following_error_is_reached(readings: Readings) -> None:
+    controller, feedback = moving()
+    begin = readings[0][1]
+    assert feedback.error == pytest.approx(begin)
+    level = 0.5 * begin
+    wanted = first(readings, [(error > level) is not (begin > level) for _, error, _ in readings])
+    time = feedback.error_crossing_time(level)
+    while time < wanted - 1e-9:
+        controller.clock.advance(time)
+        time = feedback.error_crossing_time(level)
+    assert time == pytest.approx(wanted)
+
+
+def test_when_a_motor_is_settled(readings: Readings) -> None:
+    """The program's window is half a count on each side of the demand."""
+    controller, feedback = moving()
+    assert (feedback.settled_since(), feedback.resting) == (inf, False)
+    outside = [abs(error) > 0.5 for _, error, _ in readings]
+    last = max(k for k, each in enumerate(outside) if each)
+    wanted = (50 + last + 1) / 1000
+    controller.clock.advance(0.001 * COUNT)
+    assert feedback.settled_since() == pytest.approx(wanted)
+    assert feedback.settled_time("program") == controller.clock.now
+    assert feedback.resting
+
+
+def test_positions_are_known_at_the_samples_that_are_stored(readings: Readings) -> None:
+    unmoved = Feedback(Controller(1).axes[0], Controller(1).clock, MOTOR, GAINS)
+    assert (unmoved.known_position(0.0), unmoved.velocity, unmoved.error) == (None, 0.0, 0.0)
+    assert (unmoved.crossing_time(5.0), unmoved.error_crossing_time(5.0)) == (inf, inf)
+    assert (unmoved.settled_time(), unmoved.settled_since(), unmoved.resting) == (0.0, 0.0, True)
+    controller, feedback = moving(0.1)
+    assert feedback.known_position(0.1) == pytest.approx(readings[50][0])
+    assert feedback.known_position(0.1009) == feedback.known_position(0.1) == feedback.position
+    assert feedback.known_position(1e9) is None
+    assert feedback.position == pytest.approx(controller.position(0))
+
+
+@pytest.mark.parametrize("share", [0.6, 0.95])
+def test_the_sample_at_which_a_following_error_is_too_large(readings: Readings, share: float) -> None:
+    """The warning comes once until it is armed again; the fault opens the loop."""
+    most = max(abs(error) for _, error, _ in readings)
+    wanted = first(readings, [abs(error) > share * most for _, error, _ in readings])
+    controller, feedback = moving()
+    found: list[tuple[str, float]] = []
+    feedback.warned = lambda: found.append(("warned", controller.clock.now))
+    feedback.tripped = lambda: found.append(("tripped", controller.clock.now))
+    feedback.set_warn_limit(share * most)
+    controller.clock.advance(0.001 * COUNT)
+    assert found == [("warned", found[0][1])]
+    assert found[0][1] == pytest.approx(wanted)
+    assert feedback.warning
+    feedback.set_warn_limit(inf)
+    assert not feedback.warning
+    controller, feedback = moving()
+    found.clear()
+
+    def trip() -> None:
+        found.append(("tripped", controller.clock.now))
+        controller.fault(0, FOLLOWING_ERROR, "off")
+
+    feedback.tripped = trip
+    feedback.set_error_limit(share * most)
+    controller.clock.advance(0.001 * COUNT)
+    assert found == [("tripped", found[0][1])]
+    assert found[0][1] == pytest.approx(wanted)
+    assert not feedback.closed
+
+
+def test_an_open_loop_that_is_closed_again_takes_over_the_position() -> None:
+    """Setting the same output again does not change the loop."""
+    controller, feedback = moving(0.1)
+    count = len(feedback.changes)
+    feedback.open(0.0)
+    feedback.open(0.0)
+    assert (len(feedback.changes), feedback.closed, feedback.resting) == (count + 1, False, True)
+    feedback.open(0.5)
+    assert len(feedback.changes) == count + 2
+    controller.clock.advance(0.2)
+    here = feedback.position
+    feedback.take_over(controller)
+    assert (controller.target(0), controller.demand(0), feedback.closed) == (here, here, True)
+    feedback.take_over(controller)
+    assert len(feedback.changes) == count + 3
+
+
+def test_later_changes_of_a_loop_are_cut() -> None:
+    _, feedback = moving()
+    feedback.tune({"proportional": (0.01, "")})
+    extent, before = feedback.extent(), list(feedback.changes)
+    feedback.open(1.0)
+    assert len(feedback.changes) == extent + 1
+    feedback.cut(extent)
+    assert feedback.changes == before

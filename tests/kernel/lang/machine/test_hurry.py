@@ -1,0 +1,30 @@
+"""A loop of motions without a wait is reported once, while the run goes on."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.kernel.execution import run
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.source import Source
+
+
+@pytest.mark.slow
+def test_warn_is_called_once_for_each_warning(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The log is checked at 1024 profiles, and whenever it is full.
+
+    It is full at 2048, and after 2048 - 512 more, at 3584. One motion every 30 us gives 4000 in 0.12 s.
+    """
+    monkeypatch.setattr("motionlang.kernel.log.log.MAX_PROFILES", 2048)
+    reported: list[tuple[float, int]] = []
+
+    def begun(machine: Machine) -> None:
+        machine.warn = lambda diagnostic: reported.append((machine.clock.now, diagnostic.line))
+
+    text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
+    result = run(Source("a.mnt", text), until=0.12, begun=begun)
+    ((time, line),) = reported
+    (found,) = result.diagnostics
+    assert (line, time, found.count) == (4, found.first, 3)
+    assert time < 0.04
+    assert result.machine.warned == [found]

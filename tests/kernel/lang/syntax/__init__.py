@@ -1,0 +1,1 @@
+"""Tests of `motionlang.kernel.lang.syntax`."""

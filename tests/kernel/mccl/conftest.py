@@ -1,0 +1,3 @@
+"""Runs of MCCL texts."""
+
+from tests.mccl_runs import mccl, update  # noqa: F401

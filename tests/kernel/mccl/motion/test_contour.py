@@ -1,0 +1,258 @@
+"""Contour paths are exactly on their geometry, at the vector velocity."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import hypot, pi
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from motionlang import Run
+from motionlang.kernel.mccl.motion.contour import Contour
+from tests.cases import cases
+from tests.mccl_runs import Runner
+
+HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
+
+
+def state(run: Run, time: float) -> tuple[float, float, float, float]:
+    """Return position and velocity of both axes: x, y, vx, vy."""
+    a, b = (run.controller.axes[axis].at(time) for axis in (1, 2))
+    return a.position, b.position, a.velocity, b.velocity
+
+
+@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
+def test_a_full_circle_stays_on_the_circle(shape: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\n1WS,1TP,2TP")
+    assert result.output == ["01 0", "02 0"]
+    begin = result.controller.log.moves[0].start_time
+    for k in range(401):
+        x, y, vx, vy = state(result, begin + (result.time - begin) * k / 400)
+        assert hypot(x - 10000, y) == pytest.approx(10000, abs=2e-4)
+        assert hypot(vx, vy) <= 20000.5
+    middle = state(result, begin + (result.time - begin) / 2)
+    assert hypot(*middle[2:]) == pytest.approx(20000, rel=1e-6)
+
+
+def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
+    """100 000, a half circle of radius 50 000 and 100 000: one ramp up, one down."""
+    text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
+    result = mccl(text)
+    assert result.output == ["01 3"]
+    assert [(move.axis, move.line, move.ended) for move in result.controller.log.moves] == [
+        (axis, line, "") for line in (2, 3, 4) for axis in (1, 2)
+    ]
+    length = 200000 + 50000 * pi
+    duration = sum(move.profile.duration for move in result.controller.log.moves[::2])  # type: ignore[misc, union-attr]
+    assert duration == pytest.approx(length / 20000 + 0.1, rel=1e-9)
+    for time in (2.0, 6.0, 9.0, 12.0):
+        assert hypot(*state(result, time)[2:]) == pytest.approx(20000, rel=1e-6)
+
+
+def test_at_a_corner_the_axes_come_to_rest(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n1CP1,1MA10000,2MA10000\n1WS")
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
+    assert first.profile.duration == pytest.approx(0.6)  # type: ignore[union-attr]
+    assert second.start_time == pytest.approx(first.start_time + 0.6, abs=1e-9)
+    assert state(result, second.start_time)[2:] == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
+def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
+    """The stop may end at the end of its path, which rounding must not decide."""
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\nWA{wait},1ST,1CP1,1MA20000,2MA0\n1WS,1TX,1TP")
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
+    assert first.profile is not None
+    assert (first.ended, first.profile.end_velocity) == ("stop", 0.0)
+    assert second.start_time == pytest.approx(first.start_time + first.profile.duration, abs=1e-9)
+    whole = first.profile.end == 10000.0
+    assert whole is (wait > 0.4999)
+    assert result.output == ["01 2" if whole else "01 1", "01 20000"]
+
+
+@pytest.mark.parametrize("shape", ["1PS", "1PS0.2", "1PP"])
+@pytest.mark.parametrize("wait", [0.55, 0.6])
+def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str, wait: float) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP1,1MA10000,2MA0\nWA{wait},1ST\n1WS")
+    (move,) = (move for move in result.controller.log.moves if move.axis == 1)
+    assert move.profile is not None
+    assert 9990.0 < move.profile.end <= 10000.0
+
+
+@pytest.mark.parametrize("command", ["1ST", "1VO0.3"])
+@pytest.mark.parametrize("wait", [0.0, 0.02, 0.137, 0.4])
+def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
+    mccl: Runner, command: str, wait: float
+) -> None:
+    """That is true at any time, including between two of the cubics of the arc."""
+    result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA{wait},{command}\n1WS")
+    assert result.diagnostics == []
+    for k in range(200):
+        x, y, vx, vy = state(result, result.time * k / 200)
+        assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
+        assert (x + 5000) * vx + y * vy == pytest.approx(0.0, abs=5000 * 20000 * 1e-5)
+
+
+@pytest.mark.parametrize(
+    ("path", "end"),
+    [
+        ("1CP3,1CA0,2CA10000,1MA10009,2MA10000", (10009, 10000)),
+        ("1CP2,1CA5000,2CA0,1MA9996,2MA0", (9996, 0)),
+        ("1CP3,1CA0,2CA10000,1MA10,2MA-5", (10, -5)),  # half a thousandth of the radius, at the very start
+        ("1CP3,1CA-10000,2CA0,1MA-10000,2MA-10003", (-10000, -10003)),  # three quarters of a circle
+    ],
+)
+def test_an_arc_that_misses_its_end_a_little_goes_through_it(
+    path: str, end: tuple[int, int], mccl: Runner
+) -> None:
+    """By the proof it is one circle at the vector velocity, without a jump."""
+    result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
+    assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
+    assert result.proof().violations == []
+    begin = result.controller.log.moves[0].start_time
+    times = [begin + (result.time - begin) * k / 2000 for k in range(2001)]
+    distances = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
+    assert max(distances) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
+
+
+def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
+    """The second path continues 3001, 997 by half of it, rounded to whole counts."""
+    result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
+    assert result.output == ["01 2"]
+    assert result.proof().violations == []
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
+    assert first.profile is not None
+    assert first.profile.end_velocity > 1000.0
+
+
+def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA60000,2MA80000\nWA1,1VO0.5\n1WS,1TP,2TP")
+    assert result.output == ["01 60000", "02 80000"]
+    assert hypot(*state(result, 2.0)[2:]) == pytest.approx(10000, rel=1e-9)
+
+
+def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
+    """Axis 2 has twice the counts per millimetre; the path is a circle in millimetres."""
+    text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
+    result = mccl(text)
+    begin, end = result.controller.log.moves[0].start_time, result.time
+    for k in range(101):
+        x, y, _, _ = state(result, begin + (end - begin) * k / 100)
+        assert hypot(x / 100 - 40, y / 200) == pytest.approx(40, abs=2e-6)
+
+
+@pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
+def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: Runner) -> None:
+    """The end of the path stays at the same physical position with any new zero."""
+    start = f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5\n"
+    plain = mccl(f"{start}1VO1\n{then}\n1WS,1TP,2TP")
+    shifted = mccl(f"{start}1TP,1DH500000\n{then}\n1WS,1TP,2TP")
+    assert shifted.diagnostics == []
+    here, x, y = (int(line.split()[1]) for line in shifted.output)
+    end = int(plain.output[0].split()[1])
+    assert x == pytest.approx(end + 500000 - here, abs=1)
+    assert y == end
+    times = [shifted.time * k / 400 for k in range(401)]
+    speeds = [hypot(*state(shifted, time)[2:]) for time in times]
+    assert max(speeds) <= 20000.5
+
+
+def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA0.3,1DH0,2DH0,1VO0.4,1WS")
+    moves = result.controller.log.moves
+    assert result.diagnostics == []
+    assert moves[0].profile is not None
+    assert moves[1].profile is not None
+    # The log keeps the coordinates in which the path began.
+    for k in range(200):
+        x, y = (
+            move.profile.position(move.profile.duration * k / 200)  # type: ignore[union-attr]
+            for move in moves[:2]
+        )
+        assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
+
+
+@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
+def test_an_arc_is_exact(shape: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\nWA1,1ST,1WS")
+    for k in range(401):
+        x, y, vx, vy = state(result, result.time * k / 400)
+        assert hypot(x - 10000, y) == pytest.approx(10000, abs=1e-7)
+        assert (x - 10000) * vx + y * vy == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("path", [True, False], ids=["contour", "move"])
+@pytest.mark.parametrize("shape", ["1PS", "1PS0.2"])
+@pytest.mark.parametrize("wait", [0.03, 0.08, 0.12, 0.5])
+def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path: bool, mccl: Runner) -> None:
+    """The acceleration of 200000 counts/s² takes at least 0.002 s to rise or fall."""
+    move = "1CP1,1MR100000,2MR0" if path else "1PM,1SV20000,1SA200000,1SD200000,1MR100000"
+    result = mccl(f"1MN,2MN\n{HEAD if path else ''}{shape}\n{move}\nWA{wait},1ST,1WS")
+    axis = result.controller.axes[1]
+    bends = [axis.at(result.time * k / 4000).acceleration for k in range(4000)]
+    assert max(abs(b - a) for a, b in pairwise(bends)) <= 200_000.0 * (result.time / 4000) / 0.002
+    assert axis.at(result.time).velocity == 0.0
+
+
+@cases(
+    "between, is_run_through",
+    [("NO", True), ("1VV20000", True), ("1VV10000", False), ("1VA100000", False), ("1VD100000", False), ("1PS", False),
+     ("1VO0.5", True)],
+)  # fmt: skip
+def test_paths_with_other_vector_settings_are_not_joined(
+    between: str, is_run_through: bool, mccl: Runner
+) -> None:
+    """The second path goes on in the same direction; VO applies to both."""
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n{between}\n1CP1,1MA20000,2MA0\n1WS,1TP")
+    assert result.output == ["01 20000"]
+    first = result.controller.log.moves[0].profile
+    assert first is not None
+    assert (first.end_velocity > 0.0) is is_run_through
+
+
+# The axes of the current paths, if they stop, the shape of one in progress; the axes, length and shape of the next.
+FOLLOWS: list[tuple[bool, str | None, tuple[int, ...], float, str, bool]] = [
+    (False, None, (1, 2), 5.0, "trapezoid", True),
+    (False, None, (1, 2), 5.0, "scurve", True),
+    (False, "trapezoid", (1, 2), 5.0, "trapezoid", True),
+    (False, "trapezoid", (1, 2), 5.0, "scurve", False),
+    (True, None, (1, 2), 5.0, "trapezoid", False),
+    (False, None, (2, 1), 5.0, "trapezoid", False),
+    (False, None, (1, 2), 0.0, "trapezoid", False),
+]
+
+
+@pytest.mark.parametrize(("stopping", "shape", "axes", "length", "next_shape", "expected"), FOLLOWS)
+def test_a_path_may_follow_those_of_the_same_axes(
+    stopping: bool, shape: str | None, axes: tuple[int, ...], length: float, next_shape: str, expected: bool
+) -> None:
+    contour: Any = SimpleNamespace(_stopping=stopping, _members=(1, 2), _in_progress=shape)
+    vector: Any = SimpleNamespace(length=length, shape=next_shape)
+    assert Contour._may_follow(contour, axes, vector) is expected
+
+
+@pytest.mark.parametrize(
+    ("number", "in_progress", "idle", "goes_on"),
+    [
+        (1, False, (1, 2), True),
+        (1, False, (1,), False),  # the other axis still moves
+        (1, True, (1, 2), False),
+        (3, False, (1, 2), False),
+    ],
+)
+def test_the_next_paths_begin_when_all_axes_are_at_rest(
+    number: int, in_progress: bool, idle: tuple[int, ...], goes_on: bool
+) -> None:
+    gone: list[bool] = []
+    contour: Any = SimpleNamespace(
+        _members=(1, 2), _handed=3, _stopping=True, _start=lambda: gone.append(True),
+        _in_progress="a path" if in_progress else None,
+        _board=SimpleNamespace(controller=SimpleNamespace(is_idle=lambda each: each in idle)),
+    )  # fmt: skip
+    Contour.rested(contour, number)
+    assert gone == [True] * goes_on
+    assert (contour._members, contour._handed, contour._stopping) == (
+        ((), 0, False) if goes_on else ((1, 2), 3, True)
+    )

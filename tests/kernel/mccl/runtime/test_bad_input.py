@@ -1,0 +1,224 @@
+"""An error is answered with its code, in a file and at the port, and is isolated."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl.keywords import table
+from tests.cases import cases
+from tests.hosts.mccl.test_port import ask, board
+from tests.mccl_runs import Runner
+
+# The input, and the code in the answer.
+CODES = {
+    "an unknown command": ("1XX", codes.UNRECOGNISED),
+    "a number alone": ("7", codes.FORMAT),
+    "one letter": ("1M", codes.FORMAT),
+    "two points in a number": ("1MR1.2.3", codes.FORMAT),
+    "two commands without a comma": ("1MR10002MR5", codes.FORMAT),
+    "a register without a number": ("1MR@", codes.FORMAT),
+    "a text without an end": ('LU"STATUS', codes.FORMAT),
+    "a text where a number belongs": ('1MR"far"', codes.FORMAT),
+    "letters that are none of ours": ("1\xe4\xf6", codes.FORMAT),
+    "too long a line": ("1TP," * 64, codes.TOO_LONG),
+    "a value out of range": ("1SA-1", codes.PARAMETER),
+    "a number beyond all bounds": ("1MA1e400", codes.PARAMETER),
+    "no number": ("1MAnan", codes.FORMAT),
+    "a register that there is not": ("TR256", codes.PARAMETER),
+    "an indirect register that there is not": ("AL@9999", codes.PARAMETER),
+    "a channel that there is not": ("CN0", codes.PARAMETER),
+    "a point that was not learned": ("1MP77", codes.PARAMETER),
+    "a division by zero": ("AL1,AD0", codes.PARAMETER),
+    "a jump out of the line": ("JP9", codes.PARAMETER),
+    "a task that there is not": ("ET9", codes.PARAMETER),
+    "a variable that there is not": ('LU"NOWHERE"', codes.PARAMETER),
+    "an unknown escape in a text": (r'OT"\q"', codes.PARAMETER),
+    "a move in the wrong mode": ("1MN,1VM,1MR5", codes.INVALID),
+    "an arc outside a path": ("1CA5", codes.INVALID),
+    "a code that is no byte": ("XN255,XF255,XN256", codes.PARAMETER),
+    "a code that is no byte either": ("XN0,XF0,XF256", codes.PARAMETER),
+    "a prompt that is no character": ("PC0,PC62,PC127", codes.PARAMETER),
+    "a negative repeat count": ("RP-1", codes.NEGATIVE_REPEAT),
+    "MD within a line": ("1TP,MD1,1TP", codes.DEFINE_NOT_FIRST),
+    "too high a macro": ("MD1001,1TP", codes.MACRO_RANGE),
+    "a macro below none": ("MC-1", codes.MACRO_RANGE),
+    "a macro below none to define": ("MD-1,1TP", codes.MACRO_RANGE),
+    "a macro that there is not": ("MC5", codes.NO_MACRO),
+    "a macro that calls itself": ("MC91", codes.PARAMETER),
+    "no axis where one must be": ("WP100", codes.NO_AXIS),
+    "an axis that there is not": ("99TP", codes.NOT_ASSIGNED),
+    "a number of an axis beyond all bounds": ("9" * 200 + "TP", codes.NOT_ASSIGNED),
+    "an axis that another one controls": ("1CM1,2CM1,2CM2", codes.ALREADY_ASSIGNED),
+    "an axis twice in a path": ("1MN,2MN,1CM1,2CM1,1CP1,1MA5,2MA5,1MA6", codes.ASSIGNED_TWICE),
+}
+BEFORE = "MD91,MC91"
+
+
+@cases(
+    "text, milliseconds",
+    [
+        ("NO\nCN33", 2),
+        ("TR999\nCN33", 2),
+        ("NO,TR999,NO\nNO,CN33", 4),
+        ("MD1,NO,BK,NO\nMC1,NO\nCN33", 6),
+        ("MD1,TR999\nMC1,NO\nCN33", 4),
+        ("WA0.005,TR999\nCN33", 8),
+    ],
+)
+def test_the_line_after_an_error_takes_its_time(text: str, milliseconds: int, mccl: Runner) -> None:
+    """Each command takes a millisecond before it acts.
+
+    An error leaves the line and all macros, and BK its macro.
+    """
+    (switched,) = mccl(text, machine={"controller.instruction_time": 1e-3}).controller.log.outputs
+    assert switched.time == pytest.approx(milliseconds / 1000.0)
+
+
+@cases("what", CODES)
+def test_in_a_file(what: str, mccl: Runner) -> None:
+    text, code = CODES[what]
+    result = mccl(f"{BEFORE}\n{text}\nTE\nAL5,TR0")
+    assert result.output[-3:] == [f"?{code}", str(code), "5"]
+    (found,) = [each for each in result.diagnostics if each.severity == "error"]
+    assert found.message
+    assert found.line == (1 if what == "a macro that calls itself" else 2)
+
+
+@cases("what", CODES)
+def test_at_the_port(what: str) -> None:
+    text, code = CODES[what]
+    console, port = board()
+    ask(console, port, BEFORE.encode() + b"\r")
+    assert ask(console, port, text.encode("latin-1") + b"\r").split(b"\n")[-2:] == [b"?%d" % code, b">"]
+    assert ask(console, port, b"TE\r") == b"%d\n>" % code
+    assert ask(console, port, b"AL5,TR0\r") == b"5\n>"
+
+
+def test_the_codes_that_are_not_a_commands() -> None:
+    """0 before any error and -7 after ESC; another test covers 3.
+
+    That is `test_an_error_of_our_own_costs_one_line`.
+    """
+    console, port = board()
+    assert ask(console, port, b"TE\r") == b"0\n>"
+    port.feed(b"WA100\r")
+    console.run(1.0)
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert ask(console, port, b"TE\r") == b"-7\n>"
+
+
+def test_every_documented_code_has_a_case() -> None:
+    cases = {code for _, code in CODES.values()}
+    assert set(codes.MEANINGS) == cases | {0, codes.IO, codes.CANCELLED}
+
+
+def test_a_megabyte_in_a_line() -> None:
+    console, port = board()
+    sent = b"1TP," * 250_000
+    for k in range(0, len(sent), 4096):
+        piece = sent[k : k + 4096]
+        assert port.feed(piece) == len(piece)
+    assert ask(console, port, b"\r") == b"?4\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+def test_binary_garbage() -> None:
+    """Each of its lines is answered, and the port works normally afterwards."""
+    rubbish = random.Random(7)
+    console, port = board()
+    for _ in range(300):
+        line = bytes(
+            rubbish.choice(b"\x80\xff\x00\x07'\"%;#@,.-+eE129AMRTPZ") for _ in range(rubbish.randrange(1, 60))
+        )
+        answer = ask(console, port, line + b"\r")
+        assert answer.endswith(b"\n>") or not answer
+    port.feed(b"\x1b")
+    port.take()
+    assert ask(console, port, b"\r1TP\r").endswith(b"01 0\n>")
+
+
+def test_half_a_line_waits_for_its_other_half() -> None:
+    console, port = board()
+    assert ask(console, port, b"AL1,T") == b""
+    console.run(10.0)
+    assert ask(console, port, b"R0\r") == b"1\n>"
+
+
+def test_control_characters_that_mean_nothing_are_nothing() -> None:
+    console, port = board()
+    assert ask(console, port, b"1\x00T\x07\x1f\x05P\r") == b"01 0\n>"
+
+
+def test_escape_sequences_of_a_terminal_clear_the_line_and_are_answered() -> None:
+    """An arrow key is ESC [ A: the line is cleared, and the rest is no command."""
+    console, port = board()
+    assert ask(console, port, b"1TP\x1b[A\r") == b"\n>?2\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+def test_a_macro_that_jumps_to_itself_is_ended_by_escape() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,AA1,MJ1\r")
+    port.feed(b"MJ1\r")
+    console.run(0.1)
+    assert port.busy
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert int(ask(console, port, b"TR0\r").split(b"\n")[0]) > 100
+
+
+def test_two_macros_that_call_each_other(mccl: Runner) -> None:
+    result = mccl("MD1,AA1,MC2\nMD2,AA1,MC1\nMC1\nTR0")
+    assert result.output == ["?-1", "100"]
+    assert result.diagnostics[0].code == "recursion"
+
+
+def test_rp_inside_rp(mccl: Runner) -> None:
+    """Each RP of a line has its own count, which restarts when another RP repeats it.
+
+    An RP in a macro has its own count, too.
+    """
+    assert mccl("AA1,RP2,AA10,RP1,TR0").output == ["26"]
+    assert mccl("MD1,AA1,RP2\nMC1,AA10,RP1,TR0").output == ["26"]
+
+
+def test_a_task_that_ends_itself(mccl: Runner) -> None:
+    result = mccl("MD1,WA0.01,AL7,AR20,ET@30,AL8,AR20\nGT1,AR30,WA0.1,TR20,TR30\nET@30\nGT1,AR30,TR0")
+    assert result.output == ["7", "1", "?-1", "2"]
+
+
+def test_a_new_zero_in_the_last_moment_of_a_move_does_not_hold_the_run(mccl: Runner) -> None:
+    """Found by random programs: the rest of the move ended slightly before its event."""
+    text = 'MN\nMR1,1VM33,2JV"%5.2f"\n1AM5\n1OO,SV90,2TV1000,TP"%d"\n1XN90,1YF100,2CP-1\n1DH5'
+    result = mccl(text, machine={"axis.1.motor": "stepper"})
+    assert result.status == "ended"
+    assert result.time < 0.01
+
+
+def test_a_macro_that_is_redefined_while_it_runs_goes_on_as_it_was(mccl: Runner) -> None:
+    assert mccl("MD1,WA0.1,AL1,AR20\nGT1\nMD1,AL2,AR20\nWA0.2,TR20,MC1,TR20").output == ["1", "2"]
+
+
+@cases("row", list(table()), ids=lambda row: row.name)
+@pytest.mark.slow
+def test_no_number_that_is_sent_with_a_command_breaks_anything(row: Keyword, mccl: Runner) -> None:
+    numbers = (
+        "-1",
+        "0",
+        "1",
+        "2147483648",
+        "-99999999999999999999",
+        "1e15",
+        "1e-300",
+        "0.5",
+        "@0",
+        "@999999999",
+        '"\\"',
+    )
+    lines = [f"{axis}{row.name}{number}" for axis in ("", "1", "9") for number in numbers]
+    result = mccl("\n".join(["1MN", *lines, "ESC", "AL5,TR0"]), until=5.0)
+    assert result.status in ("ended", "until", "fault")
+    assert result.status != "ended" or result.output[-1] == "5"

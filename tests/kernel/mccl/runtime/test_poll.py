@@ -1,0 +1,268 @@
+"""Polling loops are skipped up to the next event, with an equal result."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from motionlang.kernel.lang.dependencies import Dependencies
+from motionlang.kernel.lang.loops import Loops
+from motionlang.kernel.mccl.runtime.task import CommandTask
+from tests.cases import cases
+from tests.mccl_runs import Runner
+
+POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
+# Calculations with a moving position before the comparison, so that all passes differ.
+RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n1RL@20,AA5,IB305,JR-3,NO,1TP,1WS,1TP'
+
+PROGRAMS = {
+    "until a move is over": f"1MN,1SV1000,1MR700\n{POLL},1TP,WA0.1,1MR300,{POLL},1TP",
+    "by a macro that jumps to itself": 'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\n1MN,1MR5000\nMJ1\n1TV',
+    "for ever, by RP, in the background": (
+        'MD1,LU"STATUS",1RL@0,AR20,RP\n1MN,1MR5000\nGT1,AR30,WA0.05,1MR-400,TR20,1WS,WA0.013,TR20,ET@30,1TP'
+    ),
+    "two tasks that watch two axes": (
+        'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\nMD2,LU"STATUS",2RL@0,IC3,MJ2,NO,2TP\n'
+        "MN,1MR5000,2MR3000\nGT1\nGT2\nWA0.3,1TV"
+    ),
+    "the target band": f"1MN,1DB100,1DT0.02,1MR5000\n{POLL.replace('IC3', 'IC2')},1TP",
+    "the direction while it reverses": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
+    "the direction of an axis that turns round in velocity mode": "1MN,1SV1000,1SA2000,1MR50,1WS,1MR-50,1WS\n"
+    f"1VM,1GO,WA0.1,1DI1,1GO\n{POLL.replace('IC3', 'IC4')},1TP,1DI0,1GO\n{POLL.replace('IC3', 'IS4')},1TP,1ST",
+    "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
+    "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
+    "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
+    "a position on its way back": 'LU"POSITION",AR20\n1MN,1MR500,1WS,1MR-900\n1RL@20,IG-250,JR-2,NO,1TP\n'
+    "1RL@20,IE-399,JP4,NO,1TP,1WS",
+    "a position that is reckoned with": RECKONED,
+    "a count, and then a wait": f"1MN,1MR9000,AL0,AR30\nRA30,AA1,AR30,IB700,JR-4,NO\n{POLL},1TP,TR30",
+    "an auxiliary encoder": 'LU"AUXPOSITION",AR20\n1RL@20,IB300,JR-2,NO,AS40,1WL@20,1RD@20,IG200,JP10,NO,1TP,JR-4\n'
+    "1RV@20,IB400,JR-2,NO,1TA",
+    "an output that follows a position": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IG200,CN33,NO,IG400,CF33,NO,1RL@21,IC3,JR-9,NO,1TP,TC33",
+    "an output that follows a position without NO": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IG200,CN33,AL7,AR22,IE7,CF33,CN33,1RL@21,IC3,JR-9,NO,1TP,TC33",
+    "a lamp in the background": "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n1MN,1SV1000\nGT5,AR30\n"
+    "1MR500,1WS,TC34,1MR-100,1WS,TC34,WA0.013,ET@30",
+    "a stop by an input": 'LU"STATUS",AR21\n1MN,1SV1000,1MR5000\nIN5,1ST,NO,1RL@21,IC3,JR-5,NO,1TP',
+    "the low byte of a position": 'LU"POSITION",AR20\n1MN,1SV1000,1MR900,1WP300\n1RB@20,IB200,JR-2,NO,1TP,1WS',
+    "the low word of a position": 'LU"POSITION",AR20\n1MN,1SV200000,1SA1000000,1MR100000,1WP40000\n'
+    "1RW@20,IB20000,JR-2,NO,1TP,1WS",
+    "a real position and another one": 'LU"POSITION",AR20\n1MN,1MR500\n'
+    "1RV@20,IB200.25,JR-2,NO,1TP,1RD@20,IB400.75,JR-2,NO,1TP,1WS",
+    "a velocity": 'LU"VELOCITY",AR20\n1MN,1SV1000,1SA5000,1MR500\n1RL@20,IB900,JR-2,NO,1TP\n'
+    "1RL@20,IG450.5,JR-2,NO,1TP,1WS",
+    "a velocity and a position": 'LU"VELOCITY",AR20,LU"POSITION",AR21\n1MN,1SV1000,1SA5000,1MR500\n'
+    "1RL@20,IG700,CN33,NO,1RD@21,IB450,JR-6,NO,1TP,TC33,1WS",
+    "a position with backlash": '1MN,1BD10,1BN\nLU"POSITION",AR20,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1WS\n'
+    "1MR-500\n1RL@20,IG250,JR-2,NO,1TP,1WS",
+    "a position that is stored": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,AR22,IB450,JR-3,NO,TR22,1WS',
+    "a position from the iteration before": 'LU"POSITION",AR20,AL0\n1MN,1MR500\n'
+    "IG300,CN33,NO,1RL@20,IB450,JR-5,NO,1TP,TC33",
+    "a jump over a reading": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,IN5,JR3,NO,AL9,NO,IG300,CN33,NO,1RL@21,IC3,JR-11,NO,1TP,TC33",
+    "a status word that is read every 3 ms": 'LU"STATUS",AR21\n1MN,1SV1000,1MR300\nWA0.003,1RL@21,IC3,JR-3,NO,1TP',
+    "a watch that waits": "MD5,IN5,CN34,NO,IF5,CF34,NO,WA0.001,RP\n1MN,1SV1000\nGT5,AR30\n"
+    "1MR300,1WS,TC34,1MR-100,1WS0.0307,TC34,WA0.0131,ET@30",
+    "a watch that waits twice": "MD5,IN5,CN34,NO,WA0.0007,IF5,CF34,NO,WA0.0013,RP\n1MN,1SV1000\nGT5,AR30\n"
+    "1MR300,1WS,TC34,WA0.0131,ET@30",
+    "two watches that wait": "MD5,IN5,CN34,NO,WA0.001,RP\nMD6,IF5,CF34,NO,WA0.003,RP\n1MN,1SV1000\nGT5,AR30\n"
+    "GT6,AR31\n1MR300,1WS,TC34,ET@30,ET@31",
+    "a position that is read every 2 ms": 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n'
+    "1RL@20,IG250,CN33,NO,WA0.002,1RL@20,IB450,JR-7,NO,1TP,TC33",
+    "a wait that depends": 'LU"STATUS",AR21\n1MN,1SV1000,1MR300\nIN5,WA0.0071,NO,WA0.003,1RL@21,IC3,JR-6,NO,1TP',
+    "a bit that follows a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IC7,JR-2,NO,1TP,1RL@20,IS7,JR-2,NO,1TP,1WS',
+    "a position that is recalled": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,RA0,IG300,CN33,NO,1RL@21,IC3,JR-7,NO,1TP",
+    "bits of the status word, then its value": 'LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@21,IS4,CN33,NO,IS3,CF33,NO,1RL@21,IS2,CN34,NO,IC3,JR-12,NO,1TP\n1MR-500\n1RL@21,IC2,JR-2,NO,1TP",
+    "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
+    "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
+    "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
+    'LU"SEGMENT",1RL@0,IB1,JR-3,NO,1TP,2TP,1WS',
+}
+
+
+def outcome(runner: Runner, text: str) -> dict[str, Any]:
+    machine: dict[str, object] = {
+        "encoder": [{"aux": 1, "velocity": 700.0, "accel": 900.0, "at": 0.01}],
+        "input": [{"channel": 5, "at": 0.0203, "for": 0.0113}],
+    }
+    result = runner(text, until=2.0, machine=machine)
+    report: Any = result.report
+    switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
+    return {key: report[key] for key in ("status", "time", "output", "moves", "axes")} | {"outputs": switched}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    skipped = outcome(mccl, PROGRAMS[name])
+    monkeypatch.setattr(Loops, "back", lambda self, task, here, t, is_inside=True: (t, None))
+    assert outcome(mccl, PROGRAMS[name]) == skipped
+    assert skipped["output"]
+
+
+@pytest.mark.parametrize("read", ["RL", "RV", "RD"])
+def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
+    read: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """50 s of polling are a million iterations of four commands.
+
+    At most eleven are carried out.
+    """
+    rounds, back = [0], Loops.back
+
+    def count(*given: Any) -> Any:
+        rounds[0] += 1
+        return back(*given)
+
+    monkeypatch.setattr(Loops, "back", count)
+    result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
+    assert result.output == ["01 45001"]
+    assert rounds[0] <= 11
+
+
+def test_eight_hours_of_polling(mccl: Runner) -> None:
+    """At 0.0001 counts/s, three counts take over eight hours.
+
+    The loop polls all the time.
+    """
+    text = f"1US10000,1MN,1SV0.0001,1SA1,1DS1,1MR3\n{POLL},1TP"
+    begin = time.process_time()
+    result = mccl(text, until=8 * 3600.0)
+    assert time.process_time() - begin < 1.0
+    assert result.time >= 8 * 3600.0
+    finished = mccl(text, until=1e6)
+    assert finished.output == ["01 3.000000"]
+    assert finished.time == pytest.approx(30001, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("watch", "most"),
+    [
+        ("IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO", 6),
+        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 10),
+        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 4),
+        ("IN5,1ST,NO,1RL@21,IC3,JR-5,NO", 4),
+        ("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 8),
+    ],
+)
+def test_an_hour_of_watching_is_over_at_once(
+    watch: str, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more."""
+    jumps, again = 0, Loops.back
+
+    def counted(*given: Any) -> Any:
+        nonlocal jumps
+        jumps += 1
+        return again(*given)
+
+    monkeypatch.setattr(Loops, "back", counted)
+    variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
+    result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
+    assert result.time == pytest.approx(3601.0, abs=0.001)
+    assert jumps <= most
+
+
+@pytest.mark.parametrize("bit", [3, 25])
+def test_a_bit_is_polled_from_event_to_event(bit: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The ends of the ramps change neither bit, so they do not end a skip.
+
+    The executed iterations are a first one, which is compared with the second, and those just before and
+    after the event.
+    """
+    ends, again = [], Loops.back
+
+    def counted(loops: Loops, *given: Any) -> Any:
+        ends.append(loops.machine.clock.now)
+        return again(loops, *given)
+
+    monkeypatch.setattr(Loops, "back", counted)
+    mccl(f"1MN,1SV1000,1SA1000,1DS1000,1MR9000,{POLL.replace('3', str(bit), 1)}", until=9.9)
+    assert [each for each in ends if 0.01 < each < 9.8] == []
+
+
+def test_a_poll_and_a_wait_beside_it_are_one_period(mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other task waits 1 s at a time; what both do in a second is skipped a hundred times."""
+    slices, resume = 0, CommandTask.resume
+
+    def counted(task: CommandTask, now: float, horizon: float) -> object:
+        nonlocal slices
+        slices += 2.5 < now < 99.5
+        return resume(task, now, horizon)
+
+    monkeypatch.setattr(CommandTask, "resume", counted)
+    result = mccl(f"MD1,WA1,RP\nGT1\n{POLL.replace('IC3', 'IC25')}", until=101)
+    assert slices < 10
+    assert result.time == pytest.approx(101)
+
+
+def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
+    mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After back-off, only one in 257 of thousands of iterations is checked."""
+    notes, note = 0, Dependencies.note
+
+    def counted(dependencies: Dependencies, until: Callable[..., float], *about: object) -> None:
+        nonlocal notes
+        notes += dependencies.notes is not None
+        note(dependencies, until, *about)
+
+    monkeypatch.setattr(Dependencies, "note", counted)
+    result = mccl(RECKONED.replace("500", "9000").replace("305", "9e9"), until=1.0)
+    passes = result.time / (4 * 10e-6)
+    assert passes > 20_000
+    assert 0 < notes < passes / 50
+
+
+def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
+    result = mccl(POLL.replace("IC3", "IS3"))
+    assert result.status == "fault"
+    (diagnostic,) = result.diagnostics
+    assert diagnostic.code == "never"
+    assert "loop" in diagnostic.message
+    assert diagnostic.line == 1
+
+
+@cases(
+    "program, end, most",
+    [
+        # A background task that only waits does not keep the run alive.
+        ("MD1,WA0.001,RP\nGT1\nTR0", 0.00208, 2),
+        ("WA0.003,IF5,JR-2,NO", 100.0, 3),
+        ("RA31,AA1,AR31,JR-3", 100.0, 4),
+        ("CN34,RP", 100.0, 2),
+        ("MD1,CN34,RP\nGT1\nIF5,JR-1,NO", 100.0, 10),
+        ("MD1,RA30,AA1,AR30,RP\nGT1\nIF5,JR-1,NO", 100.0, 20),
+    ],
+)
+def test_a_loop_without_an_end_is_skipped_to_the_end_of_the_run(
+    program: str, end: float, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At most so many jumps of thousands are executed."""
+    jumps, again = 0, Loops.back
+
+    def counted(*given: Any) -> Any:
+        nonlocal jumps
+        jumps += 1
+        return again(*given)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Loops, "back", counted)
+        result = mccl(program, until=100.0)
+    assert result.time == pytest.approx(end, abs=1e-4)
+    assert 0 < jumps <= most
+
+
+@pytest.mark.parametrize(
+    "calls",
+    ["MJ1\nMJ1\nAL7,TR0", "MC2,MC2,AL7,TR0", "MC3,MC3,AL7,TR0", "MC3\nMC3\nAL7,TR0", "MC4\nMC4\nAL7,TR0"],
+)
+def test_a_macro_that_is_called_again_is_no_loop(calls: str, mccl: Runner) -> None:
+    """Each call jumps to the same command with the same registers, and then ends."""
+    run = mccl(f"MD1,RA10\nMD2,MJ1\nMD3,JP3,BK,NO,JP1\nMD4,JP3,AD0,NO,JP1\n{calls}")
+    assert [line for line in run.output if line != "?-1"] == ["7"]

@@ -1,0 +1,178 @@
+"""The values that loops and PAUSEs read, and the inputs of a program."""
+
+from __future__ import annotations
+
+from motionlang.kernel.mint import DIALECT as MINT
+from motionlang.kernel.source import Source
+from tests.cases import cases
+
+Read = tuple[str, int | None]
+
+# A condition, and the readings that it waits for.
+PAUSES: list[tuple[str, set[Read]]] = [
+    ("INX(3) And POS(1) > 5", {("input", 3), ("position", 1)}),
+    ("IDLE(0) Or AXISERROR(2)", {("axis", 0), ("axis", 2)}),
+    ("POS(0, 1) > 5", {("position", 0), ("position", 1)}),
+    ("POS(second) > VEL(n)", {("position", 1), ("position", None)}),
+    ("VEL > 5", {("position", None)}),
+    ("INX(n)", {("input", None)}),
+    ("INX(second)", {("input", 1)}),
+    ("IN(0)", {("input", None)}),
+    ("door", {("input", 9)}),
+    ("ready()", {("input", 7)}),
+    ("ADC(4) > 5", {("analogue", 4)}),
+    ("ENCODER(0) > 5", {("encoder", 0)}),
+    ("INKEY = 65", {("operator", None)}),
+    ("COMMS(3)", {("host", None)}),
+    ("TIME > 5", {("time", None)}),
+    ("began > 5", {("time", None)}),
+    ("TASKSTATUS(work)", {("task", None)}),
+    ("flag", {("task", None)}),  # another task sets it
+    ("n = 5", set()),
+    ("OUTX(3)", {("other", None)}),
+]
+AROUND = """\
+Dim n As Integer, began As Time, flag As Integer
+Const second = 1
+Define door = INX(9)
+n = 2
+PAUSE {}
+End
+Function ready() As Integer
+  ready = INX(7)
+End Function
+Task work
+  flag = 1
+End Task
+"""
+
+
+@cases("condition, reads", PAUSES)
+def test_the_reads_of_a_pause(condition: str, reads: set[Read]) -> None:
+    text = AROUND.format(condition)
+    find = MINT.loop_dependencies(Source("a.mnt", text))
+    found = [each for at in range(len(text)) if (each := find(at))]
+    assert [({*each.leaves}, each.why[:6], each.counts) for each in found] == [(reads, "until ", False)]
+
+
+# A loop, the readings that end it, all in it, the lines that it executes, and what it waits for.
+LOOPS: list[tuple[str, set[Read], set[Read], set[int], str]] = [
+    ("While INX(3)\nWAIT 1\nWend", {("input", 3)}, {("input", 3)}, {2}, "while INX(3)"),
+    ("Repeat\nWAIT 1\nUntil INX(3)", {("input", 3)}, {("input", 3)}, {2}, "until INX(3)"),
+    ("Loop\nWAIT 1\nEnd Loop", set(), set(), {2}, ""),
+    # A condition that leaves the loop, and one that does not.
+    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(4) Then PRINT 1\nEnd Loop",
+     {("input", 3)}, {("input", 3), ("input", 4)}, {2, 3}, "INX(3)"),
+    ("Loop\nIf INX(3) Then\nPRINT 1\nElse\nEnd\nEnd If\nEnd Loop", {("input", 3)}, {("input", 3)}, {2, 3, 5}, "INX(3)"),
+    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(3) Then End\nIf INX(4) Then Return\nEnd Loop",
+     {("input", 3), ("input", 4)}, {("input", 3), ("input", 4)}, {2, 3, 4}, "INX(3) or INX(4)"),
+    ("Loop\nSelect Case INX(2)\nCase 1\nExit Loop\nEnd Select\nEnd Loop",
+     {("input", 2)}, {("input", 2)}, {2, 3, 4}, "INX(2)"),
+    ("While 1\nWhile INX(1)\nWAIT 1\nWend\nWend", set(), {("input", 1)}, {2, 3}, "while 1"),
+    # The value that the loop itself assigns counts, and the condition for it.
+    ("While Not done\ndone = IDLE(0)\nWend\nDim done", {("axis", 0)}, {("axis", 0)}, {2}, "while Not done"),
+    ("While Not done\nIf INX(2) Then done = 1\nWend\nDim done", {("input", 2)}, {("input", 2)}, {2}, "while Not done"),
+    ("While n < 5\nn = n + 1\nWend\nDim n", set(), set(), {2}, "while n < 5"),
+    # A sub belongs to the loop that calls it, but its conditions only decide within.
+    ("While 1\nact()\nWend\nSub act()\nWAIT 1\nIf INX(6) Then End\nEnd Sub",
+     set(), {("input", 6)}, {2, 5, 6}, "while 1"),
+    # A loop of Gotos.
+    ("#a\nWAIT 1\nIf INX(5) Then Goto b\nGoto a\n#b", {("input", 5)}, {("input", 5)}, {1, 2, 3, 4}, "INX(5)"),
+    ("#a\nWAIT 1\nIf INX(5) Then Goto a\nWAIT 2", {("input", 5)}, {("input", 5)}, {1, 2, 3}, "INX(5)"),
+]  # fmt: skip
+
+
+@cases("text, leaves, within, lines, why", LOOPS)
+def test_the_reads_of_a_loop(
+    text: str, leaves: set[Read], within: set[Read], lines: set[int], why: str
+) -> None:
+    found = MINT.loop_dependencies(Source("a.mnt", text))(0)
+    assert found is not None
+    assert ({*found.leaves}, {*found.within}, {*found.lines}, found.why) == (leaves, within, lines, why)
+    assert not found.counts
+
+
+def test_a_for_also_counts() -> None:
+    found = MINT.loop_dependencies(Source("a.mnt", "For i = 1 To 5\nIf INX(3) Then Exit For\nNext"))(0)
+    assert found is not None
+    assert found.counts
+    assert found.leaves == {("input", 3)}
+
+
+# A program, and for each input or key its kind, number, the level that lets the program continue or makes a test true,
+# its line, and the last line of a loop.
+INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
+    ("PAUSE INX(3)", [("wait", 3, 1, 1, 1)]),
+    ("PAUSE Not INX(3)", [("wait", 3, 0, 1, 1)]),
+    ("PAUSE Not Not INX(3)", [("wait", 3, 1, 1, 1)]),
+    ("PAUSE INX(3) = 0", [("wait", 3, 0, 1, 1)]),
+    ("PAUSE 1 = INX(3)", [("wait", 3, 1, 1, 1)]),
+    ("PAUSE INX(3) <> 1", [("wait", 3, 0, 1, 1)]),
+    ("PAUSE INX(3) <> 0", [("wait", 3, 1, 1, 1)]),
+    ("PAUSE Not (INX(3) = 1)", [("wait", 3, 0, 1, 1)]),
+    ("PAUSE INX(3) = _ON", [("wait", 3, 1, 1, 1)]),
+    ("PAUSE INX(3) = _OFF", [("wait", 3, 0, 1, 1)]),
+    ("PAUSE INX(3) > 0", [("wait", 3, None, 1, 1)]),
+    ("PAUSE INX(3) = 2", [("wait", 3, None, 1, 1)]),
+    ("PAUSE INX(3) & 1", [("wait", 3, None, 1, 1)]),
+    ("PAUSE -INX(3)", [("test", 3, None, 1, 1)]),
+    ("While 1\nPRINT INX(2)\nWend", [("test", 2, None, 2, 2)]),
+    ("PAUSE INX(3) And Not INX(4) Or IDLE(0)", [("wait", 3, 1, 1, 1), ("wait", 4, 0, 1, 1)]),
+    ("Const DOOR = 7\nPAUSE INX(DOOR)", [("wait", 7, 1, 2, 2)]),
+    ("Dim n\nn = 4\nPAUSE INX(n)", [("wait", None, 1, 3, 3)]),
+    # A bank: the channels whose bits the program compares or masks, the first one if there are none.
+    ("PAUSE IN(0)", [("wait", 0, 1, 1, 1)]),
+    ("PAUSE IN(0) = 1", [("wait", 0, 1, 1, 1)]),
+    ("PAUSE 0 = IN", [("wait", 0, 0, 1, 1)]),
+    ("PAUSE IN(0) <> 4", [("wait", 2, 0, 1, 1)]),
+    ("PAUSE IN(1) & 6", [("wait", 33, 1, 1, 1), ("wait", 34, 1, 1, 1)]),
+    ("PAUSE IN(0) & 6 = 4", [("wait", 1, 0, 1, 1), ("wait", 2, 1, 1, 1)]),
+    ("PAUSE Not (IN(0) & 6 = 6)", [("wait", 1, None, 1, 1), ("wait", 2, None, 1, 1)]),
+    ("PAUSE IN(0) > 2", [("wait", 1, None, 1, 1)]),
+    ("PAUSE IN(0) = 1\nPAUSE IN(0) = 2",
+     [("wait", 0, 1, 1, 1), ("wait", 1, 0, 1, 1), ("wait", 0, 0, 2, 2), ("wait", 1, 1, 2, 2)]),
+    ("While IN(0) & 2 = 0\nWend", [("poll", 1, 1, 1, 1)]),
+    ("Dim b\nb = IN(0)\nIf b & 4 = 0 Then End", [("test", 2, None, 2, 2), ("guard", 2, 1, 3, 3)]),
+    # Banks and inputs that do not exist.
+    ("PAUSE INX(1000)", [("wait", None, 1, 1, 1)]),
+    ("PAUSE IN(99)", [("test", None, None, 1, 1)]),
+    ("PRINT IN(0)", [("test", None, None, 1, 1)]),
+    ("Dim n\nn = 1\nPAUSE IN(n) = 1", [("test", None, None, 3, 3)]),
+    ("While INX(3)\nWAIT 1\nWend", [("poll", 3, 0, 1, 2)]),
+    ("While Not INX(3)\nWAIT 1\nWAIT 2\nWend", [("poll", 3, 1, 1, 3)]),
+    ("Repeat\nWAIT 1\nUntil INX(3)", [("poll", 3, 1, 3, 3)]),
+    # An If that jumps away is a guard, unless it has an Else.
+    ("If INX(3) Then PRINT 1", [("test", 3, 1, 1, 1)]),
+    ("If INX(3) Then End", [("guard", 3, 0, 1, 1)]),
+    ("If Not INX(3) Then\nPRINT 1\nGoto a\nEnd If\n#a", [("guard", 3, 1, 1, 1)]),
+    ("If INX(3) Then\nEnd\nElse\nPRINT 1\nEnd If", [("test", 3, 1, 1, 1)]),
+    ("If INX(3) Then GoSub a\nEnd\n#a\nReturn", [("test", 3, 1, 1, 1)]),
+    ("PRINT INX(3)", [("test", 3, None, 1, 1)]),
+    ("PRINT 1\nPRINT INX(4), INX(3)\nPAUSE INX(2)",
+     [("test", 3, None, 2, 2), ("test", 4, None, 2, 2), ("wait", 2, 1, 3, 3)]),
+    # Handlers of inputs, with and without statements.
+    ("End\nEvent IN5\n' comment\nPRINT 1\nEnd Event", [("event", 5, None, 2, 4)]),
+    ("End\nEvent IN0\nEnd Event", [("event", 0, None, 2, 2)]),
+    ("End\nEvent TIMER\nPRINT 1\nEnd Event", []),
+    # The choices of a menu; with one number alone, the answer is a value that is checked.
+    ("Dim n\nINPUT n\nIf n = 1 Then PRINT 1\nIf 2 <> n Then PRINT 2\nIf n = 1 Then PRINT 3",
+     [("answer", 1, None, 3, 2), ("answer", 2, None, 4, 2)]),
+    ("Dim n\nINPUT n\nSelect Case n\nCase 1, 7\nPRINT 1\nCase 8 To 9\nEnd Select",
+     [("answer", 1, None, 4, 2), ("answer", 7, None, 4, 2)]),
+    ("Dim n\nINPUT n\nIf n = 0 Then End", []),
+    # Keys from the space to the tilde.
+    ("If INKEY = 65 Then PRINT 1", [("key", 65, None, 1, 1)]),
+    ("If READKEY <> 66 Then PRINT 1", [("key", 66, None, 1, 1)]),
+    ("Dim k\nk = INKEY\nIf k = 32 Then PRINT 1\nIf 126 <> k Then PRINT 2",
+     [("key", 32, None, 3, 3), ("key", 126, None, 4, 4)]),
+    ("Dim k\nk = INKEY\nIf k = 31 Then PRINT 1\nIf k = 127 Then PRINT 2\nIf k > 65 Then PRINT 3", []),
+    ("Dim k\nk = 5\nIf k = 65 Then PRINT 1", []),
+]  # fmt: skip
+
+
+@cases("text, expected", INPUTS)
+def test_where_a_program_depends_on_inputs(
+    text: str, expected: list[tuple[str, int | None, int | None, int, int]]
+) -> None:
+    found = MINT.input_reads(Source("a.mnt", text))
+    assert [(each.kind, each.channel, each.level, each.line, each.last) for each in found] == expected

@@ -1,0 +1,82 @@
+"""A Goto may lead to a label in a block, and a block with labels runs like one without.
+
+It takes as long, too.
+"""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from motionlang import run
+from motionlang.kernel.mint import DIALECT
+from motionlang.kernel.source import Source
+from tests.kernel.mint.polling_programs import program
+
+_ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)
+
+
+def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[object, ...]:
+    result = run(Source("a.mnt", text), machine=machine, until=until)
+    assert not result.diagnostics
+    return result.output, result.status, round(result.time, 7), len(result.controller.log.moves)
+
+
+def with_labels(text: str) -> str:
+    """Return a program with a label at the end of every block, except in For loops."""
+    count = iter(range(1000))
+    return _ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
+
+
+@pytest.mark.parametrize("seed", [seed for seed in range(16) if _ENDS.search(program(seed)[0])])
+def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
+    text, machine = program(seed)
+    assert outcome(with_labels(text), machine) == outcome(text, machine)
+
+
+# Each with its output; | ends a line.
+PROGRAMS = {
+    "the next turn": ("FOR i = 1 TO 4|IF i = 2 THEN GOTO next|PRINT i|#next|NEXT|PRINT i", "1 3 4 5"),
+    "counting down": ("by = -2|For i = 7 To 1 Step by|If i = 3 Then Goto n|PRINT i|n:|Next", "7 5 1"),
+    "the limit stays": ("k = 3|FOR i = 1 TO k|k = 9|#n|NEXT|PRINT i", "4"),
+    "out of two": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|#n|ENDW|ENDL|PRINT n", "3"),
+    "out of one that has none": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|ENDW|#n|ENDL|PRINT n", "3"),
+    "a select": (
+        "For i = 1 To 3|Select Case i|Case 1|Goto last|Case 2|PRINT 20|Exit Select|Case Else|last:|PRINT i|"
+        "End Select|Next",
+        "1 20 3",
+    ),
+    "into a block": ("GOTO inside|IF 0 DO|PRINT 4|#inside|PRINT 5|ELSE|PRINT 6|ENDIF", "5"),
+    "a repeat": ("REPEAT|n = n + 1|IF n = 2 THEN GOTO test|PRINT n|#test|UNTIL n = 3", "1 3"),
+    "a gosub": (
+        "LOOP|n = n + 1|GOSUB show|IF n = 2 THEN GOTO out|#m|ENDL|#out|END|#show|PRINT n|RETURN",
+        "1 2",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "printed"), PROGRAMS.values(), ids=PROGRAMS.keys())
+def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
+    lines = ["Dim n As Integer, k As Integer, i As Integer, by As Integer", *text.split("|")]
+    result = run(Source("a.mnt", "\n".join(lines)))
+    assert [each.message for each in result.diagnostics] == []
+    assert " ".join(result.output) == printed
+
+
+def test_a_label_at_the_end_of_a_loop_is_not_warned_of() -> None:
+    text = "LOOP\n n = n + 1\n IF n = 3 THEN EXIT\n IF n = 2 THEN GOTO next\n PRINT n\n#next\nENDL\nPRINT n"
+    assert DIALECT.check(Source("a.mnt", f"Dim n As Integer\n{text}")) == []
+
+
+def test_a_loop_that_polls_is_skipped_all_the_same() -> None:
+    text = "LOOP\n IF INX(1) THEN GOTO next\n IF INX(2) THEN OUTX(3) = 1\n#next\nENDL"
+    assert outcome(text, {}, until=28_800.0)[1] == "until"
+
+
+def test_a_loop_of_gotos_in_a_block_is_logged_from_its_label_to_the_last_jump_back() -> None:
+    """Each of the 500 iterations takes four statements of 10 µs, after that of the If."""
+    text = "Dim n As Integer\nIf 1 Then\ntop:\n n = n + 1\n POS(0) = n\n If n < 500 Then Goto top\nEnd If\nPRINT n"
+    result = run(Source("a.mnt", text))
+    ((_, at, since, until, _),) = result.machine.log.loops
+    assert (text[at:].partition(":")[0], since, round(until, 9)) == ("top", 1e-5, 0.02)

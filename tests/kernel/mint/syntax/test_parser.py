@@ -1,0 +1,174 @@
+"""Properties of the syntax tree: positions, highlighting, completeness, any text."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import lark
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.syntax.word import Word
+from motionlang.kernel.mint.syntax.node import Node
+from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.parser import is_complete, parse
+from motionlang.kernel.mint.syntax.tokens import tokens, value_length
+from motionlang.kernel.mint.syntax.traversal import children, walk
+from motionlang.kernel.source import Source
+from tests.cases import examples
+from tests.kernel.mint.syntax.test_parser_errors import samples as broken
+from tests.kernel.mint.syntax.test_parser_spec import samples
+
+
+def module(text: str) -> Module:
+    return parse(Source("test.mnt", text))
+
+
+def locations(text: str) -> list[tuple[int, int, int]]:
+    tree = module(text)
+    return [
+        (tree.line(each.start), tree.column(each.start), value_length(text, each.start)) for each in tree.body
+    ]
+
+
+def test_locations() -> None:
+    text = "Auto\n\n' note\nx = 1 : speed(0) = 2\n\tGO(0) : REM now\nMOVER.0 = 3"
+    assert locations(text) == [(1, 1, 4), (4, 1, 1), (4, 9, 5), (5, 2, 2), (6, 1, 7)]
+
+
+def test_locations_after_continued_lines() -> None:
+    assert locations("x = 1 + \\\n  2 _ ' more\n + 3\ny = 4 : z = \\\n5\nw = 1") == [
+        (1, 1, 1),
+        (4, 1, 1),
+        (4, 9, 1),
+        (6, 1, 1),
+    ]
+
+
+def test_location_of_a_binary_is_that_of_its_left_side() -> None:
+    tree = module("xx = 12 + 345")
+    assert [tree.column(value.start) for value in tree.body[0].values] == [6]  # type: ignore[union-attr]
+
+
+def test_equality_ignores_locations() -> None:
+    assert module("x = 1") == module("\n\n  x   =  1 ' note")
+    assert module("x = 1") != module("x = 2")
+
+
+@pytest.mark.parametrize("name", samples())
+def test_every_node_and_name_has_its_position(name: str) -> None:
+    """A name is the text at its position, and a node contains its children; nothing in a tree is Lark's."""
+    text = samples()[name]
+    tree = module(text)
+    assert (tree.start, tree.end <= len(text)) == (0, True)
+    for node in walk(tree.everything):
+        for value in children(node):
+            assert not isinstance(value, lark.Token)
+            assert not isinstance(value, Node) or node.start <= value.start <= value.end <= node.end
+        for field in ("name", "field", "word"):
+            word = getattr(node, field, None)
+            if word:
+                assert isinstance(word, Word)
+                assert text[word.start : word.end] == word
+
+
+@pytest.mark.parametrize("name", samples())
+def test_tokens_are_the_text(name: str) -> None:
+    """The tokens are in order at their offsets, and omit only blanks and line ends."""
+    text, end = samples()[name], 0
+    for kind, piece, at in tokens(text):
+        assert kind in {"word", "control", "number", "string", "comment", "operator", "separator"}
+        assert text[end:at].strip() == ""
+        assert text[at : at + len(piece)] == piece
+        end = at + len(piece)
+    assert text[end:].strip() == ""
+
+
+def test_kinds_of_tokens() -> None:
+    text = 'If x.1 >= 0x1F Then GO(`A`) : REM hi\ny = "a" \\\n ~ 12ab é \'end'
+    assert [f"{kind} {piece}" for kind, piece, _ in tokens(text)] == [
+        *("control If", "word x.1", "operator >=", "number 0x1F", "control Then", "word GO", "separator ("),
+        *("string `A`", "separator )", "separator :", "comment REM hi", "word y", "operator =", 'string "a"'),
+        *("separator \\", "operator ~", "bad 12ab", "bad é", "comment 'end"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "text", ["", "x = 1", "If a Then b = 1", "If a Then\nEnd If", "x = (", "Next", "For i = 1 To 3 : Next"]
+)
+def test_complete(text: str) -> None:
+    assert is_complete(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["If a Then", "If a Then\nElse\n", "x = 1 + \\", "x = 1 + _\n", "For i = 1 To 3 : x = i", "Sub f"]
+)
+def test_not_complete(text: str) -> None:
+    assert not is_complete(text)
+
+
+SOUP = st.text(st.sampled_from("IfThenEndSubForNext x1.+-*/=<>()[],;:#?'\"`\\_~!&|\n\t\0é"), max_size=40)
+LINES = [line for text in [*samples().values(), *broken().values()] for line in text.split("\n")]
+
+
+@settings(max_examples=examples(300))
+@given(st.one_of(SOUP, st.lists(st.sampled_from(LINES), max_size=10).map("\n".join)))
+def test_any_text_is_answered(text: str) -> None:
+    """The result is a tree, or diagnostics inside the text without duplicates."""
+    diagnostics = mistakes(text)
+    assert len(diagnostics) == len({(d.line, d.column, d.message) for d in diagnostics})
+    assert all(1 <= d.line <= text.count("\n") + 2 and d.column >= 1 for d in diagnostics)
+    list(tokens(text))
+    is_complete(text)
+
+
+def mistakes(text: str) -> list[Diagnostic]:
+    try:
+        module(text)
+    except ProgramError as error:
+        return error.diagnostics or [Diagnostic("syntax", "an error without a mistake", -1)]
+    return []
+
+
+BLOCKS = ["For i = 1 To 3|Next", "While a|End While", "If a Then|End If", "Repeat|Until a", "Loop|End Loop"]
+
+
+@settings(max_examples=examples(200))
+@given(st.lists(st.tuples(st.sampled_from(BLOCKS), st.integers(0, 6)), min_size=1, max_size=7), st.data())
+def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: st.DataObject) -> None:
+    """If a block lacks its opener or closer, one diagnostic names its line.
+
+    The program is indented.
+    """
+    lines, open_blocks = [], []  # type: ignore[var-annotated]
+    for block, closed in shape:
+        opener, closer = block.split("|")
+        lines.append((len(open_blocks), opener, len(lines)))
+        open_blocks.append((closer, lines[-1][2]))
+        for _ in range(min(closed, len(open_blocks))):
+            end, begin = open_blocks.pop()
+            lines.append((len(open_blocks), end, begin))
+    while open_blocks:
+        end, begin = open_blocks.pop()
+        lines.append((len(open_blocks), end, begin))
+    removed = data.draw(st.sampled_from([i for i, line in enumerate(lines) if line[2] != i]))
+    opener_line = lines.pop(removed)[2] + 1
+    text = "\n".join("  " * depth + word for depth, word, _ in lines)
+    with pytest.raises(ProgramError) as caught:
+        module(text)
+    assert [(d.code, d.line) for d in caught.value.diagnostics] == [("missing-end", opener_line)]
+
+
+def test_parsing_imports_nothing_heavy() -> None:
+    """For a fast start, parsing loads Lark and no other large library."""
+    code = (
+        "import sys; from motionlang.kernel.source import Source;"
+        "from motionlang.kernel.mint.syntax.parser import parse;"
+        "parse(Source('a', 'x = 1')).line(0);"
+        "print(*{'lark', 'argparse', 'numpy', 'rich'} & set(sys.modules))"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "lark"

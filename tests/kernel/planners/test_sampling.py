@@ -1,0 +1,120 @@
+"""The sampling kernels equal the profile itself, point by point."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.kernel.planners import (
+    Profile,
+    plan,
+    plan_jerk,
+    plan_sinusoidal,
+    plan_trapezoid,
+    plan_velocity,
+    table,
+)
+from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.planners.evaluate import evaluate
+from motionlang.kernel.planners.sample import ORDERS, PieceTable
+from tests.cases import examples
+from tests.kernel.planners.cases import Move, moves, quick
+
+
+def by_hand(profile: Profile, times: list[float], order: int) -> list[float]:
+    read = (profile.position, profile.velocity, profile.acceleration)[order]
+    return [read(t) for t in times]
+
+
+@quick
+@given(moves(), st.sampled_from([0, 1]), st.integers(1, 400))
+def test_a_profile_sampled_is_the_profile(move: Move, order: int, n: int) -> None:
+    made = move.planned()
+    dt = 1.1 * made.duration / n + 1e-9
+    expected = by_hand(made, [i * dt for i in range(n)], order)
+    size = max(abs(x) for x in made.extrema()) if order == 0 else made.peak_speed
+    assert (
+        np.abs(PieceTable((0.0,), (made,)).sample(0.0, dt, n, order) - expected).max() <= 1e-9 * size + 1e-12
+    )
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "scurve", "parabolic"])
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_long_pieces(shape: str, order: int) -> None:
+    made = plan(shape, 3.0, -97.0, 10.0, 20.0, 40.0, ramp=0.2)
+    n, dt = 50_000, made.duration / 49_990
+    picked = np.arange(7, n, 331)
+    expected = by_hand(made, [i * dt for i in picked.tolist()], order)
+    scale = (100.0, 10.0, 40.0)[order]
+    assert (
+        np.abs(PieceTable((0.0,), (made,)).sample(0.0, dt, n, order)[picked] - expected).max() <= 1e-9 * scale
+    )
+
+
+def track() -> tuple[list[float], list[Profile]]:
+    """Return moves of two shapes with pauses; one is cut short, a jog is the last."""
+    first = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
+    second = plan_jerk(12.0, -5.0, 8.0, 16.0, 16.0, 100.0, 100.0)
+    position = second.position(0.9)
+    third = plan_sinusoidal(position, 4.0, 8.0, 16.0, 16.0, second.velocity(0.9))
+    jog = plan_velocity("trapezoid", third.end, 0.0, 3.0, 16.0, 16.0)
+    return [1.0, 3.5, 4.4, 11.0], [first, second, third, jog]
+
+
+def in_track(starts: list[float], profiles: list[Profile], t: float, quantity: str) -> float:
+    index = max(i for i, start in enumerate(starts) if i == 0 or t >= start)
+    local = t - starts[index]
+    if local < 0.0:
+        return profiles[0].start if quantity == "position" else 0.0
+    return float(getattr(profiles[index], quantity)(local))
+
+
+@pytest.mark.parametrize("quantity", ["position", "velocity", "acceleration"])
+@pytest.mark.parametrize(("t0", "dt", "n"), [(0.0, 0.00137, 12_000), (0.5, 0.11, 140), (4.0, 1e-5, 30_000)])
+def test_a_track_of_moves(quantity: str, t0: float, dt: float, n: int) -> None:
+    starts, profiles = track()
+    found = PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
+    for i in range(0, n, max(1, n // 400)):
+        assert found[i] == pytest.approx(in_track(starts, profiles, t0 + i * dt, quantity), abs=1e-8)
+
+
+def test_a_table_fills_the_array_it_is_given() -> None:
+    made, out = PieceTable(*track()), np.full(1000, np.nan)
+    assert made.sample(0.0, 0.01, 1000, 0, out) is out
+    assert np.isfinite(out).all()
+
+
+def test_nothing_to_sample() -> None:
+    assert PieceTable([], []).sample(0.0, 0.1, 3).tolist() == [0.0, 0.0, 0.0]
+    assert PieceTable(*track()).sample(0.0, 0.1, 0).shape == (0,)
+    still = plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0)
+    assert PieceTable((0.0,), (still,)).sample(0.0, 0.1, 3).tolist() == [2.0, 2.0, 2.0]
+
+
+@settings(quick, max_examples=examples(40))
+@given(st.lists(moves(), min_size=24, max_size=40))
+@pytest.mark.slow
+def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:
+    profiles = [move.planned() for move in many]
+    starts = [3.0 * i for i in range(len(profiles))]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(table, "MIN_PROFILES", math.inf)
+        one_by_one = PieceTable(starts, profiles)
+    at_once = PieceTable(starts, profiles)
+    n = 700
+    for order in (0, 1):
+        a, b = (made.sample(-1.0, 3.0 * len(many) / n, n, order) for made in (one_by_one, at_once))
+        assert np.abs(a - b).max() <= 1e-9 * np.abs(a).max() + 1e-12
+
+
+def test_a_profile_has_its_velocities_before_and_after_it() -> None:
+    """It starts at rest, and ends after 0.5 s at 5."""
+    curve = (0.0, 0.5), ((0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0),), ()
+    profile = from_curve("jog", 0.0, 1.25, curve, 0.0, 5.0)
+    times = np.array([-1.0, 0.6, 0.75])
+    assert evaluate(profile, times, 1).tolist() == [0.0, 5.0, 5.0]
+    assert evaluate(profile, times, 0).tolist() == pytest.approx([0.0, 1.75, 2.5])

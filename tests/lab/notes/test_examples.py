@@ -1,0 +1,22 @@
+"""The scripts in `examples/notes/` print what the documents print."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.lab.notes.examples import PRINTING, ROOT, SCRIPTS, golden, printed
+
+
+@pytest.mark.parametrize("name", PRINTING)
+def test_an_example_prints_its_golden_text(name: str) -> None:
+    """`python -m tests.lab.notes.examples` writes the texts."""
+    assert printed(f"examples/notes/{name}.py") == golden(name).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", ["sources.md", "servo.md tn1069.md an00115.md"])
+def test_each_example_is_linked(page: str) -> None:
+    text = "".join((ROOT / "docs" / name).read_text(encoding="utf-8") for name in page.split())
+    linked = set(re.findall(r"\(\.\./examples/notes/(\w+\.py)\)", text))
+    assert linked == {script.name for script in SCRIPTS}

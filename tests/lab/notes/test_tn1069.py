@@ -1,0 +1,175 @@
+"""PMC TN1069: the worked example, exact and as printed."""
+
+from __future__ import annotations
+
+import re
+from math import cos, pi, sin
+
+import pytest
+
+from motionlang.lab.notes import tn1069
+from tests.kernel.planners.verify import verify
+
+EXACT = {
+    "T_A": (400, 628.3185307, 444.4444444, 800),
+    "S_A": (8000, 12566.37061, 8888.888889, 21333.33333),
+    "S_V": (24000, 14867.25877, 22222.22222, None),
+    "T_V": (600, 371.6814693, 555.5555556, None),
+    "peak": (40, 40, 40, 38.72983346),
+    "the whole move": (1400, 1628.318531, 1444.444444, 1549.193338),
+}
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_the_table_is_exact(name: str) -> None:
+    row = next(row for row in tn1069.comparison() if row.name == name)
+    for exact, expected in zip(row.exact, EXACT[name], strict=True):
+        assert exact == (expected if expected is None else pytest.approx(expected, rel=1e-9))
+
+
+def test_the_printed_table_is_kept_beside_it() -> None:
+    printed = {row.name: row.printed for row in tn1069.comparison() if row.printed}
+    assert printed == {
+        "T_A": (400, 628, 444, 800),
+        "S_A": (8000, 12560, 8880, 10667),
+        "S_V": (24000, 14880, 22240, 18667),
+        "T_V": (600, 372, 556, 467),
+    }
+
+
+@pytest.mark.parametrize(
+    "own", [{"acceleration": 1.0}, {"velocity": 1.0}, {"distance": 1.0}, {"deceleration": 1.0}, {"ramp": 0.2}]
+)
+def test_only_the_notes_example_has_printed_figures(own: dict[str, float]) -> None:
+    assert tn1069.Demand().printed
+    assert tn1069.Demand(acceleration=100e3, deceleration=100e3).printed
+    assert not tn1069.Demand(**own).printed
+    assert not tn1069.Demand(**{**own, "deceleration": 7.0}).printed
+
+
+@pytest.mark.parametrize(
+    ("own", "message"),
+    [
+        ({"ramp": 0.0}, "the ramp must be above 0 and below 0.5, not 0"),
+        ({"ramp": 0.5}, "the ramp must be above 0 and below 0.5, not 0.5"),
+        ({"distance": 0.0}, "the distance must be above zero and below 1e+100, not 0"),
+        ({"velocity": 1e100}, "the velocity must be above zero and below 1e+100, not 1e+100"),
+        ({"deceleration": -1.0}, "the deceleration must be above zero and below 1e+100, not -1"),
+    ],
+)
+def test_a_demand_has_figures_that_can_be_planned(own: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(message)):
+        tn1069.Demand(**own)
+
+
+def test_a_column_has_the_ramp_of_its_demand() -> None:
+    assert tn1069.NOTE.columns == tn1069.COLUMNS
+    assert tn1069.Demand(ramp=0.25).columns == ("trapezoidal", "sinusoidal", "trapezoidal 0.25", "parabolic")
+
+
+def test_a_slow_ramp_is_that_of_a_long_move() -> None:
+    """From 0 to 50 at 0.5 counts/s² takes 100 s and 2500 counts; the move has 1000."""
+    times, distances = tn1069.nominal(tn1069.Demand(0.5, 50.0, 1000.0))
+    assert times.exact == pytest.approx((1e5, pi / 2.0 * 1e5, 1e5 / 0.9, 2e5))
+    assert distances.exact == pytest.approx((2500.0, pi / 2.0 * 2500.0, 2500.0 / 0.9, 20_000.0 / 3.0))
+
+
+def test_the_parabolic_move_is_too_short_for_its_speed() -> None:
+    parabolic = tn1069.profiles()[3]
+    assert [phase.name for phase in parabolic.phases] == ["accel", "decel"]
+    assert parabolic.peak_speed == pytest.approx(38729.83346, rel=1e-9)
+    assert parabolic.phases[0].duration == pytest.approx(0.7745966692, rel=1e-9)
+
+
+def test_every_column_keeps_its_limits() -> None:
+    for profile in tn1069.profiles():
+        assert verify(profile, speed=40e3, accel=100e3, decel=100e3, end=40e3) == []
+
+
+@pytest.mark.parametrize(("column", "peak"), [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0)])
+def test_the_peak_acceleration_is_the_commanded_one(column: int, peak: float) -> None:
+    assert tn1069.profiles()[column].peak_acceleration == pytest.approx(peak * 100e3, rel=1e-12)
+
+
+# During acceleration, by the note: the profile, the time in cycles, and A, V and S in counts and cycles.
+TRAPEZOID, SINUSOID, S_CURVE, PARABOLA = range(4)
+ACC, VEL, T_S, T_1 = 0.1, 40.0, 200 * pi, 400 / 9
+RAMPS = {
+    "trapezoid": (TRAPEZOID, 100.0, ACC, ACC * 100, 0.5 * ACC * 100**2),
+    "sinusoid": (
+        SINUSOID,
+        100.0,
+        ACC * sin(pi * 100 / T_S),
+        VEL / 2 * (1 - cos(pi * 100 / T_S)),
+        VEL / 2 * 100 - VEL * T_S / (2 * pi) * sin(pi * 100 / T_S),  # the erratum: the print adds the sine
+    ),
+    "trapezoidal S-curve": (
+        S_CURVE,
+        30.0,
+        ACC * 30 / T_1,
+        ACC * 30 * (30 / (2 * T_1)),
+        ACC * 0.5 * 30**2 * (30 / (3 * T_1)),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RAMPS)
+def test_the_formulas_of_the_acceleration_phase(name: str) -> None:
+    """With t = T/N, ACC = A/N² and VEL = V/N for N = 1000."""
+    column, cycles, acceleration, velocity, position = RAMPS[name]
+    profile, t = tn1069.profiles()[column], cycles / 1000
+    assert profile.acceleration(t) / 1000**2 == pytest.approx(acceleration, rel=1e-9)
+    assert profile.velocity(t) / 1000 == pytest.approx(velocity, rel=1e-9)
+    assert profile.position(t) == pytest.approx(position, rel=1e-9)
+
+
+def test_the_ramp_is_the_share_of_the_acceleration_time_in_which_acceleration_rises() -> None:
+    """RAMP = T_1/T_A = 0.1: the acceleration rises until T_1 and is then at its peak."""
+    profile = tn1069.profiles()[S_CURVE]
+    rise = 0.1 * profile.phases[0].duration
+    assert rise * 1000 == pytest.approx(T_1, rel=1e-12)
+    assert profile.acceleration(0.5 * rise) == pytest.approx(50e3, rel=1e-9)
+    assert profile.acceleration(1.5 * rise) == pytest.approx(100e3, rel=1e-12)
+
+
+def test_the_parabola_begins_with_a_jump_of_acceleration() -> None:
+    """The note calls the parabola the smoothest, but only the S-curves begin smoothly."""
+    starts = [profile.acceleration(1e-9) for profile in tn1069.profiles()]
+    assert starts == pytest.approx([100e3, 0.0, 0.0, 100e3], rel=1e-6, abs=1.0)
+
+
+def test_the_errata_are_reported() -> None:
+    assert len(tn1069.ERRATA) == 8
+
+
+def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
+    """The integral of V/2 (1 - cos(pi t/T_A)) is 533.84 counts at 0.3 T_A.
+
+    The printed formula gives 7005.98.
+    """
+    steps, ramp = 100_000, 0.6283185307179586
+    width = 0.3 * ramp / steps
+    area = sum(20e3 * (1.0 - cos(pi * (i + 0.5) * width / ramp)) for i in range(steps)) * width
+    exact = tn1069.profiles()[1].position(0.3 * ramp)
+    printed = 20e3 * 0.3 * ramp + 40e3 * ramp / (2.0 * pi) * sin(pi * 0.3)
+    assert exact == pytest.approx(area, rel=1e-8)
+    assert f"{printed:.2f} {exact:.2f}" == "7005.98 533.84"
+
+
+def test_a_move_of_ones_own() -> None:
+    """With A = 200, D = 100, V = 50, S = 1000 and n = 0.25, T_A = V/(A (1 - n)).
+
+    T_D is twice T_A. The distance of each ramp is T V/2.
+    """
+    demand = tn1069.Demand(200.0, 50.0, 1000.0, 100.0, 0.25)
+    rows = {row.name: row for row in tn1069.comparison(demand)}
+    assert [row.printed for row in rows.values()] == [None] * len(rows)
+    assert rows["T_A"].exact == pytest.approx((250.0, 125.0 * pi, 1000.0 / 3.0, 500.0))
+    assert rows["T_D"].exact == pytest.approx((500.0, 250.0 * pi, 2000.0 / 3.0, 1000.0))
+    assert rows["S_A"].exact == pytest.approx((6.25, 3.125 * pi, 25.0 / 3.0, 50.0 / 3.0))
+    assert rows["S_D"].exact == pytest.approx((12.5, 6.25 * pi, 50.0 / 3.0, 100.0 / 3.0))
+    for i in range(4):
+        ends = float(rows["S_A"].exact[i] or 0) + float(rows["S_D"].exact[i] or 0)
+        assert rows["S_V"].exact[i] == pytest.approx(1000.0 - ends)
+    for profile in tn1069.profiles(demand):
+        assert verify(profile, speed=50.0, accel=200.0, decel=100.0, end=1000.0) == []
