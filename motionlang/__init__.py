@@ -8,6 +8,8 @@
 
 from typing import TYPE_CHECKING
 
+from motionlang.kernel.version import __version__
+
 if TYPE_CHECKING:
     from motionlang.commands.plan import Plan, plan
     from motionlang.commands.sweep import Row, sweep
@@ -32,7 +34,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.result import Run
     from motionlang.kernel.source import Source
 
-__version__ = "0.2.0"
 __all__ = [
     "Diagnostic",
     "Machine",

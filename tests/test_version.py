@@ -21,7 +21,9 @@ def text_of(name: str) -> str:
 def test_the_build_takes_the_version_of_the_package() -> None:
     project = tomllib.loads(text_of("pyproject.toml"))
     assert "version" not in project["project"]
-    assert project["tool"]["setuptools"]["dynamic"] == {"version": {"attr": "motionlang.__version__"}}
+    assert project["tool"]["setuptools"]["dynamic"] == {
+        "version": {"attr": "motionlang.kernel.version.__version__"}
+    }
 
 
 def test_the_extension_has_the_version_of_the_package() -> None:

@@ -6,9 +6,9 @@ import argparse
 from collections.abc import Sequence
 from importlib import import_module
 
-from motionlang import __version__
 from motionlang.cli.command import Command
 from motionlang.cli.parser import Parser
+from motionlang.kernel.version import __version__
 
 PROGRAM = "motionlang"
 # Every command by its group: the class that has its options and does its work, imported only for this command, and its

@@ -12,11 +12,11 @@ import tempfile
 import traceback
 from collections.abc import Iterable, Sequence
 
-from motionlang import __version__
 from motionlang.kernel.errors import Diagnostic, missing
 from motionlang.kernel.execution import dialect_of, machine_of
 from motionlang.kernel.files import replacing
 from motionlang.kernel.source import LARGEST, STDIN, Source
+from motionlang.kernel.version import __version__
 
 # The exit status after an internal error, as in sysexits, and without a library that the package depends on.
 CRASHED = 70

@@ -60,16 +60,6 @@ COUNT = whole("a whole number above 0", 1, 999_999_999)
 machine_time = real("a time in seconds, 0 or more", 0.0)
 
 
-def quantity_names(text: str) -> tuple[str, ...]:
-    """Return the names of quantities of a run, separated by commas."""
-    from motionlang.commands.quantities import quantity
-
-    names = tuple(each.strip() for each in text.split(",") if each.strip())
-    for name in names:
-        quantity(name)
-    return names
-
-
 def columns(text: str) -> list[str]:
     """Return the names of columns of a trace, separated by commas."""
     from motionlang.kernel.log.trace import quantity_of

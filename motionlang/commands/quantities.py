@@ -123,6 +123,14 @@ def quantity(name: str) -> tuple[Quantity, int]:
     raise ValueError(f"a run has no {name}; {hint}")
 
 
+def quantity_names(text: str) -> tuple[str, ...]:
+    """Return the names of quantities of a run, separated by commas."""
+    names = tuple(each.strip() for each in text.split(",") if each.strip())
+    for name in names:
+        quantity(name)
+    return names
+
+
 def values_of(run: Run, names: Iterable[str]) -> dict[str, ResultValue]:
     """Return results of a run by name."""
     return {name: row.read(run, number) for name in names for row, number in [quantity(name)]}

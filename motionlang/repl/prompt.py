@@ -17,7 +17,7 @@ from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.output import ColorDepth
 from prompt_toolkit.patch_stdout import patch_stdout
 
-from motionlang import __version__
+from motionlang.kernel.version import __version__
 from motionlang.repl import status
 from motionlang.repl.complete import WordCompleter
 from motionlang.repl.highlight import STYLE, WordLexer

@@ -11,7 +11,7 @@ from matplotlib import rc_context
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from motionlang import __version__
+from motionlang.kernel.version import __version__
 from motionlang.views.figure import Figure
 from motionlang.views.figure_layout import Item, Shape, layout
 

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from hashlib import sha256
 from math import inf
 
-from motionlang import __version__
 from motionlang.commands.certify import Limit
 from motionlang.commands.prove.checker import Proof
 from motionlang.kernel.errors import count_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.version import __version__
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
 from motionlang.views.words import figure, line_number

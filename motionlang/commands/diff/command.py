@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 from motionlang.cli.command import Command, Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.output_files import written
-from motionlang.cli.readers import integer, quantity_names
+from motionlang.cli.readers import integer
 from motionlang.cli.shared import Language, Program, World, with_world
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import Compared
@@ -25,7 +25,7 @@ from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
-from motionlang.commands.quantities import values_of
+from motionlang.commands.quantities import quantity_names, values_of
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants

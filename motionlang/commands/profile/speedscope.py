@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from motionlang import __version__
 from motionlang.commands.profile.profile import PROGRAM, TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.commands.profile.view import profile_document
 from motionlang.kernel.files import replacing
+from motionlang.kernel.version import __version__
 
 Row = dict[str, Any]
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import flag, option
-from motionlang.cli.readers import quantity_names, real
+from motionlang.cli.readers import real
 from motionlang.cli.simulated import Pace, Simulated, pacer
+from motionlang.commands.quantities import quantity_names
 from motionlang.kernel.execution import Checked
 from motionlang.kernel.lang.scheduler import Outside
 from motionlang.kernel.result import Run as Result

@@ -20,7 +20,6 @@ from sys import float_info
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from motionlang import __version__
 from motionlang.commands.profile.critical_path import Link
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
@@ -33,6 +32,7 @@ from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.version import __version__
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.lanes import lanes
 from motionlang.views.quantities import PHASES, UNITS

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from motionlang.cli.command import Command, WrongOption, flag, option
-from motionlang.cli.readers import COUNT, integer, machine_time, quantity_names
+from motionlang.cli.readers import COUNT, integer, machine_time
+from motionlang.commands.quantities import quantity_names
 from motionlang.commands.sweep import KEEP
 from motionlang.commands.sweep.expression import Expression
 from motionlang.commands.sweep.job import MACHINE, SCENARIO

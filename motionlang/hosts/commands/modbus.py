@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from math import inf
 from typing import ClassVar
 
-from motionlang import __version__
 from motionlang.cli.command import WrongOption, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.readers import whole
@@ -26,6 +25,7 @@ from motionlang.kernel.mint.keywords.identity import VIRTUAL
 from motionlang.kernel.mint.models import named
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.version import __version__
 from motionlang.views.terminal import shower
 
 

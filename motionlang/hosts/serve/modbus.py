@@ -23,7 +23,6 @@ from struct import pack, unpack
 from threading import Event, Thread
 from time import monotonic
 
-from motionlang import __version__
 from motionlang.hosts import address
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.modbus_requests import (
@@ -39,6 +38,7 @@ from motionlang.hosts.serve.modbus_requests import (
 from motionlang.hosts.serve.outside import Closed, Outside
 from motionlang.hosts.serve.refusals import Refusals
 from motionlang.kernel.controller.io.host_memory import HostMemory
+from motionlang.kernel.version import __version__
 
 # Bytes of the header, and the bounds of the length that it states: at least a unit and a function.
 HEADER, MIN_FRAME, MAX_FRAME = 6, 2, 254

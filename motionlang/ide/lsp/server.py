@@ -15,13 +15,13 @@ from pygls.exceptions import FeatureRequestError, JsonRpcException
 from pygls.io_ import run_async
 from pygls.lsp.server import LanguageServer
 
-from motionlang import __version__
 from motionlang.ide.lsp.convert import diagnostic
 from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.features import register
 from motionlang.ide.lsp.protocol import Protocol
 from motionlang.ide.lsp.session import Session, Worker
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.version import __version__
 
 # The largest message accepted, in bytes; four times the largest program.
 MAX_MESSAGE = 1 << 28

@@ -12,7 +12,7 @@ from typing import Any
 from canopen.objectdictionary import ODVariable
 from canopen.objectdictionary.eds import export_eds
 
-from motionlang import __version__
+from motionlang.kernel.version import __version__
 from motionlang.lab.copley.drive import Drive
 from motionlang.lab.copley.node import EMCY_ID, HARDWARE, NAME, object_dictionary
 from motionlang.lab.copley.objects import ObjectServer

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang import __version__
 from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.keywords.row import Group
+from motionlang.kernel.version import __version__
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command

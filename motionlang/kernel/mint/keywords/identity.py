@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from datetime import datetime, timedelta
 
-from motionlang import __version__
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.kernel.lang.run_errors import NotSimulated
@@ -16,6 +15,7 @@ from motionlang.kernel.mint.keywords.no_effect import StoredValues
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of
 from motionlang.kernel.mint.runtime.changes import always
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.version import __version__
 
 # AXES is the item of NUMBEROF that counts axes. VIRTUAL is the name that WorkBench's library gives its own
 # simulated controller.
