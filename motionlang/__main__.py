@@ -13,7 +13,7 @@ import gc
 import os
 import sys
 
-from motionlang.kernel.lang.collector import CollectorOff
+from motionlang.kernel.tools import CollectorOff
 
 # numpy's matrices are small here, and its other threads would only wait for them, using a core.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -15,9 +15,10 @@ from contextlib import contextmanager
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.errors import Diagnostic, OutOfTime, ProgramError, missing
+from motionlang.kernel.errors import Diagnostic, OutOfTime, ProgramError
 from motionlang.kernel.execution import run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import missing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

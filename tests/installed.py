@@ -20,7 +20,7 @@ from pathlib import Path
 from packaging.requirements import Requirement
 
 from motionlang.cli.commands import COMMANDS
-from motionlang.kernel.errors import LIBRARIES
+from motionlang.kernel.tools import LIBRARIES
 from tests.built import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.commands.probe.questions import of_word
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.views.words import dialect_name
+from motionlang.views.formatting import dialect_name
 from tests.assumptions_page import anchor, cell
 
 # The largest number of output lines shown for an example.

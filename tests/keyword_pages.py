@@ -14,7 +14,7 @@ from motionlang import run
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.source import Source
-from motionlang.views.words import dialect_name
+from motionlang.views.formatting import dialect_name
 from tests.keyword_page_texts import menu, pages
 
 ROOT = Path(__file__).parent.parent

@@ -322,7 +322,7 @@ def float_sums(nodes: Sequence[ast.AST]) -> list[int]:
 def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
     """From Python 3.12 on, `sum` rounds floats differently than before.
 
-    `planners.total`, `math.fsum` and plain additions give the same result in every version.
+    `tools.total`, `math.fsum` and plain additions give the same result in every version.
     """
     found = float_sums(nodes_of(path))
     assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"

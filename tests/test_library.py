@@ -22,7 +22,7 @@ import pytest
 
 import motionlang
 from motionlang import Source
-from motionlang.kernel.errors import MissingExtra
+from motionlang.kernel.tools import MissingExtra
 from tests import report_types
 
 # 200 uu at 100 uu/s with 1000 uu/s²: 0.1 s up, 1.9 s slew, 0.1 s down.

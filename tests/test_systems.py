@@ -16,7 +16,7 @@ import pytest
 
 from motionlang.cli import main
 from motionlang.kernel.files import InUse, Lock
-from motionlang.views.keys import has_keys
+from motionlang.views.single_keys import has_keys
 
 MOVE = 'SPEED(0) = 50\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT "5 µm"\n'
 

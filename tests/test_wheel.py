@@ -14,7 +14,7 @@ import pytest
 from packaging.requirements import Requirement
 
 from motionlang.client import Client
-from motionlang.kernel.errors import LIBRARIES
+from motionlang.kernel.tools import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import MAX_SECONDS
 from tests.installed import (

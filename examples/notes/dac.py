@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
 from motionlang.lab.notes.dac_override import OverrideRun, demonstrate
 from motionlang.lab.notes.dissect import dac_timing
 from motionlang.lab.notes.figures import LIMIT, SPEED

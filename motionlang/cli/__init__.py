@@ -11,8 +11,8 @@ from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.standard_streams import prepare, silence
 from motionlang.cli.welcome import welcome
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated, missing
-from motionlang.kernel.lang.collector import CollectorOff
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel.tools import CollectorOff, missing
 
 # The exit status if the reader of standard output has gone: 128 and SIGPIPE's number, like in shells.
 PIPE_CLOSED = 141

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Command, argument
 from motionlang.cli.commands import build_parser
-from motionlang.kernel.errors import need
+from motionlang.kernel.tools import need
 
 # Names of files in the help.
 FILES = ("FILE", "PATH", "OUT", "M.toml")

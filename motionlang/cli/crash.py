@@ -12,10 +12,11 @@ import tempfile
 import traceback
 from collections.abc import Iterable, Sequence
 
-from motionlang.kernel.errors import Diagnostic, missing
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.execution import dialect_of, machine_of
 from motionlang.kernel.files import replacing
 from motionlang.kernel.source import LARGEST, STDIN, Source
+from motionlang.kernel.tools import missing
 from motionlang.kernel.version import __version__
 
 # The exit status after an internal error, as in sysexits, and without a library that the package depends on.

@@ -7,7 +7,7 @@ import re
 import sys
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
-from motionlang.kernel.errors import nearest
+from motionlang.kernel.tools import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence

@@ -13,7 +13,7 @@ import time
 from typing import Protocol
 
 from motionlang.hosts.errors import ConnectionLost
-from motionlang.kernel.errors import MissingExtra, need
+from motionlang.kernel.tools import MissingExtra, need
 
 # How much is read at once.
 UNREAD = 65536

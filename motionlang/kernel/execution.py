@@ -14,7 +14,6 @@ from motionlang.kernel.lang.literals import edited
 from motionlang.kernel.lang.machine.entries import Given, with_entries
 from motionlang.kernel.lang.machine.file import first_mistake, read_machine
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
 from motionlang.kernel.log.expected_motion import ExpectedMotion
@@ -31,6 +30,7 @@ from motionlang.kernel.result import (
     save_nonvolatile,
 )
 from motionlang.kernel.source import STDIN, Source
+from motionlang.kernel.tools import StackSpace
 
 # The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0

@@ -12,18 +12,19 @@ from typing import TYPE_CHECKING, cast
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.move import Move
-from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated, clipped, count_of
+from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.ends import what_ends, what_frees
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
+from motionlang.kernel.lang.wait_hints import what_ends, what_frees
 from motionlang.kernel.log.expected_motion import ExpectedMotion
 from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import clipped, count_of
 
 if TYPE_CHECKING:
     from motionlang.commands.certify import Limit

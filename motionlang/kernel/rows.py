@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from motionlang.kernel.errors import need
+from motionlang.kernel.tools import need
 
 
 class Table:

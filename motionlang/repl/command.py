@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from motionlang.cli.command import argument
-from motionlang.cli.shared import Program, World, with_world
+from motionlang.cli.option_groups import Program, World, with_world
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.execution import language_of

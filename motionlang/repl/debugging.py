@@ -22,7 +22,7 @@ from motionlang.kernel.files import reason
 from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
-from motionlang.views.words import significant
+from motionlang.views.formatting import significant
 
 if TYPE_CHECKING:
     from motionlang.repl.session import Session

@@ -26,9 +26,9 @@ from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.live import Live
 from motionlang.repl.running import Running
 from motionlang.repl.session import Session
-from motionlang.views.keys import has_keys, single_keys
+from motionlang.views.formatting import dialect_name
+from motionlang.views.single_keys import has_keys, single_keys
 from motionlang.views.terminal import width_of
-from motionlang.views.words import dialect_name
 
 # Seconds between two updates of the bottom bar in live mode.
 REFRESH = 0.1

@@ -6,7 +6,7 @@ from math import inf
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.views.words import significant
+from motionlang.views.formatting import significant
 
 
 def moving(machine: Machine) -> list[int]:

@@ -15,9 +15,9 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
 from motionlang.views.figure import Curve, Panel
+from motionlang.views.formatting import clock_time
 from motionlang.views.quantities import COLOURS
 from motionlang.views.terminal import styled
-from motionlang.views.words import clock_time
 
 Span = tuple[float, float]
 

@@ -16,11 +16,12 @@ import sys
 from collections.abc import Iterable
 from textwrap import wrap
 
-from motionlang.kernel.errors import Diagnostic, count_of
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import count_of
+from motionlang.views.formatting import significant
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import WIDTH, cells, printable, styled
-from motionlang.views.words import significant
 
 TAB = 4
 # A message quotes the user's text, which may be a megabyte without a space.

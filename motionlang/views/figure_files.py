@@ -6,8 +6,8 @@ import os
 from collections.abc import Sequence
 from html import escape
 
-from motionlang.kernel.errors import need
 from motionlang.kernel.files import replacing
+from motionlang.kernel.tools import need
 from motionlang.views.figure import Figure
 from motionlang.views.figure_layout import Point, Shape, Text, layout
 

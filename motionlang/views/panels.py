@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.views.figure import Curve, Panel
+from motionlang.views.formatting import peak_of
 from motionlang.views.outline import outline, thinned
 from motionlang.views.quantities import COLOURS, UNITS
-from motionlang.views.words import peak_of
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from math import inf
 from time import monotonic
 from typing import TYPE_CHECKING, TextIO
 
+from motionlang.views.formatting import clock_time
 from motionlang.views.terminal import is_terminal, wants_colour, width_of
-from motionlang.views.words import clock_time
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -12,16 +12,15 @@ from functools import partial
 from math import fsum
 from typing import Any, cast
 
-from motionlang.kernel.planners.total import exact_terms
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.report import device_writes as writes_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.tools import exact_terms
 from motionlang.views.chart import velocity_chart
-from motionlang.views.table import Column, Document, Table
-from motionlang.views.terminal import printable, styled
-from motionlang.views.words import (
+from motionlang.views.device_writes import writes_table
+from motionlang.views.formatting import (
     clock_time,
     decimals_of,
     dialect_name,
@@ -30,7 +29,8 @@ from motionlang.views.words import (
     line_number,
     outcome,
 )
-from motionlang.views.written import writes_table
+from motionlang.views.table import Column, Document, Table
+from motionlang.views.terminal import printable, styled
 
 Row = dict[str, Any]
 

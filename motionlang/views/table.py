@@ -15,8 +15,8 @@ from math import isfinite
 from typing import IO, Any
 
 from motionlang.views import terminal
+from motionlang.views.formatting import decimals_of, figure, grouped
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import decimals_of, figure, grouped
 
 # The name of the one schema of the commands' JSON documents; the report of a run has its own.
 SCHEMA = "motionlang/1"

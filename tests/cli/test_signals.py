@@ -19,7 +19,8 @@ from typing import Any
 import pytest
 
 from motionlang import __version__
-from motionlang.cli import shared, signals
+from motionlang.cli import option_groups as shared
+from motionlang.cli import signals
 from motionlang.commands.trace import export
 from motionlang.kernel.errors import Terminated
 from motionlang.kernel.lang.dialect import dialect
@@ -61,7 +62,7 @@ def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
 STAGES = {
     "compiling": (type(dialect("mint")), "compile", "interrupted"),
     "running": (Scheduler, "run", "interrupted"),
-    "reporting": ("motionlang.cli.simulated", "pieces", "ended"),
+    "reporting": ("motionlang.cli.run_command", "pieces", "ended"),
 }
 
 
@@ -160,7 +161,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
         return "never"
 
     cell.write("a.mnt", MOVE)
-    monkeypatch.setattr("motionlang.cli.simulated.pieces", write)
+    monkeypatch.setattr("motionlang.cli.run_command.pieces", write)
     ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, "never" in ran.out) == (130, False)
 
@@ -301,9 +302,9 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
 @pytest.mark.parametrize(
     ("target", "arguments"),
     [
-        ("motionlang.cli.shared.read", ("run", "a.mnt", "--format", "json")),
-        ("motionlang.cli.simulated.pieces", ("run", "a.mnt", "--format", "json")),
-        ("motionlang.cli.simulated.render", ("run", "a.mnt")),
+        ("motionlang.cli.option_groups.read", ("run", "a.mnt", "--format", "json")),
+        ("motionlang.cli.run_command.pieces", ("run", "a.mnt", "--format", "json")),
+        ("motionlang.cli.run_command.render", ("run", "a.mnt")),
         ("motionlang.commands.check.command.in_parallel", ("check", "a.mnt")),
         ("motionlang.commands.trace.export.write_trace", ("trace", "a.mnt", "a.csv", "--format", "text")),
     ],

@@ -4,18 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import (
-    Diagnostic,
-    MissingExtra,
-    ProgramError,
-    Spellings,
-    Terminated,
-    as_hint,
-    clipped,
-    missing,
-    nearest,
-    shown,
-)
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel.tools import MissingExtra, Spellings, as_hint, clipped, missing, nearest, shown
 
 
 def test_a_diagnostic_in_a_report() -> None:

@@ -12,7 +12,7 @@ from motionlang.kernel.lang.dialect import dialect
 from motionlang.repl.running import LINE, Running
 from motionlang.repl.session import Session
 from motionlang.views import progress
-from motionlang.views.keys import single_keys
+from motionlang.views.single_keys import single_keys
 
 
 class Terminal(io.StringIO):

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from motionlang.commands.plot.view import run_figure
-from motionlang.kernel.errors import MissingExtra
+from motionlang.kernel.tools import MissingExtra
 from motionlang.views.figure import FAINT, Band, Curve, Event, Figure, Label, Lane, Panel, Scale
 from motionlang.views.figure_files import svg, write_figure
 from motionlang.views.figure_layout import Item, Shape, Text, Ticks, layout

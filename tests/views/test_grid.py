@@ -15,10 +15,10 @@ from rich.text import Text
 from rich.theme import Theme
 
 from motionlang.views import report
+from motionlang.views.formatting import decimals_of
 from motionlang.views.table import GAP, Column
 from motionlang.views.table import Table as Ours
 from motionlang.views.terminal import STYLES, styled
-from motionlang.views.words import decimals_of
 
 # Only a rule below the head, which runs through the gaps: rich's notation of a box, line by line.
 BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.lab.pvt import view as pvt
-from motionlang.views import written
+from motionlang.views import device_writes as written
 from motionlang.views.questions import _show_once
 
 

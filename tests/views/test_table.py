@@ -8,9 +8,9 @@ from itertools import pairwise
 import pytest
 
 from motionlang.kernel.report import moves
+from motionlang.views.formatting import clock_time, decimals_of, figure
 from motionlang.views.report import _Events, _Gathered, render
 from motionlang.views.table import Column, Table
-from motionlang.views.words import clock_time, decimals_of, figure
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 BALLSCREW = """\

@@ -8,12 +8,12 @@ from math import inf
 
 from motionlang.commands.certify import Limit
 from motionlang.commands.prove.checker import Proof
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
+from motionlang.views.formatting import figure, line_number
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
-from motionlang.views.words import figure, line_number
 
 
 def limits_table(lines: Sequence[Limit]) -> Table:

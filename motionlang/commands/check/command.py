@@ -10,8 +10,8 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unwritten
+from motionlang.cli.option_groups import Findings, Jobs, OnMachine, read
 from motionlang.cli.program_files import PATHS, programs
-from motionlang.cli.shared import Findings, Jobs, OnMachine, read
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.kernel.lang.nesting import StackSpace
+from motionlang.kernel.tools import StackSpace
 
 # What a later pass records in a node; it is no part of the text.
 _LATER = frozenset(("at", "start", "end", "row", "definition", "symbol", "source"))

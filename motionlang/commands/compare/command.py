@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import argument, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.shared import Program
+from motionlang.cli.option_groups import Program
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import Compared
 from motionlang.kernel.execution import run

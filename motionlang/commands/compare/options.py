@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, flag, option
 from motionlang.cli.complaints import complain
+from motionlang.cli.option_groups import Output, read
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, real
-from motionlang.cli.shared import Output, read
 from motionlang.commands.compare.view import comparison_document, render_comparison
 from motionlang.commands.scope import write_comparison
 from motionlang.kernel.errors import ProgramError

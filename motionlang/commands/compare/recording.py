@@ -14,8 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, count_of, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import count_of, nearest
 
 Array = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from motionlang.views.diagnostics import diagnostics_table
+from motionlang.views.formatting import decimals_of, dialect_name, figure, line_number, outcome
 from motionlang.views.report import with_phases
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import decimals_of, dialect_name, figure, line_number, outcome
 
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison

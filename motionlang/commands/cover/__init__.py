@@ -16,8 +16,8 @@ from motionlang.commands.verify.scenarios import Scenario, scenario_files
 from motionlang.kernel.execution import Checked, dialect_for, run, settings_next_to
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.program_graph import Structure
 from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Steps, Values
-from motionlang.kernel.lang.structure import Structure
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source

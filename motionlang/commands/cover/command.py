@@ -13,20 +13,21 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.option_groups import Jobs, Language, Output, read
 from motionlang.cli.output_files import written
 from motionlang.cli.program_files import PATHS, programs
 from motionlang.cli.readers import machine_time, real
-from motionlang.cli.shared import Jobs, Language, Output, read
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, Event, counted, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, scenario_text
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated, count_of
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import language_of
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.source import STDIN, Source
+from motionlang.kernel.tools import count_of
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 

@@ -32,9 +32,9 @@ from motionlang.commands.cover import Coverage, Event, counted, coverage, ranges
 from motionlang.commands.init import ANSWERS, KEY_DELAY, LEVELS, Entry, answer_entry, branches, guessed
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.loop_dependencies import InputRead
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.structure import Structure
+from motionlang.kernel.lang.program_graph import Structure
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run

@@ -7,7 +7,7 @@ from html import escape
 from urllib.parse import quote
 
 from motionlang.commands.cover import Coverage, ranges
-from motionlang.kernel.planners.total import total as total_of
+from motionlang.kernel.tools import total as total_of
 from motionlang.views.html_table import data_cell, html_table
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled

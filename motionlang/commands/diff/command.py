@@ -14,9 +14,9 @@ from typing import Any, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.option_groups import Language, Program, World, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import integer
-from motionlang.cli.shared import Language, Program, World, with_world
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import Compared
 from motionlang.commands.diff.charged import Charge, charged

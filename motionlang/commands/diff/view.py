@@ -14,7 +14,7 @@ from motionlang.commands.diff.charged import Charge
 from motionlang.commands.diff.literals import ChangedLiteral
 from motionlang.commands.diff.reports import Difference, LineChange
 from motionlang.commands.diff.tolerance import FIELDS
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 

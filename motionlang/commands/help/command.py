@@ -13,7 +13,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.commands import COMMANDS, build_parser
-from motionlang.cli.shared import Output, forms
+from motionlang.cli.option_groups import Output, forms
 from motionlang.commands.help.codes import codes, explanation
 from motionlang.commands.help.keyword_search import search
 from motionlang.commands.help.view import evidence_table, keywords_table, listing, page
@@ -21,10 +21,11 @@ from motionlang.commands.probe import view as assumptions
 from motionlang.commands.probe.assumption import SETTLED
 from motionlang.commands.probe.facts import of_word as of_word_facts
 from motionlang.commands.probe.questions import of_word
-from motionlang.kernel.errors import CODES, Diagnostic, nearest
+from motionlang.kernel.errors import CODES, Diagnostic
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.tools import nearest
 from motionlang.views.table import Document
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, styled, wants_colour, width_of
 

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from motionlang.commands.probe.facts import of_word
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import cells, styled
-from motionlang.views.words import dialect_name
 
 # The heading of keywords that are known but not simulated, in the list.
 KNOWN = "known, not simulated"

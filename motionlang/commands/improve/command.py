@@ -7,18 +7,19 @@ import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.cli import shared
+from motionlang.cli import option_groups as shared
 from motionlang.cli.command import Refused, WrongOption, argument, option
+from motionlang.cli.option_groups import Output, Program, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
-from motionlang.cli.shared import Output, Program, with_world
 from motionlang.commands.improve import Improver, NotPossible, World
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.profile.periods import FORM, HELP
 from motionlang.commands.verify.scenarios import Scenario, scenario_files
-from motionlang.kernel.errors import Diagnostic, ProgramError, need
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
 from motionlang.kernel.source import STDIN
+from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 

@@ -7,7 +7,7 @@ from difflib import unified_diff
 
 from motionlang.commands.certify.view import limits_table
 from motionlang.commands.improve import Improvement
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import styled
 

@@ -37,10 +37,10 @@ from math import floor, inf
 
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.loop_dependencies import InputRead
 from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 

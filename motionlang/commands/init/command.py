@@ -10,21 +10,22 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import no_dialect, unreadable, unwritten
+from motionlang.cli.option_groups import Language, Output, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time
-from motionlang.cli.shared import Language, Output, forms, read
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.init import Entry, Guesses, answer_entry, branches, guessed, small_program
 from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.commands.run.command import Run
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
-from motionlang.kernel.errors import Diagnostic, count_of, nearest
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of, language_of
 from motionlang.kernel.files import create
 from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.loop_dependencies import InputRead
 from motionlang.kernel.lang.machine.entries import WrongEntry, entries
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.source import STDIN, Source
+from motionlang.kernel.tools import count_of, nearest
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0

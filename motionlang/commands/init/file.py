@@ -14,7 +14,7 @@ from motionlang.commands.init import Entry, Guesses, answer_entry
 from motionlang.commands.quantities import quantity
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
 from motionlang.kernel.lang.dialect import Target
-from motionlang.kernel.lang.loop_dependencies import InputRead
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
 from motionlang.kernel.lang.keyword import TOPICS
-from motionlang.kernel.lang.structure import AxisUse, Structure
+from motionlang.kernel.lang.program_graph import AxisUse, Structure
 
 # What a reader sees for each topic of `keyword.TOPICS`.
 TITLES = {

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
 from motionlang.kernel.lang.keyword import CHANNELS
-from motionlang.kernel.lang.structure import READ, WRITE, ChannelUse, Structure
+from motionlang.kernel.lang.program_graph import READ, WRITE, ChannelUse, Structure
 
 # The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")

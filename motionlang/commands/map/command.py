@@ -9,14 +9,15 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain
+from motionlang.cli.option_groups import Output, Program, World, with_world
 from motionlang.cli.parser import either
 from motionlang.cli.readers import machine_time
-from motionlang.cli.shared import Output, Program, World, with_world
 from motionlang.commands.map.program_map import UNTIL, ProgramMap, map_of_run, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, written
 from motionlang.commands.map.view.text import render, render_states
-from motionlang.kernel.errors import Diagnostic, ProgramError, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import Checked
+from motionlang.kernel.tools import nearest
 from motionlang.views.terminal import table_width, wants_colour
 
 

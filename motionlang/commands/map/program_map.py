@@ -13,7 +13,7 @@ from motionlang.commands.map.states import Diagrams, Transition, diagrams
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
 from motionlang.kernel.execution import Checked, dialect_for, run, settings_next_to
 from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.structure import Structure
+from motionlang.kernel.lang.program_graph import Structure
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 

@@ -3,9 +3,9 @@
 Problem. An engineer asks what the machine waits for now, and what happens next. The text answers in the order in which
 it was written; a list of all paths through it would be exponential.
 
-Idea. The graph of the steps of the program (`kernel/lang/structure.py`) has everything: a wait is a step, and branches,
-jumps and calls link the steps. Each unit becomes one diagram. Its states are the statements at which a task waits, and
-the paths between them become transitions, with the conditions that hold and the actions on the way.
+Idea. The graph of the steps of the program (`kernel/lang/program_graph.py`) has everything: a wait is a step, and
+branches, jumps and calls link the steps. Each unit becomes one diagram. Its states are the statements at which a task
+waits, and the paths between them become transitions, with the conditions that hold and the actions on the way.
 
     SPEED(0) = 250                         start
     VECTORA(0, 1) = 10, 10 : GO(0)           │  SPEED(0) = 250; VECTORA(0, 1) = 10, 10; GO(0)
@@ -37,9 +37,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.paths import ordered, postdominators
-from motionlang.kernel.lang.loop_dependencies import KINDS, LoopDependencies
+from motionlang.kernel.lang.program_graph import Statement, Structure, Unit
 from motionlang.kernel.lang.steps import CALL, END, RETURN
-from motionlang.kernel.lang.structure import Statement, Structure, Unit
+from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from motionlang.kernel.lang.names import Definition
+from motionlang.kernel.lang.program_graph import Structure, Unit
 from motionlang.kernel.lang.steps import CALL, ENTER
-from motionlang.kernel.lang.structure import Structure, Unit
 
 # The kinds of definitions that hold a value.
 _VALUES = ("variable", "parameter", "constant", "define", "register")

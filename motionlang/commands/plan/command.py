@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import Command, WrongOption, flag, option
+from motionlang.cli.option_groups import Output, Picture
 from motionlang.cli.readers import integer, number
-from motionlang.cli.shared import Output, Picture
 from motionlang.commands.plan import WRITERS, solve_plan
 from motionlang.commands.plan import number as shown
 from motionlang.commands.plan.an00115_plot import plan_figure
@@ -21,9 +21,9 @@ from motionlang.commands.plan.scale import Scale
 from motionlang.commands.plan.solve import NAMES, RULES, Underdetermined
 from motionlang.kernel.lang.dialect import dialects
 from motionlang.lab.notes.an00115 import formulas
+from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import styled, wants_colour
-from motionlang.views.words import dialect_name
 
 UNITS = {
     "distance": "uu",

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import WrongOption, argument, option
-from motionlang.cli.drawn import Drawn
 from motionlang.cli.readers import axes, machine_time, path
+from motionlang.cli.run_to_file import Drawn
 from motionlang.commands.scope import write_scope
-from motionlang.kernel.errors import need
 from motionlang.kernel.result import Run as Result
+from motionlang.kernel.tools import need
 from motionlang.views.figure_files import write_figure
 from motionlang.views.window import Window
 

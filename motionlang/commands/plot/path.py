@@ -20,9 +20,9 @@ from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
 from motionlang.views.figure import AXIS, FAINT, INK, TURBO, Area, Curve, Figure, Note, Panel, Scale
 from motionlang.views.figure_layout import Ticks
+from motionlang.views.formatting import dialect_name, outcome, peak_of
 from motionlang.views.terminal import printable
 from motionlang.views.window import Window
-from motionlang.views.words import dialect_name, outcome, peak_of
 
 Array = NDArray[np.float64]
 

@@ -18,13 +18,13 @@ from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
 from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.views.figure import Band, Curve, Event, Figure, Label, Lane, Panel
+from motionlang.views.formatting import dialect_name, outcome
 from motionlang.views.lanes import Lane as Channel
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import panels
 from motionlang.views.quantities import PHASES
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE, Window
-from motionlang.views.words import dialect_name, outcome
 
 Rows = Sequence[dict[str, Any]]
 

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from motionlang.commands.probe.assumption import REFUSED, Assumption, Probe
 from motionlang.commands.probe.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.commands.probe.questions import questions
-from motionlang.kernel.errors import Diagnostic, count_of
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.lang.machine.switch import switch
+from motionlang.kernel.tools import count_of
 
 NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")

@@ -10,8 +10,8 @@ from typing import ClassVar
 
 from motionlang.cli.command import Command, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain
+from motionlang.cli.option_groups import read as read_file
 from motionlang.cli.readers import integer, real
-from motionlang.cli.shared import read as read_file
 from motionlang.commands.probe.answers import (
     HOLDS,
     OTHER,
@@ -24,9 +24,9 @@ from motionlang.commands.probe.answers import (
 from motionlang.commands.probe.assumption import Assumption, Probe
 from motionlang.commands.probe.probe import Motion, alone, asked, written
 from motionlang.commands.probe.questions import of_word, questions
-from motionlang.kernel.errors import count_of, nearest
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.source import STDIN, STDIN_NAME, name_of
+from motionlang.kernel.tools import count_of, nearest
 
 # The suffix of assumptions about power-up, and how many of them are named.
 DEFAULT, SHOWN = "-default", 6

@@ -16,8 +16,8 @@ from zlib import crc32
 
 from motionlang.commands.probe.assumption import REFUSED, Assumption, Probe
 from motionlang.commands.probe.entries import assumptions
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.files import package_text
+from motionlang.kernel.tools import count_of
 
 # The number that a probe of MCCL prints before an answer, from a register; each name has its own.
 FIRST_MARK = 731_000_000

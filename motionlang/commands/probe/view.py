@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from motionlang.commands.probe.assumption import Assumption
 from motionlang.commands.probe.probe import lines_of, meanings
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
 

@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import flag, option
-from motionlang.cli.drawn import refuse_input
 from motionlang.cli.output_files import written
-from motionlang.cli.simulated import Simulated
+from motionlang.cli.run_command import Simulated
+from motionlang.cli.run_to_file import refuse_input
 from motionlang.commands.profile.paths_view import paths_table
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
 from motionlang.commands.profile.view import profile_document, render_profile
-from motionlang.kernel.errors import need
 from motionlang.kernel.result import Run as Result
+from motionlang.kernel.tools import need
 from motionlang.views.table import Document
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from motionlang.views.formatting import figure, line_number
 from motionlang.views.table import Column, Table
-from motionlang.views.words import figure, line_number
 
 if TYPE_CHECKING:
     from motionlang.commands.profile.paths import PathRow

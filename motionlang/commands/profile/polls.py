@@ -27,7 +27,7 @@ from typing import Any
 
 from motionlang.commands.profile.motions import Motions
 from motionlang.commands.profile.tasks import Wait
-from motionlang.kernel.lang.loop_dependencies import KINDS, MOVING, LoopDependencies, Read
+from motionlang.kernel.lang.wait_causes import KINDS, MOVING, LoopDependencies, Read
 from motionlang.kernel.lang.waits import ROUNDING
 from motionlang.kernel.result import Run
 

@@ -13,8 +13,8 @@ from motionlang.commands.profile.critical_path import About, CriticalPath, Link,
 from motionlang.commands.profile.slacks import Slack, slacks
 from motionlang.commands.profile.tasks import TaskTime, parent_of, reported, task_times
 from motionlang.kernel.log.records import Waited
-from motionlang.kernel.planners.total import exact_terms
 from motionlang.kernel.result import Run
+from motionlang.kernel.tools import exact_terms
 
 # The root of all calls, which contains the lines outside subs.
 PROGRAM = "the program"

@@ -14,7 +14,7 @@ from itertools import groupby
 from math import fsum
 from operator import itemgetter
 
-from motionlang.kernel.lang.loop_dependencies import MOVING
+from motionlang.kernel.lang.wait_causes import MOVING
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.result import Run
 

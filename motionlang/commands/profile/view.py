@@ -9,9 +9,9 @@ from math import fsum
 from motionlang.commands.profile.critical_path import About
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import Share, TimeProfile
+from motionlang.views.formatting import clock_time
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
-from motionlang.views.words import clock_time
 
 # The largest number of lines in the table.
 MAX_LINES = 20

@@ -6,10 +6,11 @@ import sys
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from motionlang.cli.simulated import Simulated
+from motionlang.cli.run_command import Simulated
 from motionlang.commands.prove.checker import Proof
-from motionlang.kernel.errors import Diagnostic, need
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.result import Run as Result
+from motionlang.kernel.tools import need
 
 # Profiles of an interrupted run up to which it is still proved: a report comes within a second of the signal.
 PROVED_IN_TIME = 10_000

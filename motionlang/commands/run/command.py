@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import flag, option
 from motionlang.cli.readers import real
-from motionlang.cli.simulated import Pace, Simulated, pacer
+from motionlang.cli.run_command import Pace, Simulated, pacer
 from motionlang.commands.quantities import quantity_names
 from motionlang.kernel.execution import Checked
 from motionlang.kernel.lang.scheduler import Outside

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from motionlang.hosts.serve.outside import PATIENCE, RealTime
-from motionlang.views.keys import has_keys, single_keys
+from motionlang.views.single_keys import has_keys, single_keys
 
 Result = TypeVar("Result")
 # Bytes read at once.

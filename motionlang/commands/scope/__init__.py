@@ -34,11 +34,11 @@ from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
 from motionlang.kernel.version import __version__
 from motionlang.views.figure import Curve, Panel
+from motionlang.views.formatting import dialect_name, figure, outcome
 from motionlang.views.lanes import lanes
 from motionlang.views.quantities import PHASES, UNITS
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE, Window
-from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison

@@ -13,8 +13,8 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable, unwritten
+from motionlang.cli.option_groups import Jobs, Output, Program, World, forms, with_world
 from motionlang.cli.readers import whole
-from motionlang.cli.shared import Jobs, Output, Program, World, forms, with_world
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands import sweep as sweeps
 from motionlang.commands.quantities import ROWS
@@ -23,9 +23,10 @@ from motionlang.commands.sweep.journal import Journal, OtherSweep, read
 from motionlang.commands.sweep.report import SweepReport
 from motionlang.commands.sweep.table import write_rows
 from motionlang.commands.sweep.variants import Variants
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated, need
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import Checked
 from motionlang.kernel.source import STDIN
+from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 
 # The suffix of --rows-to for the rows of an incomplete sweep.

@@ -13,7 +13,7 @@ from typing import Any
 from motionlang.commands.certify import certificate, violations
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
-from motionlang.kernel.errors import Diagnostic, ProgramError, missing
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.literals import Literal, bound, edited, has_address, literals
@@ -21,6 +21,7 @@ from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.
 Variant = tuple[int, tuple[Value, ...]]

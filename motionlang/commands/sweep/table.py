@@ -6,8 +6,8 @@ import codecs
 from collections.abc import Sequence
 from typing import IO, Any
 
-from motionlang.kernel.errors import need
 from motionlang.kernel.files import replacing
+from motionlang.kernel.tools import need
 from motionlang.views.table import Column, Table, csv_cell
 from motionlang.views.terminal import printable
 

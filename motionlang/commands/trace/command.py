@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import argument, option
-from motionlang.cli.drawn import Drawn
 from motionlang.cli.readers import columns, real
-from motionlang.kernel.errors import need
+from motionlang.cli.run_to_file import Drawn
 from motionlang.kernel.result import Run as Result
+from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 
 TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")

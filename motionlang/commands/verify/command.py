@@ -13,8 +13,8 @@ from typing import ClassVar
 from motionlang.cli.command import WrongOption, argument, flag
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
+from motionlang.cli.option_groups import Findings, Jobs
 from motionlang.cli.program_files import programs
-from motionlang.cli.shared import Findings, Jobs
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.diff.golden import differences, golden_files, update

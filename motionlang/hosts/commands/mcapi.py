@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import BinaryIO, ClassVar
 
 from motionlang.cli.command import Command, WrongOption, argument, option
+from motionlang.cli.option_groups import Program
 from motionlang.cli.readers import real
-from motionlang.cli.shared import Program
 from motionlang.hosts.address import parse, shown
 from motionlang.hosts.commands.mcapi_run import McapiRun, environment, library, refused
 from motionlang.hosts.commands.options import Address

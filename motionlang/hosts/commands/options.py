@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, ClassVar, TextIO
 
 from motionlang.cli.command import Command, WrongOption, flag, option
 from motionlang.cli.complaints import complain
+from motionlang.cli.option_groups import Program
 from motionlang.cli.readers import real, whole
-from motionlang.cli.shared import Program
 from motionlang.hosts.address import is_loopback, parse, shown
 from motionlang.hosts.serve import Server
 from motionlang.hosts.serve.server import MakeHost

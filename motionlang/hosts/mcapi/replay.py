@@ -27,8 +27,8 @@ from motionlang.hosts.mcapi.log import Entry, model_of, read
 from motionlang.hosts.mcapi.protocol import encode, request
 from motionlang.hosts.mcapi.session import BadCall, Session
 from motionlang.hosts.mcapi.table import STRUCTURES, Value
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.mccl.axis import flags
+from motionlang.kernel.tools import count_of
 
 # Quantities that change while an axis moves, by what each is in the track of the axis. The track has no following
 # error: in motion any is accepted, and at rest one within the tolerance.

@@ -27,7 +27,6 @@ from motionlang.hosts.mint.port import MAX_PRINTED, MintPort
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.lang.run_errors import explain
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
@@ -37,6 +36,7 @@ from motionlang.kernel.mint.interactive import MintInteractive
 from motionlang.kernel.mint.runtime.errors import NUMBERS
 from motionlang.kernel.mint.runtime.printing import shows_float
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import StackSpace
 
 INTERNAL = "internal error, see the output of the server"
 

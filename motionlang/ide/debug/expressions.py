@@ -16,7 +16,7 @@ import re
 from collections.abc import Callable
 from typing import Protocol
 
-from motionlang.kernel.errors import nearest
+from motionlang.kernel.tools import nearest
 
 Value = float | str
 

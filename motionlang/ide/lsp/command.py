@@ -8,8 +8,9 @@ from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.hosts.address import listen, parse, shown
-from motionlang.kernel.errors import Diagnostic, need
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.files import reason
+from motionlang.kernel.tools import need
 
 
 @dataclass

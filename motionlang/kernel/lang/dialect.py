@@ -11,20 +11,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import Diagnostic, nearest, shown
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import nearest, shown
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.keyword import Keyword
-    from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.machine.switch import Switch
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.program import Program
+    from motionlang.kernel.lang.program_graph import Structure
     from motionlang.kernel.lang.step_list import ListedUnit
-    from motionlang.kernel.lang.structure import Structure
     from motionlang.kernel.lang.task import Task
     from motionlang.kernel.lang.vocabulary import Vocabulary
+    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.

@@ -24,9 +24,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import nearest
 
 Token = tuple[str, str, int]
 Values = Mapping[str, float | str]

@@ -38,7 +38,7 @@ from math import ceil
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.dependencies import CLOSE, MAX_NOTES, Dependencies, Note
+from motionlang.kernel.lang.change_times import CLOSE, MAX_NOTES, Dependencies, Note
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.statement_time import UNITS, StatementTime, units
 from motionlang.kernel.lang.steps import Steps, own

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.lang.change_times import Note
 from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.dependencies import Note
 from motionlang.kernel.lang.loop_log import LoopLog
 from motionlang.kernel.lang.loops import Loops, State
 from motionlang.kernel.lang.steps import (

@@ -5,7 +5,7 @@ when it may be over next if nothing else happens.
 
 - `Delay` waits for a time. Its end is known (`ends`), so neither function is called.
 - `Condition` waits for a condition of the program. It is checked at events and at the times that its
-  dependencies give (`dependencies.py`).
+  dependencies give (`change_times.py`).
 - `Wait` itself is built from two functions, as in `wait_idle`.
 
 The waits of individual statements and commands are defined with them: WAIT and PAUSE of Mint in
@@ -21,7 +21,7 @@ from motionlang.kernel.controller.clock import INFINITY, Clock
 from motionlang.kernel.controller.controller import Controller
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.dependencies import Dependencies, Note
+    from motionlang.kernel.lang.change_times import Dependencies, Note
     from motionlang.kernel.lang.machine.machine import Machine
 
 # Times that differ by less than this are equal, so that rounding does not decide the order.

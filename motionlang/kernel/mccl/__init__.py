@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.dialect import Dialect, Interactive, Target
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.machine.switch import Switch
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.structure import Structure
+    from motionlang.kernel.lang.program_graph import Structure
     from motionlang.kernel.mccl.syntax.tree import Module
 
 
@@ -57,7 +57,7 @@ class Mccl(Dialect):
         return step_list(source, settings)
 
     def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
-        from motionlang.kernel.mccl.runtime.structure import structure
+        from motionlang.kernel.mccl.runtime.program_graph import structure
 
         return structure(source, settings)
 
@@ -134,12 +134,12 @@ class Mccl(Dialect):
         return locate(source, at)
 
     def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.kernel.mccl.resolve.loop_dependencies import asked
+        from motionlang.kernel.mccl.resolve.wait_causes import asked
 
         return asked(source)
 
     def input_reads(self, source: Source) -> list[InputRead]:
-        from motionlang.kernel.mccl.resolve.loop_dependencies import input_reads
+        from motionlang.kernel.mccl.resolve.wait_causes import input_reads
 
         return input_reads(source)
 

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.dialect import Dialect, Interactive, Target
-from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.machine.switch import Switch
 from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.structure import Structure
+    from motionlang.kernel.lang.program_graph import Structure
     from motionlang.kernel.mint.syntax.nodes import Module
 
 
@@ -69,7 +69,7 @@ class Mint(Dialect):
 
     def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
         from motionlang.kernel.mint.program import checked_program
-        from motionlang.kernel.mint.steps.structure import structure
+        from motionlang.kernel.mint.steps.program_graph import structure
 
         return structure(source, checked_program(source, settings).checked.names, settings)
 
@@ -125,7 +125,7 @@ class Mint(Dialect):
         return switches()
 
     def input_reads(self, source: Source) -> list[InputRead]:
-        from motionlang.kernel.mint.resolve.loop_dependencies import input_reads
+        from motionlang.kernel.mint.resolve.wait_causes import input_reads
 
         return input_reads(source)
 
@@ -161,7 +161,7 @@ class Mint(Dialect):
         return blocks(source)
 
     def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.kernel.mint.resolve.loop_dependencies import finder
+        from motionlang.kernel.mint.resolve.wait_causes import finder
 
         return finder(source)
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.collector import CollectorOff
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import Checked, check_module
@@ -20,6 +18,7 @@ from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import CollectorOff, StackSpace
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64

@@ -13,8 +13,8 @@ from math import inf, nextafter, sqrt
 from motionlang.kernel.planners.curve import Profile
 from motionlang.kernel.planners.limits import STILL, check_finite, too_large
 from motionlang.kernel.planners.ramps import Recipe, ramp_distance
-from motionlang.kernel.planners.total import total
 from motionlang.kernel.planners.transition import Bounds
+from motionlang.kernel.tools import total
 
 Ramp = Callable[[float, float], tuple[float, float]]
 

@@ -10,7 +10,6 @@ from motionlang.kernel.planners.feasibility import Ramps, is_rounding
 from motionlang.kernel.planners.limits import too_large
 from motionlang.kernel.planners.ramps import Curve, Recipe, ramp_distance
 from motionlang.kernel.planners.segment_speed import between
-from motionlang.kernel.planners.total import total
 from motionlang.kernel.planners.transition import (
     Bounds,
     Steps,
@@ -19,6 +18,7 @@ from motionlang.kernel.planners.transition import (
     initial_steps,
     profile_of_steps,
 )
+from motionlang.kernel.tools import total
 
 # How far from its target a plan may end, as a fraction of the distance, before its figures count as too far
 # apart.

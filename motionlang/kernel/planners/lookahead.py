@@ -18,8 +18,8 @@ from motionlang.kernel.planners.feasibility import Ramps
 from motionlang.kernel.planners.limits import check_finite, check_positive, too_large
 from motionlang.kernel.planners.segment_speed import Ramp, between, entry_speed, exit_speed, reaches
 from motionlang.kernel.planners.stop import ramps_of
-from motionlang.kernel.planners.total import total
 from motionlang.kernel.planners.transition import Steps, profile_of_steps
+from motionlang.kernel.tools import total
 
 # How far a course may overshoot its end, as a fraction of its length, before it counts as overshooting.
 _SLACK = 1e-9

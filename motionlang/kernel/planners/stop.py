@@ -10,8 +10,8 @@ from motionlang.kernel.planners.jerk import jerk_ramps
 from motionlang.kernel.planners.limits import STILL, check_finite, check_positive, check_ramp, too_large
 from motionlang.kernel.planners.parabolic import parabolic_ramps
 from motionlang.kernel.planners.ramps import SINE, Recipe, ramp_distance
-from motionlang.kernel.planners.total import total
 from motionlang.kernel.planners.transition import initial_steps, profile_of_steps
+from motionlang.kernel.tools import total
 
 
 def plan_stop(

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, log2, pi
 
-from motionlang.kernel.planners.total import total
 from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.tools import total
 
 Row = tuple[float, float, float, float, float, float, float]
 # The values of `STATES`.

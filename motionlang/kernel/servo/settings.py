@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from math import inf
 
-from motionlang.kernel.errors import as_hint, nearest, shown
 from motionlang.kernel.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
 from motionlang.kernel.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
+from motionlang.kernel.tools import as_hint, nearest, shown
 
 PLANT_KINDS = ("dc", "brushless", "drive")
 # No motor parameter in SI units or counts is smaller or larger; beyond, its equations exceed the range of a

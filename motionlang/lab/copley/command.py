@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, option
+from motionlang.cli.option_groups import Output
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import whole
-from motionlang.cli.shared import Output
-from motionlang.kernel.errors import Diagnostic, count_of
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.files import replacing
 from motionlang.kernel.planners.pvt.velocities import compare_velocities, knot_accelerations
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import count_of, total
 from motionlang.lab.copley.export import Unwritable, export
 from motionlang.lab.copley.input import Move, Points, Sent, spans_of
 from motionlang.lab.copley.point import from_wire, to_wire

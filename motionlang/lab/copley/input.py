@@ -11,8 +11,8 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.option_groups import Language, Picture
 from motionlang.cli.readers import integer, real, whole
-from motionlang.cli.shared import Language, Picture
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import run

@@ -11,8 +11,9 @@ import csv
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import nearest
 from motionlang.lab.pvt.points import Point
 
 COLUMNS = ("position", "velocity", "time", "relative")

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from motionlang.kernel.planners.curve import Profile
 from motionlang.kernel.planners.sample import PieceTable
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 from motionlang.lab.pvt.points import Point, plan_points
 
 Array = NDArray[np.float64]

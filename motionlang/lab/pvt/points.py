@@ -13,7 +13,7 @@ from itertools import pairwise
 from motionlang.kernel.planners.curve import Profile
 from motionlang.kernel.planners.pieces import acceleration_in, jerk_in, position_in, velocity_in
 from motionlang.kernel.planners.pvt.motion import plan_pvt
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 
 MAX_SEGMENT = 0.255
 GRID = 0.001

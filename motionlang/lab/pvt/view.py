@@ -7,11 +7,11 @@ from dataclasses import replace
 from operator import itemgetter
 from typing import Any
 
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.tools import count_of
 from motionlang.lab.pvt.points import Knot, knots, segments
+from motionlang.views.formatting import decimals_of
 from motionlang.views.table import Column, Document, Table
-from motionlang.views.words import decimals_of
 
 WIDTH = 120
 MAX_ROWS = 40

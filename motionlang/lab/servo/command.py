@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
+from motionlang.cli.option_groups import Output, Picture, Program
 from motionlang.cli.readers import machine_time
-from motionlang.cli.shared import Output, Picture, Program
 from motionlang.kernel.execution import Checked
 from motionlang.kernel.execution import run as run_program
 from motionlang.kernel.log.track import WholeTrack

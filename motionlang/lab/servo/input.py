@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from motionlang.cli.command import Command, option
+from motionlang.cli.option_groups import settings_of
 from motionlang.cli.readers import integer, real
-from motionlang.cli.shared import settings_of
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.servo.gains import MODELS, mccl_loop, mint_loop
 from motionlang.kernel.servo.loop import Loop

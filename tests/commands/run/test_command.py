@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.cli import simulated
+from motionlang.cli import run_command as simulated
 from motionlang.cli.commands import COMMANDS
 from motionlang.commands.run import command as run
 from tests.cases import cases

@@ -10,7 +10,7 @@ import pytest
 from motionlang import run
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.lang.dependencies import MAX_NOTES, Dependencies
+from motionlang.kernel.lang.change_times import MAX_NOTES, Dependencies
 from motionlang.kernel.lang.waits import TICK, Condition, Delay, next_tick, until_idle, wait_idle, wait_until
 from motionlang.kernel.source import Source
 

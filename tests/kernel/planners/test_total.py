@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from motionlang.kernel.planners import plan
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 
 
 @pytest.mark.parametrize("terms", [[], [0.1] * 10, [1e16, 1.0, -1e16], [0.1, 0.2, 0.3], [1e308, 1e-308, 3.0]])

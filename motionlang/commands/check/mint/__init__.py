@@ -19,8 +19,6 @@ from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.collector import CollectorOff
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.mint.check.check import check_module
 from motionlang.kernel.mint.check.error_recovery import with_other_lines
 from motionlang.kernel.mint.keywords import table
@@ -30,6 +28,7 @@ from motionlang.kernel.mint.resolve.recall import Known, Recall
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import CollectorOff, StackSpace
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from motionlang.kernel.controller.io.host_memory import named_product
-from motionlang.kernel.errors import as_hint
 from motionlang.kernel.lang.dialect import Target
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.keywords import table
@@ -24,6 +23,7 @@ from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.tokens import Tokens, token_at
 from motionlang.kernel.mint.syntax.traversal import names_of, walk
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import as_hint
 
 # An offset, what is there, a hint, and the text that replaces it, "" if that is not certain.
 Found = Iterator[tuple[int, str, str, str]]

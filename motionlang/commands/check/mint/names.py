@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.commands.check.mint.effects import Facts, Key
-from motionlang.kernel.errors import nearest
 from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS
 from motionlang.kernel.mint.resolve.symbols import (
     CONTROLLER,
@@ -18,6 +17,7 @@ from motionlang.kernel.mint.resolve.symbols import (
 )
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
+from motionlang.kernel.tools import nearest
 
 Add = Callable[..., None]
 

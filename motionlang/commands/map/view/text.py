@@ -9,7 +9,7 @@ from motionlang.commands.map.states import Diagram, State, Transition
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.mermaid import clipped, mermaid
 from motionlang.commands.map.view.words import does, name_of, waits_for, when
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
 

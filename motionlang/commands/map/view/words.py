@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Action, State, Transition
-from motionlang.kernel.lang.structure import READ
+from motionlang.kernel.lang.program_graph import READ
 
 # What a task waits for, by cause.
 CAUSES = {

@@ -19,7 +19,7 @@ from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.lookahead import Pace, plan_course
 from motionlang.kernel.planners.ramp_down import onset, stop_in_motion
 from motionlang.kernel.planners.reparametrised import travelled
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.core import Core

@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.arc import arc_over, direction, line_over, rotated
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 
 _Value = TypeVar("_Value")
 

@@ -15,12 +15,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from motionlang.kernel.errors import clipped, nearest
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.file import first_mistake
 from motionlang.kernel.lang.machine.keys import SHORTEST_PERIOD
 from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import clipped, nearest
 
 Entry = dict[str, object]
 Value = float | int | bool | str

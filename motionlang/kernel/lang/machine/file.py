@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, as_hint, nearest, shown
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.kernel.lang.machine.keys import (
     BUS_EVENTS,
@@ -34,12 +34,12 @@ from motionlang.kernel.lang.machine.keys import (
 )
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.lang.machine.switch import problem as reading_problem
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.log.records import EVENTS
 from motionlang.kernel.servo import settings as servo
 from motionlang.kernel.servo.settings import KEYS as SERVO_KEYS
 from motionlang.kernel.servo.settings import mistakes as servo_mistakes
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import StackSpace, as_hint, nearest, shown
 
 # Every key of the vocabulary has fewer parts than this.
 _MAX_DEPTH = 5

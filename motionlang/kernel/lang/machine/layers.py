@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.errors import ProgramError, nearest
+from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.machine.keys import ABOUT, NAMED
+from motionlang.kernel.tools import nearest
 
 Entry = Mapping[str, object]
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from motionlang.kernel.errors import nearest, shown
 from motionlang.kernel.lang.dialect import PACKAGES, dialect
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
+from motionlang.kernel.tools import nearest, shown
 
 # The list of all assumptions, with their names and alternatives.
 LIST = "docs/contributing/assumptions.md"

@@ -43,7 +43,7 @@ def accumulator(way: str) -> Callable[[Action], Action]:
 def polls(kind: str) -> Callable[[Action], Action]:
     """Mark a pure action that reads a value, so that a loop of it polls that value.
 
-    `kind` is a kind of reading (`kernel/lang/loop_dependencies.py`). It is "parameter" if the action reads nothing but
+    `kind` is a kind of reading (`kernel/lang/wait_causes.py`). It is "parameter" if the action reads nothing but
     its parameter, which may be a register.
     """
 

@@ -6,7 +6,6 @@ import re
 from math import nextafter
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import as_hint
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.typography import typographic, unclosed
 from motionlang.kernel.mccl import codes
@@ -16,6 +15,7 @@ from motionlang.kernel.mccl.keywords.row import not_simulated
 from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
 from motionlang.kernel.mccl.resolve.nearest import candidates, hint
 from motionlang.kernel.mccl.syntax import tree
+from motionlang.kernel.tools import as_hint
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.runtime.task import Action, CommandTask

@@ -13,8 +13,8 @@ from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.triggers.watch import Watch
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.dependencies import Dependencies
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.machine.machine import MAX_DIAGNOSTICS, Machine
 from motionlang.kernel.lang.waits import Wait

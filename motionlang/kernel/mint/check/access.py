@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import as_hint
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import as_hint
 
 
 def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:

@@ -28,7 +28,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.mint.check.body import Body, Program
 from motionlang.kernel.mint.check.expressions import VALUES
 from motionlang.kernel.mint.check.labels import check_labels
@@ -44,6 +43,7 @@ from motionlang.kernel.mint.resolve.recall import Recall
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.kernel.mint.resolve.symbols import Function, Session
 from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.tools import StackSpace
 
 DEFAULT_AXES = 8
 

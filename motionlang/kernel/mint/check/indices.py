@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.check.body import Body
@@ -11,6 +10,7 @@ from motionlang.kernel.mint.check.values import article
 from motionlang.kernel.mint.resolve.symbols import NUMERIC
 from motionlang.kernel.mint.runtime.task import PARENT
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import count_of
 
 
 def axes_by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:

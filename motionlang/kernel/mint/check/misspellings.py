@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import Spellings
 from motionlang.kernel.mint.check.body import Program
 from motionlang.kernel.mint.resolve.problems import bracketed
 from motionlang.kernel.mint.resolve.symbols import Symbol
+from motionlang.kernel.tools import Spellings
 
 # A shorter name resembles too many keywords.
 MIN_LENGTH = 3

@@ -6,7 +6,6 @@ is accepted in brackets.
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import as_hint
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.access import can_be_read, not_a_command, refuse
 from motionlang.kernel.mint.check.body import Body
@@ -16,6 +15,7 @@ from motionlang.kernel.mint.check.writes import check_values
 from motionlang.kernel.mint.keywords import unsimulated
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import as_hint
 
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.unknown_words import unknown_name
 from motionlang.kernel.mint.check.values import article
 from motionlang.kernel.mint.resolve.symbols import FLOAT, Type
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import count_of
 
 
 def location(b: Body, node: nodes.Name | nodes.Member) -> Type:

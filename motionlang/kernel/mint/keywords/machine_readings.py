@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.errors import as_hint, nearest, shown
 from motionlang.kernel.lang.keyword import WHOLE_UNITS, Keyword
 from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.tools import as_hint, nearest, shown
 
 SECTION = "mint.values."
 # Groups of keywords with a value of their own that the machine file may override.

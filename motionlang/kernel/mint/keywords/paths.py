@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import count_of
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.motion import refuse_stopping
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of, of_word, on_axes, scale_of
 from motionlang.kernel.mint.runtime.changes import moving, repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.tools import count_of
 
 
 def _ready(

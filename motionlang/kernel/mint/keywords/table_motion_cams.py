@@ -19,7 +19,7 @@ from motionlang.kernel.mint.keywords.following_masters import MASTER_SETTING, Ma
 from motionlang.kernel.mint.runtime.binding import Operation, check, of, of_word
 from motionlang.kernel.mint.runtime.changes import moving, with_dependency
 from motionlang.kernel.mint.runtime.environment import Environment
-from motionlang.kernel.planners.total import total
+from motionlang.kernel.tools import total
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.keywords.table_motion_splines import Splines

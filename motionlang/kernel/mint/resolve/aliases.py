@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.errors import nearest, shown
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.traversal import names_of
+from motionlang.kernel.tools import nearest, shown
 
 SECTION = "mint.words."
 

@@ -11,9 +11,7 @@ from functools import partial
 from operator import itemgetter
 
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.collector import CollectorOff
 from motionlang.kernel.lang.names import NO_NAMES, Block, Definition, Names, Span
-from motionlang.kernel.lang.nesting import StackSpace
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
@@ -37,6 +35,7 @@ from motionlang.kernel.mint.syntax.recovery import readable
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import CollectorOff, StackSpace
 
 # A name, and what records it.
 Use = tuple[Word, Callable[[], None]]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
+from motionlang.kernel.tools import nearest
 
 
 def override(

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, differ_little, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.models import V4_SUFFIX
 from motionlang.kernel.mint.resolve.recorder import Recorder
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.tokens import token_at, value_length
 from motionlang.kernel.mint.syntax.traversal import names_of
+from motionlang.kernel.tools import differ_little, nearest
 
 # More are not useful; most errors after the first hundred are consequences of earlier ones.
 MAX_PROBLEMS = 100

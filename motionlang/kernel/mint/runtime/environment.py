@@ -10,7 +10,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import ALL, Rejected
 from motionlang.kernel.controller.moves.buffer import end
-from motionlang.kernel.lang.dependencies import Dependencies
+from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.statement_time import UNITS, units

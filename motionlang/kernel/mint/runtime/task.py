@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.lang.loops import Loops
-from motionlang.kernel.lang.nesting import MAX_DEPTH
 from motionlang.kernel.lang.step_task import StepTask
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.syntax import nodes
@@ -18,6 +17,9 @@ if TYPE_CHECKING:
     from motionlang.kernel.mint.runtime.environment import Environment
     from motionlang.kernel.mint.steps.program import Unit
 
+# Nested calls of subs, functions and Gosubs, in one task or handler: a language's own maximum, so that a recursion ends
+# at the same call and the same time in any environment.
+MAX_DEPTH = 1000
 # A note names so many readings of a loop.
 MAX_NAMED = 3
 # The name of the parent task. No other task has it, because names of tasks are stored in lower case.

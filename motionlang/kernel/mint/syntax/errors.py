@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, nearest
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang import typography
 from motionlang.kernel.lang.syntax.grammar import BAD, END
 from motionlang.kernel.mint.syntax import expectations
@@ -28,6 +28,7 @@ from motionlang.kernel.mint.syntax.build import number
 from motionlang.kernel.mint.syntax.nesting import MAX_DEPTH
 from motionlang.kernel.mint.syntax.tokens import TABLE, Tokens
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import nearest
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
 KEYWORDS = {spelling: kind for kind, spelling in TABLE.spellings.items() if kind.isalpha()}

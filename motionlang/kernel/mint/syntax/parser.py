@@ -7,7 +7,6 @@ from typing import cast
 
 from lark import UnexpectedInput
 
-from motionlang.kernel.lang.collector import CollectorOff
 from motionlang.kernel.lang.syntax.grammar import lex
 from motionlang.kernel.mint.syntax.build import Misuse
 from motionlang.kernel.mint.syntax.errors import diagnose, unfinished
@@ -21,6 +20,7 @@ from motionlang.kernel.mint.syntax.nesting import (
 from motionlang.kernel.mint.syntax.nodes import Call, Label, Module
 from motionlang.kernel.mint.syntax.tokens import PARSER, ended
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import CollectorOff
 
 # `NAME:` on a line of its own. The grammar takes it for a call.
 _LABEL = re.compile(r"^[ \t]*+([A-Za-z_][A-Za-z0-9_]*+)[ \t]*+:[ \t]*+(?:'.*)?$", re.MULTILINE)

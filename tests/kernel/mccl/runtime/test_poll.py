@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.lang.dependencies import Dependencies
+from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.mccl.runtime.task import CommandTask
 from tests.cases import cases

@@ -7,7 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.errors import Diagnostic, ProgramError, as_hint
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.file import read_machine
 from motionlang.kernel.lang.machine.keys import KEYS
@@ -19,6 +19,7 @@ from motionlang.kernel.mint.keywords.machine_readings import can_be_supplied
 from motionlang.kernel.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import as_hint
 from motionlang.repl.runner import Runner
 from tests.cases import cases, examples
 

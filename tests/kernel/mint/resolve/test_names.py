@@ -27,7 +27,7 @@ LOOK_UPS = {
     "check/labels.py": 1,
     "check/unknown_words.py": 1,
     "../../commands/check/mint/model.py": 4,
-    "steps/structure.py": 1,
+    "steps/program_graph.py": 1,
 }
 
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.nesting import MAX_DEPTH
 from motionlang.kernel.mint import DIALECT as MINT
+from motionlang.kernel.mint.runtime.task import MAX_DEPTH
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies, Read
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.resolve.line import Line, lines_of
 from motionlang.kernel.source import Source

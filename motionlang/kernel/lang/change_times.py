@@ -1,4 +1,4 @@
-"""Dependencies: the time until which the values read by a task stay unchanged.
+"""The time until which the values read by a task stay unchanged.
 
 Problem. Programs poll, as in `While POS(0) < 50 : End While`. An iteration takes 10 µs of machine time, so
 eight hours of waiting are some 3 × 10⁹ iterations. Most values change only by an event, such as an input or

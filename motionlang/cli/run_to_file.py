@@ -6,9 +6,9 @@ import sys
 from dataclasses import dataclass
 
 from motionlang.cli.command import Refused, argument
+from motionlang.cli.option_groups import forms
 from motionlang.cli.output_files import written
-from motionlang.cli.shared import forms
-from motionlang.cli.simulated import Simulated
+from motionlang.cli.run_command import Simulated
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.files import same_file
 from motionlang.kernel.result import Run as Result

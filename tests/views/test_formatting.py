@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import count_of
+from motionlang.kernel.tools import count_of
+from motionlang.views.device_writes import MAX_ROWS, writes_table
+from motionlang.views.formatting import clock_time, dialect_name, figure, peak_of, significant
 from motionlang.views.lanes import Lane, lanes
 from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window
-from motionlang.views.words import clock_time, dialect_name, figure, peak_of, significant
-from motionlang.views.written import MAX_ROWS, writes_table
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,6 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.loop_dependencies import LoopDependencies
 from motionlang.kernel.lang.steps import (
     BACK,
     BEGIN,
@@ -34,6 +33,7 @@ from motionlang.kernel.lang.steps import (
     TURN,
     Steps,
 )
+from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.source import Source
 
 # The kinds of access to a channel or a variable.

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.loop_dependencies import KINDS, LoopDependencies
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.steps import CALL
-from motionlang.kernel.lang.structure import (
+from motionlang.kernel.lang.program_graph import (
     READ,
     SET_UP,
     WRITE,
@@ -19,12 +17,14 @@ from motionlang.kernel.lang.structure import (
     Structure,
     Unit,
 )
+from motionlang.kernel.lang.steps import CALL
+from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
 from motionlang.kernel.mint.keywords.event_kinds import RAISED_BY, kind_and_number
 from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.handlers import label_handlers
-from motionlang.kernel.mint.resolve.loop_dependencies import finder
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
+from motionlang.kernel.mint.resolve.wait_causes import finder
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter

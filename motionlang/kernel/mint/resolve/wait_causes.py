@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterable, Iterator
 from math import inf
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.loop_dependencies import InputRead, LoopDependencies, Read
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.ends import what_ends
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
+from motionlang.kernel.lang.wait_hints import what_ends
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.source import Source

@@ -12,13 +12,12 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.event_status import complaints
+from motionlang.cli.option_groups import Output, Program, World, forms
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import watched
-from motionlang.cli.shared import Output, Program, World, forms
 from motionlang.cli.signals import SIGNALS, status_of
-from motionlang.kernel.errors import Diagnostic, MissingExtra, ProgramError, Terminated
+from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import ONE_SHIFT, Checked, run
-from motionlang.kernel.lang.collector import CollectorOff
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
 from motionlang.kernel.lang.machine.machine import DEFAULT_AXES, Machine
@@ -26,6 +25,7 @@ from motionlang.kernel.lang.scheduler import Outside
 from motionlang.kernel.report import assumptions, failure, pieces
 from motionlang.kernel.result import Run, who_ended
 from motionlang.kernel.source import STDIN, Source, name_of
+from motionlang.kernel.tools import CollectorOff, MissingExtra
 from motionlang.views.questions import ask
 from motionlang.views.report import render, run_document
 from motionlang.views.table import Document

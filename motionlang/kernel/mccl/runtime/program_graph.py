@@ -7,8 +7,7 @@ from itertools import pairwise
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
-from motionlang.kernel.lang.structure import (
+from motionlang.kernel.lang.program_graph import (
     READ,
     SET_UP,
     WRITE,
@@ -19,10 +18,11 @@ from motionlang.kernel.lang.structure import (
     Structure,
     Unit,
 )
+from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.kernel.mccl.resolve.line import Line, lines_of
-from motionlang.kernel.mccl.resolve.loop_dependencies import asked
+from motionlang.kernel.mccl.resolve.wait_causes import asked
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source

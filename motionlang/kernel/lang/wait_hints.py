@@ -14,8 +14,8 @@ from motionlang.kernel.lang.task import Task
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.loop_dependencies import Read
     from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.wait_causes import Read
     from motionlang.kernel.lang.waits import Wait
 
 # Seconds from now at which the suggested option acts.
