@@ -8,8 +8,6 @@
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.version import __version__
-
 if TYPE_CHECKING:
     from motionlang.commands.plan import Plan, plan
     from motionlang.commands.sweep import Row, sweep
@@ -26,17 +24,23 @@ if TYPE_CHECKING:
         run,
     )
     from motionlang.kernel.errors import Diagnostic, ProgramError
-    from motionlang.kernel.lang.dialect import parse
+    from motionlang.kernel.lang.dialect import dialect, parse
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.log.trace import Trace
     from motionlang.kernel.moves import Move, Moves
+    from motionlang.kernel.planners import hold, plan_trapezoid
     from motionlang.kernel.report_types import Report
     from motionlang.kernel.result import Run
+    from motionlang.kernel.servo import Loop, Motor, Servo, Track, simulate
     from motionlang.kernel.source import Source
+    from motionlang.kernel.version import __version__
+    from motionlang.repl.session import Session
 
 __all__ = [
     "Diagnostic",
+    "Loop",
     "Machine",
+    "Motor",
     "Move",
     "Moves",
     "Plan",
@@ -44,28 +48,37 @@ __all__ = [
     "Report",
     "Row",
     "Run",
+    "Servo",
+    "Session",
     "Source",
     "Trace",
+    "Track",
     "__version__",
     "certify",
     "check",
     "compare",
     "cover",
+    "dialect",
     "diff",
+    "hold",
     "improve",
     "map",
     "parse",
     "plan",
+    "plan_trapezoid",
     "profile",
     "prove",
     "run",
+    "simulate",
     "sweep",
 ]
 
 # The module of each name below this package.
 _HOMES = {
     "Diagnostic": "kernel.errors",
+    "Loop": "kernel.servo",
     "Machine": "kernel.lang.machine.machine",
+    "Motor": "kernel.servo",
     "Move": "kernel.moves",
     "Moves": "kernel.moves",
     "Plan": "commands.plan",
@@ -73,20 +86,28 @@ _HOMES = {
     "Report": "kernel.report_types",
     "Row": "commands.sweep",
     "Run": "kernel.result",
+    "Servo": "kernel.servo",
+    "Session": "repl.session",
     "Source": "kernel.source",
     "Trace": "kernel.log.trace",
+    "Track": "kernel.servo",
+    "__version__": "kernel.version",
     "certify": "functions",
     "check": "functions",
     "compare": "functions",
     "cover": "functions",
+    "dialect": "kernel.lang.dialect",
     "diff": "functions",
+    "hold": "kernel.planners",
     "improve": "functions",
     "map": "functions",
     "parse": "kernel.lang.dialect",
     "plan": "commands.plan",
+    "plan_trapezoid": "kernel.planners",
     "profile": "functions",
     "prove": "functions",
     "run": "functions",
+    "simulate": "kernel.servo",
     "sweep": "commands.sweep",
 }
 

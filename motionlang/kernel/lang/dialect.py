@@ -38,7 +38,10 @@ def dialects() -> tuple[str, ...]:
 
 
 def dialect(name: str) -> Dialect:
-    """Return a dialect by its name; ValueError, with the choices, if there is none."""
+    """Return a dialect by its name.
+
+    Raises ValueError with the choices if there is none.
+    """
     if name not in PACKAGES:
         raise ValueError(f"there is no dialect {name!r}: {' or '.join(PACKAGES)}")
     __import__(PACKAGES[name])

@@ -12,7 +12,7 @@ import pytest
 from motionlang.commands.diff.charged import Charge
 from motionlang.commands.diff.reports import LineChange, difference
 from motionlang.commands.diff.view import _charged, _together, diff_lines
-from tests.analysis.diff.test_fields import event, move, report
+from tests.commands.diff.test_fields import event, move, report
 
 
 def lines(old: dict[str, Any], new: dict[str, Any]) -> list[str]:

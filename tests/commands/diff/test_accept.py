@@ -14,7 +14,7 @@ from motionlang.commands.diff.view import change_lines
 from motionlang.kernel.execution import run
 from motionlang.kernel.report import rendered, text
 from motionlang.kernel.source import Source
-from tests.analysis.diff.test_reports import CYCLE as REPORTS_CYCLE
+from tests.commands.diff.test_reports import CYCLE as REPORTS_CYCLE
 
 # The iterations of the other tests, printed without the time, then a move that is stopped.
 CYCLE = REPORTS_CYCLE.replace(', " after ", TIME', "") + (
