@@ -18,7 +18,10 @@ pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
-PAGE = (ROOT / "docs" / "contributing" / "architecture.md").read_text(encoding="utf-8")
+PAGES = [
+    (ROOT / "docs" / "contributing" / name).read_text(encoding="utf-8")
+    for name in ("architecture.md", "kernel.md")
+]
 
 # A library, and the only modules that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
@@ -251,11 +254,9 @@ def roots() -> tuple[Path, ...]:
     return (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
 
 
-@cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
-def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
-    assert any((root / named).exists() for root in roots()), (
-        f"docs/contributing/architecture.md names {named}"
-    )
+@cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", "\n".join(PAGES)))))
+def test_the_pages_about_the_architecture_name_what_there_is(named: str) -> None:
+    assert any((root / named).exists() for root in roots()), f"the pages about the architecture name {named}"
 
 
 # What a command may override: its base says what each does.

@@ -1,4 +1,10 @@
-"""The command line: selection of the command, closed pipes and Ctrl-C."""
+"""The command line: selection of the command, closed pipes and Ctrl-C.
+
+A command is a class of typed fields, from which its options and its help follow (`command`); it is in the folder of its
+question, and `commands` lists all of them. Groups of options that several commands share are in `option_groups`,
+`run_command` is the base of those that run one program, `run_to_file` of those that write a file about a run. No
+command of a single feature is here.
+"""
 
 from __future__ import annotations
 
