@@ -222,4 +222,4 @@ def test_what_installs_an_extra_is_written_in_one_way() -> None:
     }
     wrong = {each for each in found if not re.search(r'pip install[^\[]* "[\w.]+\[\S+\]"', each[1])}
     assert wrong == set()
-    assert {name for name, _ in found if name.endswith(".py")} == {"errors.py"}
+    assert {name for name, _ in found if name.endswith(".py")} == {"tools.py"}

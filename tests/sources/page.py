@@ -25,7 +25,7 @@ headings.
 These scripts print the tables, the formulas and the figures of the documents: [tn1069.py](../examples/notes/tn1069.py),
 [an00115.py](../examples/notes/an00115.py), and for chapter 12 [chapter12.py](../examples/notes/chapter12.py),
 [chapter12_drawn.py](../examples/notes/chapter12_drawn.py), [slip.py](../examples/notes/slip.py),
-[dac.py](../examples/notes/dac.py) and [listing.py](../examples/notes/listing.py). `motionlang.lab.notes` has what they
+[dac.py](../examples/notes/dac.py) and [listing.py](../examples/notes/listing.py). `motionlang.notes` has what they
 calculate.
 
 A test runs every command and compares its output (`tests/sources/test_sources.py`). Rows of kind *context* have nothing
