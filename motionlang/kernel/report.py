@@ -254,7 +254,8 @@ def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
 def events(run: Run) -> Iterator[Row]:
     """Yield the events in chronological order; `docs/events.md` has the kinds."""
     lines: dict[int, int] = {}
-    for event in run.machine.log.events:
+    log = run.machine.log
+    for number, event in enumerate(log.events, log.events.first):
         if event.at not in lines:
             lines[event.at] = run.dialect.locate(run.source, event.at)[0] if event.at >= 0 else 0
         row: Row = {"time": event.time, "kind": event.kind}
@@ -266,6 +267,8 @@ def events(run: Run) -> Iterator[Row]:
             row["commanded_by"] = event.ordered
         if event.text:
             row["text"] = event.text
+        if number in log.repeated:
+            row["count"] = log.repeated[number]
         yield row
 
 

@@ -87,6 +87,7 @@ class ReportEvent(TypedDict):
     line: int
     commanded_by: NotRequired[int]
     text: NotRequired[str]
+    count: NotRequired[int]
 
 
 class ReportLimit(TypedDict):

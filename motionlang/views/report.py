@@ -240,6 +240,7 @@ def events_table(rows: Sequence[Row]) -> Table:
         Column("limit", text=figure, drop=4),
         Column("line", drop=5, text=line_number),
         Column("commanded_by", "motion of line", drop=2),
+        Column("count", "times", text=grouped, drop=1),
         Column("text", "", left=True, drop=1),
     )
     return Table("events", columns, rows)

@@ -143,16 +143,19 @@ def found(case: Case) -> Found:
     result.unknown = ran.notes
     result.end = f"{ran.status} {ran.report['time']:.9g} s"
     if case.has("="):
-        result.events = [(event["line"], shown(event)) for event in ran.report["events"]]
+        last = max(line.number for line in case.lines if not line.mark and line.text.strip())
+        events = [(event["line"], shown(event)) for event in ran.report["events"]]
+        result.events = events or [(last, "none")]
     return result
 
 
 def shown(event: Any) -> str:
-    """Return an event as its line beside a program: kind, axis, value and limit."""
+    """Return an event as its line beside a program: kind, axis, value and limit, and how often."""
     axis = f" axis {event['axis']}" if "axis" in event else ""
     values = " → ".join(f"{event[name]:.9g}" for name in ("value", "limit") if event.get(name) is not None)
     text = f" {event['text']}" if not values and not axis and event.get("text") else ""
-    return f"{event['kind']}{axis}{': ' * bool(values)}{values}{text}"
+    count = f", {event['count']} times" if "count" in event else ""
+    return f"{event['kind']}{axis}{': ' * bool(values)}{values}{text}{count}"
 
 
 def located(case: Case, mark: str) -> list[tuple[bool, int, str]]:

@@ -194,7 +194,7 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
         return ""
     named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
     if named:
-        return f"a step of {named[-1]}: a table, a master or a reference of the program"
+        return _at_once(earlier, order, named[-1])
     if order.path is None or earlier.path is None:
         return ""
     scales = order.path.scales
@@ -216,6 +216,18 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     chord = sqrt(fsum((o - n) ** 2 for o, n in speeds))
     angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
     return "a kink within CONTOURANGLE" if angle <= order.path.angle_into + 1e-6 else ""
+
+
+def _at_once(earlier: Order, order: Order, kind: str) -> str:
+    """Return what the action `kind` did as the velocity jumped."""
+    tie, before = order.tie, earlier.tie
+    if tie is None:
+        return f"{kind}: a table or a reference of the program"
+    if before is None or before.master is not tie.master:
+        return f"{kind} engaged at once"
+    if tie.curve is None and before.ratio != tie.ratio:
+        return f"{kind}: a new ratio at once"
+    return f"{kind}: a jump of its master or in its table"
 
 
 def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:

@@ -14,6 +14,7 @@ from motionlang.kernel.controller.core import Core
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.jog import jog
 from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import Profile, hold
 
 SETTINGS = frozenset(
@@ -288,7 +289,8 @@ class AxisVerbs(Core):
         move = Move(axis, command, line, profile.end)
         move.action = playback = Playback(on_path, step)
         self.end_move(a, "retarget")
-        self.run_profile(a, move, playback.waiting(self, profile) if a.suspended else profile)
+        profile = playback.waiting(self, profile) if a.suspended else profile
+        self.run_profile(a, move, profile, BY_DESIGN if step else "")
 
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
         """Decelerate to rest at the set rate and empty the move buffer.

@@ -16,6 +16,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.move import MAX_PIECES, Move
 from motionlang.kernel.controller.readings import Readings
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.trapezoid import plan_trapezoid
 
@@ -118,9 +119,9 @@ class Core(Readings):
     def start_move(self, a: Axis, move: Move) -> None:
         self.run_profile(a, move, self.plan_move(a, move))
 
-    def run_profile(self, a: Axis, move: Move, profile: Profile) -> None:
+    def run_profile(self, a: Axis, move: Move, profile: Profile, cause: str = "") -> None:
         self.log_move(a, move, profile)
-        self.append_profile(a, profile)
+        self.append_profile(a, profile, cause)
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
         """Log the start of a move and make it the move in progress of its axis."""
@@ -136,16 +137,22 @@ class Core(Readings):
         """Return a block that starts several axes; limits are checked at its end."""
         return triggers.conditions.Together(self)
 
-    def append_profile(self, a: Axis, profile: Profile) -> None:
+    def append_profile(self, a: Axis, profile: Profile, cause: str = "") -> None:
         """Follow `profile` from now on, and schedule its end."""
         if a.arrival is not None:
             a.arrival.cancel()
         end = self.clock.now + profile.duration
         a.arrival = self.clock.at(end, lambda: self.arrive(a)) if end < INFINITY else None
-        self.extend_track(a, profile)
+        self.extend_track(a, profile, cause)
 
-    def extend_track(self, a: Axis, profile: Profile) -> None:
-        """Put `profile` on the track now: solve watches, notify followers, check limits."""
+    def extend_track(self, a: Axis, profile: Profile, cause: str = "", ended: Move | None = None) -> None:
+        """Put `profile` on the track now: solve watches, notify followers, check limits.
+
+        A jump of velocity is reported with its `cause`, unless the profile is `BY_DESIGN`. `ended` is the move that a
+        standstill ends.
+        """
+        if cause != BY_DESIGN and (profile.start_velocity or a.profiles[-1].shape != "hold"):
+            triggers.events.check_velocity(self, a, profile, cause, ended or a.move)
         if self.expected_motion is not None:
             self.expected_motion.add(a)
         now = self.clock.now
@@ -185,7 +192,7 @@ class Core(Readings):
         """Handle the end of the profile of the move in progress."""
         a.arrival = None
         a.move = None
-        self.extend_track(a, hold(a.profiles[-1].end))
+        self.extend_track(a, hold(a.profiles[-1].end), BY_DESIGN)
         self.go_on(a)
 
     def go_on(self, a: Axis) -> None:
@@ -337,12 +344,12 @@ class Core(Readings):
         if a.arrival is not None:
             a.arrival.cancel()
             a.arrival = None
-        if a.move is None:
+        move = a.move
+        if move is None:
             return
-        triggers.events.jumped(self, a, ended)
         a.target = here = a.here(self.clock.now)
         self.end_move(a, ended)
-        self.extend_track(a, hold(here))
+        self.extend_track(a, hold(here), ended, move)
         self.notify("idle", a.index)
 
 

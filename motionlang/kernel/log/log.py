@@ -80,6 +80,10 @@ class Log:
         # The last clamp of each axis and quantity, which is reported once, and the source offset of the
         # program.
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
+        # The move and the cause of the last velocity jump of each axis, with the number of its event; and how often
+        # events have occurred, those that did more than once.
+        self.jumps: dict[int, tuple[tuple[Move | None, str], int]] = {}
+        self.repeated: dict[int, int] = {}
         self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Printed]] = []
         # How many profiles may be made before some are packed.

@@ -103,7 +103,7 @@ def test_position_and_velocity_continue_to_within_rounding(
 
 NEW_ZERO = "a position set to a new value"
 IMMEDIATE = "an immediate stop: cancelled, disabled, or at a limit"
-ACTION = "a step of {}: a table, a master or a reference of the program"
+ACTION = "{}: a table or a reference of the program"
 STEPPED = "a step of a stepper that starts or stops at once"
 MASTER: Any = None
 TIED = Order("FOLLOW", 5, tie=Tie(MASTER, 2.0, ramp=True))
@@ -145,11 +145,10 @@ JUMPS: dict[str, tuple[tuple[Order, Order], tuple[State, State], dict[str, Any],
     "a ramp to a ratio": ((REST, TIED), (STILL, FAST), {}, ["5: the velocity jumps by 8 counts/s"], []),
     "a ramp to another ratio": ((TIED, SLOWER), (STILL, FAST), {}, ["6: the velocity jumps by 8 counts/s"], []),
     "the same ratio": (
-        (TIED, TIED), (STILL, FAST), {}, [], [ACTION.format("FOLLOW")],
+        (TIED, TIED), (STILL, FAST), {}, [], ["FOLLOW: a jump of its master or in its table"],
     ),
-    "a ratio at once": (
-        (TIED, AT_ONCE), (STILL, FAST), {}, [], [ACTION.format("FOLLOW")],
-    ),
+    "a ratio at once": ((TIED, AT_ONCE), (STILL, FAST), {}, [], ["FOLLOW: a new ratio at once"]),
+    "engaged at once": ((REST, AT_ONCE), (STILL, FAST), {}, [], ["FOLLOW engaged at once"]),
     "the end of a table": (
         (Order("CAM", 3), MOVE), (FAST, STILL), {}, [], [ACTION.format("CAM")],
     ),

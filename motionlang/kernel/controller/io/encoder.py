@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import hold, plan_velocity
 from motionlang.kernel.planners.stop import running
 
@@ -29,4 +30,4 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
         profile = plan_velocity("trapezoid", state.position, state.velocity, velocity, accel, accel)
     else:
         profile = running(state.position, velocity) if velocity else hold(state.position)
-    controller.extend_track(encoder, profile)
+    controller.extend_track(encoder, profile, BY_DESIGN)

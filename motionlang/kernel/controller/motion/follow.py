@@ -124,7 +124,7 @@ class Follow(Action):
         self.offset_entry: Move | None = None  # its log entry
         # Speed and rates that OFFSETMODE gave it; None for those of the axis.
         self.offset_limits: tuple[float, float, float] | None = None
-        self._callback = lambda _: self.renew()
+        self._callback = lambda _: self.renew("a jump of its master")
         move.action = self
 
     keeps_rates = False
@@ -155,11 +155,11 @@ class Follow(Action):
             self.a.arrival = None
         self.move.segments.clear()
         self.master.followers.append(self._callback)
-        self.renew()
+        self.renew(f"{self.move.command} at once")
         self.more(self.controller, self.a)
 
-    def renew(self) -> None:
-        """Plan the slave's motion again from now on."""
+    def renew(self, cause: str = "") -> None:
+        """Plan the slave's motion again from now on; `cause` is of a jump of its velocity."""
         if not self.tied:
             return
         self.disarm()
@@ -168,7 +168,7 @@ class Follow(Action):
         now = self.controller.clock.now
         self.move.begin_new_entry(self.controller, now)
         self.move.add(now, profile)
-        self.controller.extend_track(self.a, profile)
+        self.controller.extend_track(self.a, profile, cause)
         if self.tied:
             self.arm(coming)
 
@@ -311,12 +311,12 @@ class Gear(Follow):
                 return
         self.ratio, self.ramp = ratio, ramp
         self._locks_at = INFINITY if ramp else 0.0
-        self.renew()
+        self.renew("a new ratio")
 
-    def renew(self) -> None:
+    def renew(self, cause: str = "") -> None:
         # A suspended slave comes to rest whatever its master does.
         if not (self.a.suspended and self.keeps_rates):
-            super().renew()
+            super().renew(cause)
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         self.keeps_rates = False

@@ -14,6 +14,7 @@ from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.move import Action, keeps_rates
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted
@@ -47,7 +48,7 @@ class Reference(Action):
         self.move.begin_new_entry(controller, controller.clock.now)
         self.move.add(controller.clock.now, profile)
         a.target = self.move.target = profile.end
-        controller.append_profile(a, profile)
+        controller.append_profile(a, profile, BY_DESIGN)
 
     def replan(self, controller: Core, a: Axis) -> None:
         self.engage(controller, a, self.plan(controller, a))

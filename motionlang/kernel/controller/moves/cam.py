@@ -16,6 +16,7 @@ from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.controller.moves import buffer
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import rest
@@ -162,7 +163,7 @@ class CurveFollow(Follow):
             self.controller.run_time_fault(rejected)
             goes_on = False
         if goes_on:
-            self.renew()
+            self.renew(BY_DESIGN)
         else:
             self.finish()
 

@@ -18,6 +18,7 @@ from motionlang.kernel.controller.motion.profile_playback import Playback
 from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.table_motion import table_curve
@@ -197,7 +198,8 @@ class PointsEntry(Action):
         playback = Playback(on_path=True)
         playback.ordered = points
         move.target, move.action = profile.end, playback
-        controller.run_profile(a, move, playback.waiting(controller, profile) if a.suspended else profile)
+        profile = playback.waiting(controller, profile) if a.suspended else profile
+        controller.run_profile(a, move, profile, BY_DESIGN)
 
 
 def through(a: Axis, points: Timed) -> Profile:

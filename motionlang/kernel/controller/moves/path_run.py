@@ -56,7 +56,7 @@ from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.moves.buffer import motions, reach
 from motionlang.kernel.controller.moves.course import SLACK, Course
 from motionlang.kernel.controller.triggers.conditions import release
-from motionlang.kernel.controller.triggers.events import clamped_blend
+from motionlang.kernel.controller.triggers.events import BY_DESIGN, clamped_blend
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.superposition import added
 
@@ -243,7 +243,7 @@ class PathRun:
                 move.ended = self.ended
                 made = course.of(k)
                 controller.log_move(a, move, made)
-                controller.extend_track(a, self._total(k, made))
+                controller.extend_track(a, self._total(k, made), BY_DESIGN)
             self._await()
         if self.ended:
             self._aim()
@@ -259,7 +259,7 @@ class PathRun:
         self._join([course for course, _, _ in plans])
         with controller.together():
             for k, a in enumerate(self.axes):
-                controller.extend_track(a, self._total(k, self.courses[-1].of(k)))
+                controller.extend_track(a, self._total(k, self.courses[-1].of(k)), BY_DESIGN)
             self._await()
 
     def _join(self, changed: Sequence[Course] = ()) -> None:
@@ -355,7 +355,7 @@ class PathRun:
             end = a.profiles[-1].end
             a.move = None
             a.target = move.target = end
-            controller.extend_track(a, hold(end))
+            controller.extend_track(a, hold(end), BY_DESIGN)
         for a in self.axes:
             controller.start_waiting(a)
         for a in self.axes:

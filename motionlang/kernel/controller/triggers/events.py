@@ -21,6 +21,8 @@ from motionlang.kernel.controller.faults import (
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.move import Move
+    from motionlang.kernel.planners import Profile
 
 # The name of a fault of each bit; the others are "fault".
 KINDS = {
@@ -32,6 +34,10 @@ KINDS = {
     SOFT_LIMIT_REVERSE: "soft limit",
     FOLLOWING_ERROR: "following error",
 }
+# The cause of a jump of velocity that is no event: the profile is planned with it.
+BY_DESIGN = "by design"
+# A smaller relative jump of velocity is rounding.
+_ROUNDING = 1e-6
 # The name of a limit that homing has searched for.
 HOMING = "homing"
 
@@ -71,11 +77,23 @@ def cleared(controller: Core, a: Axis) -> None:
     note(controller, "cleared", a, text=names(a.faults))
 
 
-def jumped(controller: Core, a: Axis, ended: str) -> None:
-    """Log an immediate stop; in motion it means infinite acceleration."""
-    velocity = a.velocity(controller.clock.now)
-    if velocity:
-        note(controller, "velocity jump", a, _speed(a, velocity), 0.0, f"{ended}, an infinite acceleration")
+def check_velocity(controller: Core, a: Axis, profile: Profile, cause: str, move: Move | None) -> None:
+    """Log a jump of velocity from the track of an axis to the profile that continues it now.
+
+    The jumps of one move by one cause are one event, with their number.
+    """
+    now = controller.clock.now
+    before, after = a.profiles[-1].velocity(now - a.starts[-1]), profile.start_velocity + 0.0  # never -0.0
+    if abs(after - before) <= _ROUNDING * (1.0 + abs(before) + abs(after)):
+        return
+    log, about = controller.log, (move, cause)
+    number = log.jumps.get(a.index)
+    if number is not None and number[0] == about:
+        log.repeated[number[1]] = log.repeated.get(number[1], 1) + 1
+        return
+    log.jumps[a.index] = about, len(log.events)
+    line, text = 0 if move is None else move.line, f"{cause or 'a new motion'}, an infinite acceleration"
+    log.note(now, "velocity jump", a.index, _speed(a, before), _speed(a, after), line, text)
 
 
 def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:

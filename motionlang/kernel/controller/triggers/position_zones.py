@@ -12,6 +12,7 @@ from math import floor
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.controller.triggers.watch import Watch, arm, margin
 from motionlang.kernel.planners import Profile
 
@@ -74,7 +75,7 @@ class Cells:
 
         def follow(profile: Profile) -> None:
             made.datum = source.datum
-            controller.extend_track(made, view(profile))
+            controller.extend_track(made, view(profile), BY_DESIGN)
 
         self._follow = follow
         source.followers.append(follow)
