@@ -8,6 +8,7 @@ from motionlang.kernel.controller import readers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.verbs import VERBS
@@ -26,6 +27,7 @@ class Recorder:
     def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
         self.clock = Clock()
         self.axes = {number: Axis(number) for number in range(first, first + axes)}
+        self.listeners = Listeners()
         self.calls: list[tuple[Any, ...]] = []
         self.answers: dict[str, Any] = {
             "is_idle": True,

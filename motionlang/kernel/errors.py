@@ -40,7 +40,7 @@ CODES: dict[str, str] = {
     "brake": "The brake of the axis is set; it accepts no motion until the brake is released.",
     "axis-error": "The axis has an error; it accepts no motion until the error is cleared.",
     "blend-distance": "A blend takes at most half of a path, for any BLENDDISTANCE.",
-    "zero-speed": "A move with no speed would never end.",
+    "zero-speed": "A move with no speed never ends.",
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",
     "contour-and-blend": "Paths are either contoured or blended, not both.",

@@ -73,6 +73,7 @@ class ReportEvent(TypedDict):
         "abort",
         "cleared",
         "clamp",
+        "too late",
         "velocity jump",
         "stop",
         "cancel",

@@ -637,7 +637,7 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
 
     A controller that ignores it brakes at 100, and the proof reports that.
     """
-    monkeypatch.setattr(feedrate, "_new_rates", lambda controller, axis: None)
+    monkeypatch.setattr(feedrate, "_replan", lambda controller, axis, name: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
     found = run(program, prove=True).proof().violations
@@ -666,8 +666,8 @@ BUFFERS = "MOVEBUFFERSIZE(0, 1) = 9; :\n"
 
 
 def test_a_move_behind_a_refused_path_starts() -> None:
-    """The path is rejected for the SPEED of axis 1; axis 0 moves 8 in 8/20 + 20/100 s."""
-    entries = "VECTORR(1, 0) = 5, 5 : MOVER(0) = 8 : SPEED(1) = 0\nGO(0, 1)\nPAUSE IDLE(0)\n"
+    """The path is rejected for the ACCEL of axis 1; axis 0 moves 8 in 8/20 + 20/100 s."""
+    entries = "VECTORR(1, 0) = 5, 5 : MOVER(0) = 8 : ACCEL(1) = 0\nGO(0, 1)\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}{entries}{HANDLER}")
     assert positions(result, 0, 1) == [8.0, 0.0]
     assert result.time == pytest.approx(8.0 / 20.0 + 0.2)
@@ -678,7 +678,7 @@ def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
 
     Axis 0 stays there. Axis 1 moves on by 8, in 8/20 + 20/100 s.
     """
-    entries = "VECTORR(0, 1) = 30, 40 : MOVER(0) = 1 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 100\nSPEED(0) = 0\n"
+    entries = "VECTORR(0, 1) = 30, 40 : MOVER(0) = 1 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 100\nACCEL(0) = 0\n"
     result = proved(f"{RATES}{BUFFERS}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
     assert positions(result, 0, 1) == [30.0, 48.0]
     assert result.time == pytest.approx(2.7 + 0.6)
@@ -692,7 +692,7 @@ def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> N
     """
     blend = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     entries = (
-        "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 500\nSPEED(0) = 0\n"
+        "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 500\nACCEL(0) = 0\n"
     )
     result = proved(f"{RATES}{BUFFERS}{blend}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
     assert positions(result, 0, 1) == [30.0, 8.0]
@@ -700,12 +700,12 @@ def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> N
     assert [each.time for each in result.controller.log.events] == pytest.approx([0.5, 1.35])
 
 
-def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
-    """SPEED 0 is rejected in motion, and so is the override written after it.
+def test_joined_paths_keep_their_speed_while_accel_is_0() -> None:
+    """ACCEL 0 is rejected in motion, and so is the override written after it.
 
     The joined paths of 60 at 20 with 100 take 60/20 + 20/100 s.
     """
-    paths = "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : GO(0)\nWAIT = 500\nSPEED(0) = 0\n"
+    paths = "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : GO(0)\nWAIT = 500\nACCEL(0) = 0\n"
     program = f"{RATES}{CONTOUR}{paths}FEEDRATEOVERRIDE(0) = 50\nPAUSE IDLE(0)\n{HANDLER}"
     result = proved(program)
     assert positions(result, 0, 1) == [30.0, 30.0]
@@ -714,9 +714,9 @@ def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
 
 def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None:
     """Nothing moves, and the proof takes the run as ended before the second move."""
-    program = "SPEED(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
+    program = "ACCEL(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
     result = run(Source("found.mnt", program), machine={}, prove=True)
-    assert [each.code for each in result.diagnostics] == ["zero-speed"]
+    assert [each.code for each in result.diagnostics] == ["zero-acceleration"]
     assert [each.message for each in result.proof().violations] == []
 
 
@@ -994,10 +994,10 @@ def test_the_ramps_of_sramp_are_those_of_the_move_whatever_the_speed_of_the_axis
 
 
 def test_a_path_loaded_with_its_speed_has_ramps_of_it() -> None:
-    """The path keeps its own speed when SPEED becomes 0, and the jerk of that speed."""
+    """The path keeps its own speed when SPEED becomes 0.001, and the jerk of that speed."""
     proved(
         "MOVER(0) = 18.852\nSRAMP(0) = 100 : FEEDRATEMODE(0) = 3\nCIRCLEA(0, 1) = -1.008, 3.712, -153 : GO(0)\n"
-        "SPEED(0) = 0\nEvent ONERROR\nEnd Event\n"
+        "SPEED(0) = 0.001\n"
     )
 
 

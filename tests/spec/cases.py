@@ -143,9 +143,8 @@ def found(case: Case) -> Found:
     result.unknown = ran.notes
     result.end = f"{ran.status} {ran.report['time']:.9g} s"
     if case.has("="):
-        last = max(line.number for line in case.lines if not line.mark and line.text.strip())
         events = [(event["line"], shown(event)) for event in ran.report["events"]]
-        result.events = events or [(last, "none")]
+        result.events = events or [(located(case, "=")[0][1], "none")]
     return result
 
 

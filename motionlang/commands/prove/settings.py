@@ -14,9 +14,14 @@ from motionlang.commands.prove.stretches import stopping_distance
 from motionlang.kernel.log.order import Order
 from motionlang.kernel.log.track import WholeTrack
 
+LATE = "a rate written too late: the motion keeps the one in force"
+
 
 def check_settings(proof: Proof, run: Run) -> None:
-    """Check every setting that did not lead to a new profile of its axis."""
+    """Check every setting that did not lead to a new profile of its axis, and rates that came too late for theirs."""
+    for (number, time), wanted in run.expected_motion.late.items():
+        a = run.axes[number]
+        _check_late(proof, a, a.index_at(time), wanted)
     for (number, time), wanted in run.expected_motion.unheeded.items():
         a = run.axes[number]
         i = a.index_at(time)
@@ -24,6 +29,18 @@ def check_settings(proof: Proof, run: Run) -> None:
         end = run.span(a, i)[1]
         if end - time > SLACK * SLACK * (1.0 + time) and order.settings != wanted.settings:
             _check_setting(proof, run, a, i, order, wanted, (time, end))
+
+
+def _check_late(proof: Proof, a: WholeTrack, i: int, wanted: Order) -> None:
+    profile = a.profiles[i]
+    state, left = profile.at(0.0), abs(profile.end - profile.start)
+    if wanted.kind == "move" and stopping_distance(wanted, state.velocity, state.acceleration) < left * (
+        1.0 - SLACK
+    ):
+        where = f"axis {a.index} at {a.starts[i]:.6f} s"
+        proof.breaks(wanted.line, f"{where}: it keeps its rates, commanded {wanted.rates[1]:g} counts/s²")
+    else:
+        proof.excuses(LATE)
 
 
 def _check_setting(
@@ -50,6 +67,8 @@ def _check_setting(
         state, left = a.profiles[i].at(elapsed), abs(a.profiles[i].end - a.profiles[i].position(elapsed))
         entry = state.velocity, state.acceleration
         is_heeded = stopping_distance(wanted, *entry) < left * (1.0 - SLACK)
+        if not is_heeded:
+            proof.excuses(LATE)
         lower = _lower(order, wanted, is_heeded)
         check_bounds(proof, lower, spans(a.profiles[i], elapsed, end - time), entry, where)
 
@@ -66,7 +85,9 @@ def _check_path_setting(
     if is_heeded and wanted.path.comes_to_rest:
         where = f"path from {order.path.begun:.6f} s at {time:.6f} s"
         proof.breaks(order.line, f"{where}: it continues, commanded to stop")
-    elif is_heeded or order.rates == wanted.rates:
+    elif not is_heeded and order.rates != wanted.rates:
+        proof.excuses(LATE)
+    else:
         lower = _lower(order, wanted, is_heeded)
         path = order.path._replace(most=tuple(map(min, order.path.most, wanted.path.most)))
         lower = lower._replace(path=path)

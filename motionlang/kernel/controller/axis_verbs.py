@@ -70,6 +70,8 @@ class AxisVerbs(Core):
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
+        if name == "speed" and not value:
+            self.zeroed[axis] = self.log.where()
         if name == "accel":
             a.accel_time = None
         elif name == "decel":

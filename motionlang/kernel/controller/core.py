@@ -69,16 +69,17 @@ class Core(Readings):
         return accel, decel
 
     def speed_and_rates(self, a: Axis, move: Move) -> tuple[float, float, float]:
-        """Like `Axis.speed_and_rates`; raise Rejected if the axis cannot move."""
+        """Like `Axis.speed_and_rates`; at speed 0 the axis holds, and the rates in force stay.
+
+        Raises Rejected if the axis cannot move.
+        """
         speed, accel, decel = a.speed_and_rates(move)
-        if not speed > 0.0:
-            raise Rejected(
-                "zero-speed",
-                f"axis {a.index} cannot move: its speed is {speed:.10g}",
-                "set a speed above zero; the move would never end",
-            )
-        self.rates(a, speed)
-        return speed, accel, decel
+        if speed:
+            self.rates(a, speed)
+            return speed, accel, decel
+        self.notify("held", a.index)
+        in_force = move.rates_in_force or (a.accel, a.decel)
+        return 0.0, accel or in_force[0], decel or in_force[1]
 
     def decel(self, a: Axis, speed: float) -> float:
         """Return the rate of a stop from `speed`; raise Rejected unless positive."""
@@ -86,9 +87,10 @@ class Core(Readings):
         _check_rate(a, decel, "a deceleration", "stop")
         return decel
 
-    def plan_move(self, a: Axis, move: Move) -> Profile:
-        """Return the profile of a move from the present state of its axis."""
+    def plan_move(self, a: Axis, move: Move, rates: tuple[float, float] | None = None) -> Profile:
+        """Return the profile of a move from the present state of its axis, at `rates` or those of the settings."""
         speed, accel, decel = self.speed_and_rates(a, move)
+        accel, decel = rates or (accel, decel)
         shape = a.shape
         jerks = a.jerks(speed, accel, decel) if shape == "scurve" else (INFINITY, INFINITY)
         if move.overridden:
@@ -98,6 +100,7 @@ class Core(Readings):
             if speed > a.max_speed:
                 triggers.events.clamped(self, a, move.line, speed)
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
+        move.rates_in_force = accel, decel
         if a.suspended or not speed:
             return motion.halt.with_standstill(self, a)
         last = a.profiles[-1]

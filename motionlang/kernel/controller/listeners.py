@@ -8,8 +8,8 @@ Listener = Callable[[str, int], None]
 
 # The kinds of changes. With the number of an axis: it has come to rest, has a fault, has one that was not
 # pending before ("error"), its faults are cleared, it was enabled or disabled, has another scale, its home
-# switch or a limit has changed, its buffer has room again. With the bits of an error of the
-# controller itself: the last one.
+# switch or a limit has changed, its buffer has room again, its move holds because its speed is 0. With the
+# bits of an error of the controller itself: the last one ("misc").
 KINDS = (
     "idle",
     "fault",
@@ -20,6 +20,7 @@ KINDS = (
     "home",
     "limit",
     "buffer-low",
+    "held",
     "misc",
 )
 

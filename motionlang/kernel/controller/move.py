@@ -27,7 +27,8 @@ class Move:
     short, or `CONTINUED` if it continues as another entry. `offset` is how far the axis's zero was moved
     during the move: the profile stays as planned. `action` makes it something other than a move to a
     position. `speed` is the speed that it was loaded with; None means the axis's speed when it starts. `rates` are
-    its own acceleration and deceleration; `overridden` is true if the axis's override multiplies its speed.
+    its own acceleration and deceleration, `rates_in_force` those of its present plan, counts/s²; `overridden` is true
+    if the axis's override multiplies its speed.
     """
 
     __slots__ = (
@@ -43,6 +44,7 @@ class Move:
         "overridden",
         "profile",
         "rates",
+        "rates_in_force",
         "released",
         "scale",
         "speed",
@@ -62,6 +64,7 @@ class Move:
         self.id = 0
         self.speed: float | None = None
         self.rates: tuple[float | None, float | None] | None = None
+        self.rates_in_force: tuple[float, float] | None = None
         self.overridden = False
         self.released = False
         self.start_time = 0.0

@@ -180,7 +180,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
         if power is not None:
             rate, per_unit = factors[power]
             value = value * per_unit / rate
-        if live and a.moves:
+        if (live and a.moves) or not value:
             configure(axis, name, value)
             return
         if getattr(a, name) != value:

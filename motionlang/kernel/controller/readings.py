@@ -49,6 +49,8 @@ class Readings:
         self.at_home: set[int] = set()
         # The axes suspended together by one keyword, by axis.
         self.suspended_with: dict[int, tuple[Axis, ...]] = {}
+        # Where the program last set the speed of an axis to 0, source offsets.
+        self.zeroed: dict[int, int] = {}
         # The status of the last offset of an axis, bits (`motion/offset.py`).
         self.offset_statuses: dict[int, int] = {}
         self.listeners = Listeners()

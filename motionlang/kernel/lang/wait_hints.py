@@ -90,7 +90,7 @@ def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, w
         if not leaves and _is_of_program(dialect, source, task):
             return f"let {dialect.others} change it: this task does nothing while it waits"
         axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
-    found = next(filter(None, (_frees(machine.controller, kind, axis) for kind, axis in axes)), "")
+    found = next(filter(None, (_frees(dialect, source, machine.controller, *each) for each in axes)), "")
     return found or _raises(dialect, source, machine)
 
 
@@ -110,12 +110,16 @@ def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
     return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
 
 
-def _frees(controller: Controller, kind: str, axis: int) -> str:
+def _frees(dialect: Dialect, source: Source, controller: Controller, kind: str, axis: int) -> str:
     a = controller.axes[axis]
     if a.suspended and (a.move is not None or a.buffer):
         return f"resume axis {axis} first: it is suspended"
     if a.move is None and a.buffer and not a.buffer[0].released:
         return f"write GO({axis}) first: it starts the buffered moves"
+    if a.move is not None and not a.speed_and_rates(a.move)[0]:
+        at = controller.zeroed.get(axis, -1)
+        since = f" since line {dialect.locate(source, at)[0]}" if at >= 0 and source.text.strip() else ""
+        return f"set the speed of axis {axis} above 0 first: it is 0{since}, and the move holds"
     end = a.scale.position_to_user(a.target)
     if kind == "axis":
         return f"stop axis {axis} first: it runs without an end" if abs(end) == INFINITY else ""

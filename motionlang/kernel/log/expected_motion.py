@@ -46,6 +46,7 @@ class ExpectedMotion:
 
     - `standstills` has the axes and times at which an axis was commanded to stop at once, with the keyword.
     - `unheeded` has, by axis and time, the effect of settings that have not replaced a profile.
+    - `late` has, by axis and time, an order whose rates came too late: the profile keeps those in force.
     - `offsets` has, by axis and time, the line and the distance of an OFFSET.
     - `begun` has, by axis, the start times of motions with a log entry of their own.
     - `stops` has, by axis, when its motion was commanded to come to rest or to halt, with the keyword.
@@ -62,6 +63,7 @@ class ExpectedMotion:
         }
         self.standstills: dict[tuple[int, float], str] = {}
         self.unheeded: dict[tuple[int, float], Order] = {}
+        self.late: dict[tuple[int, float], Order] = {}
         self._scales: dict[int, list[tuple[float, float, float]]] = {number: [] for number in axes}
         self.offsets: dict[tuple[int, float], tuple[int, float]] = {}
         self.begun: dict[int, set[float]] = {number: set() for number in axes}
@@ -108,6 +110,10 @@ class ExpectedMotion:
                 elif a.datum != self.data[a.index][-1]:
                     order = self.of[a.index][-1]  # a table that comes to rest on itself, at a new zero
                 self._halts[a.index] = move.action, order
+            elif move is not None and move.action is None and order.rates != move.rates_in_force:
+                assert move.rates_in_force is not None
+                self.late[a.index, self._controller.clock.now] = order
+                order = order._replace(rates=move.rates_in_force)
             elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
                 # The same motion at a new zero: settings that were written since do not act.
                 order = self.of[a.index][-1]
@@ -149,6 +155,7 @@ class ExpectedMotion:
             each.clear()
         for more in (
             self.unheeded,
+            self.late,
             self.offsets,
             self.begun,
             self.stops,
@@ -261,8 +268,6 @@ class ExpectedMotion:
         assert planned.path is not None
         path = order.path._replace(most_accel=planned.path.most_accel, most_decel=planned.path.most_decel)
         order = order._replace(rates=planned.rates, jerks=planned.jerks, path=path)
-        if not _own_speed(action.axes[0], action.moves[0]) > 0.0:  # it is rejected, and the plan stays
-            order = order._replace(speed=planned.speed)
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
@@ -317,16 +322,14 @@ class ExpectedMotion:
             a = action.axes[0]
             began = self._entries.get(action.moves[0])
             leader = action.moves[0]
-            if action.policy is not None or began is None or not _own_speed(a, leader) > 0.0:
-                return  # while a speed is not above zero every plan is rejected
+            if action.policy is not None or began is None:
+                return
             wanted = _path(action, leader, self._nth[action], began[1])
             move = leader
         elif isinstance(action, Stopping) or self.of[a.index][-1].kind == "step":
             return
-        elif action is not None or _own_speed(a, move) > 0.0:
-            wanted = _order(a)
         else:
-            return
+            wanted = _order(a)
         if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
             wanted = wanted._replace(rates=self.of[a.index][-1].rates)
         settings = len(self.of[a.index]), wanted.settings
@@ -450,7 +453,7 @@ def _order(a: Axis) -> Order:
     if isinstance(action, Jog):
         goal = max(-a.max_speed, min(action.velocity, a.max_speed))
         return Order("jog", move.line, abs(goal), rates, jerks, a.shape, goal, a.ramp)
-    if not speed:  # an override of 0
+    if not speed:
         return _stopped(a, move)
     return Order("move", move.line, min(speed, a.max_speed), rates, jerks, a.shape, ramp=a.ramp)
 

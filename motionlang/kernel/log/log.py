@@ -77,7 +77,7 @@ class Log:
         self.slices = TimeSliceStream(store)
         self.prints: Stream[Printed] = Stream(store, Printed)
         self.events: Stream[Event] = Stream(store, Event)
-        # The last clamp of each axis and quantity, which is reported once, and the source offset of the
+        # The last clamp or late rate of each axis and quantity, which is reported once, and the source offset of the
         # program.
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
         # The move and the cause of the last velocity jump of each axis, with the number of its event; and how often

@@ -102,6 +102,7 @@ EVENTS = (
     "abort",
     "cleared",
     "clamp",
+    "too late",
     "velocity jump",
     "stop",
     "cancel",

@@ -104,7 +104,8 @@ class Motion:
         what = {"speed": "speed", "accel": "acceleration", "decel": "deceleration"}
         zeros = [word for slot, word in what.items() if slot in axis.zeros]
         code = "zero-speed" if "speed" in axis.zeros else "zero-acceleration"
-        message = f"the move cannot run: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
+        does = "holds" if code == "zero-speed" else "cannot run"
+        message = f"the move {does}: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
         self.add(code, message, axis.loaded, "set it above zero first")
 
     def _nothing(self, step: Step, act: Act, key: Key, axis: Axis) -> None:

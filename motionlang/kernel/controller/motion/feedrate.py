@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller.triggers.events import too_late
+from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.core import Core
@@ -28,18 +30,16 @@ def changed(controller: Core, a: Axis, name: str) -> None:
     concerned = [move for move in entries if _concerns(move, name)]
     if a.suspended or not concerned:
         return
-    if name in _SPEEDS:
-        controller.replan_move(a)
-    elif name in _LIMITS or any(move.speed is None for move in concerned):
-        _new_rates(controller, a)
+    if name in _SPEEDS or name in _LIMITS or any(move.speed is None for move in concerned):
+        _replan(controller, a, name)
 
 
 def unchanged(a: Axis, name: str, value: object) -> bool:
     """True if a setting of `LIVE` already has this value, as when a loop rewrites it.
 
-    A speed or rate of 0 means no motion; it is rejected every time it is written.
+    A rate of 0 means no motion; it is rejected every time it is written.
     """
-    if getattr(a, name) != value or (not value and name in ("speed", "accel", "decel")):
+    if getattr(a, name) != value or (not value and name in ("accel", "decel")):
         return False
     if name in ("accel", "decel"):
         return getattr(a, f"{name}_time") is None
@@ -55,20 +55,31 @@ def _concerns(move: Move, name: str) -> bool:
     return move.overridden if name == "override" else True
 
 
-def _new_rates(controller: Core, a: Axis) -> None:
-    """Apply new rates to the rest of the move, unless they would cause an overshoot.
+def _replan(controller: Core, a: Axis, name: str) -> None:
+    """Apply a new setting to the rest of the move, unless its rates would cause an overshoot.
 
     If a lower deceleration comes too late, the axis brakes as planned; no source says what a controller does
-    there.
+    there. A new speed then acts at the rates in force.
     """
     move = a.move
     assert move is not None
     if move.action is not None:
         controller.replan_move(a)
         return
+    in_force = move.rates_in_force
     profile = controller.plan_move(a, move)
+    if in_force is not None and move.rates_in_force is not None and _overshoots(profile, move):
+        too_late(controller, a, move, move.rates_in_force, in_force)
+        move.rates_in_force = in_force
+        if name not in _SPEEDS:
+            return
+        profile = controller.plan_move(a, move, in_force)
+    controller.continue_with(a, profile, "")
+
+
+def _overshoots(profile: Profile, move: Move) -> bool:
+    """True if a profile leaves the way from its start to the target of its move."""
     low, high = profile.extrema()
     ends = sorted((profile.start, move.target))
     slack = 1e-9 * (high - low) + 1e-9
-    if ends[0] - slack <= low and high <= ends[1] + slack:
-        controller.continue_with(a, profile, "")
+    return low < ends[0] - slack or high > ends[1] + slack

@@ -93,6 +93,8 @@ def with_standstill(controller: Core, a: Axis) -> Profile:
 
 def _decel(controller: Core, a: Axis) -> float:
     speed, _, decel = a.speed_and_rates(a.move)
+    if not decel and not speed and a.move is not None and a.move.rates_in_force is not None:
+        decel = a.move.rates_in_force[1]  # a ramp time says nothing about a stop at speed 0
     return min(decel or controller.decel(a, speed), a.max_decel)
 
 

@@ -14,6 +14,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.moves.buffer import motion_at
 from motionlang.kernel.controller.moves.geometry import Segment, corner
+from motionlang.kernel.controller.triggers.events import too_late
 from motionlang.kernel.planners import Profile, State, hold
 from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.lookahead import Pace, plan_course
@@ -55,6 +56,7 @@ class Course:
         self.goal: PathMove | None = here
         self.began = self.planned_at = 0.0
         self.is_stopping = self.is_over = False
+        self.rates = (0.0, 0.0)  # those of its last plan, user units
 
     # ----------------------------------------------------------------------------------------------- reading
 
@@ -255,7 +257,19 @@ class Course:
             raise Rejected("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
         if profile is None:
             return self._from_rest(time, stretches, goal)
+        self.rates = pace.accel, pace.decel
         return profile if eased is None else eased.then(profile), goal
+
+    def report_late_rates(self) -> None:
+        """Log rates of the settings with which the course could not stop at its end."""
+        pace, k, leader = (
+            self.here.pace(self._controller, self.segment),
+            abs(self.here.scales[0]),
+            self.here.moves[0],
+        )
+        if pace.speed and (pace.accel, pace.decel) != self.rates:
+            written, in_force = (pace.accel * k, pace.decel * k), (self.rates[0] * k, self.rates[1] * k)
+            too_late(self._controller, self.axes[0], leader, written, in_force)
 
     def _from_rest(
         self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove

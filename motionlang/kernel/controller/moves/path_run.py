@@ -105,6 +105,9 @@ class PathRun:
         if self._over or self.ended:
             return
         plans = [(course, course.planned(course.elapsed)) for course in self._live]
+        for course, planned in plans:
+            if planned is None:
+                course.report_late_rates()
         self._change([(course, *planned) for course, planned in plans if planned is not None])
 
     def more(self) -> None:

@@ -34,6 +34,8 @@ KINDS = {
     SOFT_LIMIT_REVERSE: "soft limit",
     FOLLOWING_ERROR: "following error",
 }
+Rates = tuple[float, float]
+
 # The cause of a jump of velocity that is no event: the profile is planned with it.
 BY_DESIGN = "by design"
 # A smaller relative jump of velocity is rounding.
@@ -110,7 +112,7 @@ def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:
 
 def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
     """Log, once, a commanded speed, counts/s, above the limit of the axis."""
-    _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
+    _once(controller, "clamp", a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
 
 
 def clamped_blend(controller: Core, a: Axis, line: int, commanded: float, got: float) -> None:
@@ -118,14 +120,21 @@ def clamped_blend(controller: Core, a: Axis, line: int, commanded: float, got: f
 
     Both are user units.
     """
-    _clamped(controller, a, "blend distance", line, commanded, got)
+    _once(controller, "clamp", a, "blend distance", line, commanded, got)
 
 
-def _clamped(controller: Core, a: Axis, what: str, line: int, commanded: float, got: float) -> None:
+def too_late(controller: Core, a: Axis, move: Move, written: Rates, in_force: Rates) -> None:
+    """Log, once, the rate that was written in motion and with which the axis would pass its target."""
+    k = int(written[1] < in_force[1])
+    what = ("acceleration", "deceleration")[k]
+    _once(controller, "too late", a, what, move.line, _speed(a, written[k]), _speed(a, in_force[k]))
+
+
+def _once(controller: Core, kind: str, a: Axis, what: str, line: int, commanded: float, got: float) -> None:
     about = line, commanded, got
     if controller.log.clamped.get((a.index, what)) != about:
         controller.log.clamped[a.index, what] = about
-        controller.log.note(controller.clock.now, "clamp", a.index, commanded, got, line, what)
+        controller.log.note(controller.clock.now, kind, a.index, commanded, got, line, what)
 
 
 def _speed(a: Axis, speed: float) -> float:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.codes import Fault
@@ -53,6 +54,9 @@ def _later_paths(board: Board, axis: AxisState) -> float:
 def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:
     """Start a position move to `target`, counts."""
     controller, number = board.controller, axis.number
+    if controller.is_enabled(number) and not controller.setting(number, "speed"):
+        words = f"axis {number} cannot move: its speed is 0"
+        raise Rejected("zero-speed", words, "set a speed above zero; the move would never end")
     made = _from_minimum(controller, axis, target)
     if made is None:
         controller.move_to(number, target, word, line)

@@ -65,7 +65,7 @@ _CONTOUR = "CONTOURMODE(0) = {}\n{}(0)\nPRINT CONTOURMODE(0)"
 
 def _last(name: str, actions: Actions, help: str, default: float = 0.0) -> Keyword:
     return Keyword(name, "", "reading", "R", "none", "integer", actions, help,
-                   f"SPEED(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=default, group=GROUP)  # fmt: skip
+                   f"ACCEL(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=default, group=GROUP)  # fmt: skip
 
 
 def _contour(name: str, before: int, help: str) -> Keyword:

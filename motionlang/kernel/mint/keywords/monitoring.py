@@ -242,7 +242,7 @@ _MISC_DISABLE = Actions(
 )
 
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"
-_FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
+_FAIL = "{}ACCEL(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
 
 _word = partial(value, group="errors")
 

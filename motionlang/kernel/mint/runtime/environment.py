@@ -10,6 +10,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import ALL, Rejected
 from motionlang.kernel.controller.moves.buffer import end
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.machine.machine import Machine
@@ -76,6 +77,8 @@ class Environment(Waits):
         self.priorities: dict[str, int] = {}
         self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
+        # The source offset of the speed of 0 about which each axis has warned.
+        self.holds: dict[int, int] = {}
         # The wrap of POS in user units, for the axes that wrap.
         self.wraps: dict[int, float] = {}
         # The condition of IDLE beyond the end of the move, if the program sets one.
@@ -111,12 +114,23 @@ class Environment(Waits):
     def prepare(self) -> None:
         """Give the controller Mint's settings and the machine file's power-up values."""
         _apply_mint_settings(self.controller)
+        self.controller.listeners.append(self._held, "held")
         if self.machine.assumptions:
             from motionlang.kernel.mint.runtime.power_up import PowerUp
 
             self.power_up = PowerUp(self, self.machine.assumptions)
             for axis in self.controller.axes:
                 self.power_up.set(axis)
+
+    def _held(self, what: str, axis: int) -> None:
+        """Warn, once for each time that it is set, that a speed of 0 holds a move."""
+        move, at = self.controller.axes[axis].move, self.controller.zeroed.get(axis, -1)
+        if self.holds.get(axis) == at:
+            return
+        self.holds[axis] = at
+        line = self.line_of(at) if at >= 0 and self.line_of is not None else 0 if move is None else move.line
+        message, hint = f"axis {axis} holds: its speed is 0", "it goes on when its speed is above 0"
+        self.machine.complain(Diagnostic("zero-speed", message, line, hint=hint, severity="warning"))
 
     def component(self, kind: type[Component]) -> Component:
         """Return the component for a group of keywords, created on first use."""

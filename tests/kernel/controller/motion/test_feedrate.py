@@ -111,11 +111,14 @@ def test_a_speed_does_not_wake_an_axis_that_is_stopping() -> None:
     assert until(c, 9.0).position(0) == pytest.approx(10.0)
 
 
-def test_a_live_speed_of_zero_is_refused_by_name() -> None:
+def test_a_live_speed_of_zero_holds_the_move_until_the_speed_rises() -> None:
     c = machine(feedrate_mode=0)
     c.move_to(0, 20.0)
-    with pytest.raises(Rejected, match="speed is 0"):
-        c.configure(0, "speed", 0.0)
+    until(c, 1.0).configure(0, "speed", 0.0)
+    held = until(c, 5.0).position(0)
+    assert (until(c, 9.0).position(0), c.velocity(0), c.is_idle(0)) == (held, 0.0, False)
+    c.configure(0, "speed", 10.0)
+    assert (until(c, 19.0).position(0), c.is_idle(0)) == (20.0, True)
 
 
 @pytest.mark.parametrize("shape", ["trapezoid", "scurve"])

@@ -246,13 +246,15 @@ def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
     assert positions(until(c, 3.0)) == [3.0, 4.0]
 
 
-def test_a_path_without_speed_is_refused_with_its_line() -> None:
-    c = plane()
+def test_a_path_without_speed_holds_until_its_master_has_one() -> None:
+    c = plane(feedrate_mode=0)
+    speed = c.setting(0, "speed")
     c.configure(0, "speed", 0.0)
     c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 9)
-    with pytest.raises(Rejected) as rejected:
-        c.go([0])
-    assert (rejected.value.code, rejected.value.line) == ("zero-speed", 9)
+    c.go([0])
+    assert positions(until(c, 3.0)) == [0.0, 0.0]
+    c.configure(0, "speed", speed)
+    assert positions(until(c, 60.0)) == [3.0, 4.0]
 
 
 # ------------------------------------------------------------------------------------------------ contours
