@@ -75,6 +75,7 @@ class ReportEvent(TypedDict):
         "clamp",
         "too late",
         "velocity jump",
+        "dropped",
         "stop",
         "cancel",
         "override",

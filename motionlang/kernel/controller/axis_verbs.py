@@ -321,9 +321,12 @@ class AxisVerbs(Core):
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
         """Decelerate to rest at the set rate; the move buffer stays and runs next."""
+        a = self.axes[axis]
+        if ended == "stop" and not a.is_at_standstill:
+            triggers.events.stopped(self, a, ended)
         if ended and self.expected_motion is not None:
-            self.expected_motion.stop(self.axes[axis], ended)
-        motion.halt.stop(self, self.axes[axis], ended)
+            self.expected_motion.stop(a, ended)
+        motion.halt.stop(self, a, ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the moves until every reason has been removed by `resume`."""

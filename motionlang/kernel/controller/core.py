@@ -260,7 +260,7 @@ class Core(Readings):
                 each.ended = ended
             if move.action is None or not move.action.is_sequel:
                 for each in dropped:
-                    self.log.dropped.add(each)
+                    self._log_dropped(each)
             for each in dropped:
                 if each.axis != a.index:  # entries behind a path continue, unless they are discarded too
                     self._begin_waiting(self.axes[each.axis])
@@ -284,7 +284,11 @@ class Core(Readings):
         for axis in axes:
             move = Move(axis, command, line, self.axes[axis].target)
             move.ended = ended
-            self.log.dropped.add(move)
+            self._log_dropped(move)
+
+    def _log_dropped(self, move: Move) -> None:
+        self.log.dropped.add(move)
+        self.log.note(self.clock.now, "dropped", move.axis, ordered=move.line, text=move.command)
 
     def replan_move(self, a: Axis) -> None:
         """Replan the move in progress to the same target with the present settings."""

@@ -104,6 +104,7 @@ EVENTS = (
     "clamp",
     "too late",
     "velocity jump",
+    "dropped",
     "stop",
     "cancel",
     "override",

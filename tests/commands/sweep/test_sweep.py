@@ -325,12 +325,12 @@ def test_a_number_of_the_program_is_varied(address: str, values: list[float], ti
 
 
 def test_a_number_that_stops_the_program_is_reported_at_its_line() -> None:
-    """A text is no number, and a speed of 0 is a fault of line 3."""
+    """A text is no number, and at a speed of 0 the wait of line 3 never ends."""
     rows = list(Sweep(NUMBERS, {"SPEED[0]@1": [20.0, 0.0, "fast"]}, keep=["status"]).results(jobs=1))
     assert [kept for _, kept, _ in rows] == [("ended",), ("fault",), (None,)]
     (_, _, none), (_, _, fault), (_, _, text) = rows
     assert none is None
     assert fault is not None
-    assert (fault["code"], fault["line"]) == ("zero-speed", 3)
+    assert (fault["code"], fault["line"]) == ("never", 3)
     assert text is not None
     assert text["message"] == "SPEED[0]@1 is a number, not 'fast'"

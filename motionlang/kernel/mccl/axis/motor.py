@@ -8,9 +8,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.mccl import codes
+from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.mccl.axis.axis import GAIN, TORQUE, AxisState
-from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import tuning
 
 if TYPE_CHECKING:
@@ -28,11 +27,9 @@ FULL_OUTPUT = 10.0
 
 
 def check_on(board: Board, axis: AxisState) -> None:
-    """Raise Fault if the axis is switched off."""
+    """Raise Rejected if the axis is switched off."""
     if not board.controller.is_enabled(axis.number):
-        raise Fault(
-            codes.INVALID, f"axis {axis.number} is off", f"{axis.number}MN switches it on", "disabled-axis"
-        )
+        raise Rejected("disabled-axis", f"axis {axis.number} is off")
 
 
 def power_up(board: Board, axis: AxisState) -> None:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def slave(task: CommandTask, command: Command) -> None:
     """Make the axis follow axis n; 0 frees it (SM).
 
-    Raises Fault if the axis is off, and Rejected if it would follow itself.
+    Raises Rejected if the axis is off or would follow itself.
     """
     board, axis, number = task.board, task.axis(command), task.whole(command)
     controller = board.controller

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.mccl.axis import flags
 from motionlang.kernel.mccl.axis.axis import AxisState
+from motionlang.kernel.mccl.axis.motor import check_on
 from motionlang.kernel.mccl.axis.volts import volts
 
 if TYPE_CHECKING:
@@ -23,8 +23,7 @@ class Joysticks:
 
     def switch_on(self, axis: AxisState, line: int) -> None:
         """Make the axis follow its joystick; raise Rejected if the axis is off."""
-        if not self._board.controller.is_enabled(axis.number):
-            raise Rejected("disabled-axis", f"axis {axis.number} is off")
+        check_on(self._board, axis)
         axis.jogging, axis.running = True, False
         axis.flags |= flags.JOG_ENABLED
         self._lines[axis.number] = line
