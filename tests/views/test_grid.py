@@ -114,7 +114,7 @@ def test_four_decimals_suffice_unless_all_values_are_below_a_hundredth(
 @pytest.mark.parametrize(
     ("table", "order"),
     [
-        (report.events_table([]), ["line", "limit", "value", "motion of line", ""]),
+        (report.events_table([]), ["line", "limit", "value", "motion of line", "times", ""]),
         (report.axes_table([]), ["feedback", "counts", "scale"]),
         (report.motors_table([], False), ["peak output", "line"]),
     ],

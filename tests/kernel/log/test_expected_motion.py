@@ -336,7 +336,7 @@ def test_a_ratio_that_is_not_adopted() -> None:
 
 
 def test_settings_that_do_not_replace_a_profile() -> None:
-    """A speed of 0 is no setting of a move, since a move at it is rejected."""
+    """A speed of 0 holds a move, which is recorded as a stop."""
     controller, found = observed()
     a = controller.axes[0]
     found.heed(a)  # at rest
@@ -355,7 +355,8 @@ def test_settings_that_do_not_replace_a_profile() -> None:
     assert found.unheeded == {}
     a.speed = 0.0
     found.heed(a)
-    assert found.unheeded == {}
+    assert [order.kind for order in found.unheeded.values()] == ["stop"]
+    found.unheeded.clear()
     a.speed = 50.0
     controller.stop(0)
     controller.configure(0, "decel", 100.0)
