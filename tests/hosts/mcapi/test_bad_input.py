@@ -247,10 +247,12 @@ def test_a_rejected_motion_says_so(host: Mcapi) -> None:
 
     An axis that is off ignores the move without an error, as on the board.
     """
+    host.EnableAxis(1, True)
     host.SetOperatingMode(1, 0, mc.MC_MODE_VELOCITY)
     with pytest.raises(McapiException) as caught:
         host.MoveAbsolute(1, 5.0)
     assert caught.value.code == mc.MCERR_UNKNOWN_REPLY
+    host.EnableAxis(1, False)
     host.SetOperatingMode(1, 0, mc.MC_MODE_POSITION)
     host.MoveAbsolute(1, 5.0)
     assert host.GetTargetEx(1) == 0.0

@@ -54,7 +54,7 @@ def _later_paths(board: Board, axis: AxisState) -> float:
 def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:
     """Start a position move to `target`, counts."""
     controller, number = board.controller, axis.number
-    if controller.is_enabled(number) and not controller.setting(number, "speed"):
+    if not controller.setting(number, "speed"):
         words = f"axis {number} cannot move: its speed is 0"
         raise Rejected("zero-speed", words, "set a speed above zero; the move would never end")
     made = _from_minimum(controller, axis, target)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.mccl.axis.axis import GAIN, TORQUE, AxisState
+from motionlang.kernel.mccl.axis.flags import MOTOR_ERROR
 from motionlang.kernel.mccl.keywords import tuning
 
 if TYPE_CHECKING:
@@ -27,7 +28,9 @@ FULL_OUTPUT = 10.0
 
 
 def check_on(board: Board, axis: AxisState) -> None:
-    """Raise Rejected if the axis is switched off."""
+    """Raise Rejected if the axis is off, or has tripped without MN since."""
+    if axis.flags & MOTOR_ERROR:
+        raise Rejected("disabled-axis", f"axis {axis.number} has tripped and accepts no motion command")
     if not board.controller.is_enabled(axis.number):
         raise Rejected("disabled-axis", f"axis {axis.number} is off")
 

@@ -13,13 +13,11 @@ from functools import wraps
 from typing import TYPE_CHECKING, TypeAlias
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.lang.steps import DO, WAIT
 from motionlang.kernel.lang.waits import Wait, wait_idle
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis import motor
 from motionlang.kernel.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
-from motionlang.kernel.mccl.axis.flags import MOTOR_ERROR
 from motionlang.kernel.mccl.axis.launch import aim, check_unslaved, launch
 from motionlang.kernel.mccl.codes import Abandoned, Fault
 from motionlang.kernel.mccl.keywords.row import Group, written
@@ -255,8 +253,7 @@ def _start(task: CommandTask, command: Command, targets: Targets) -> None:
 def _check_fit(task: CommandTask, axis: AxisState) -> None:
     """Raise Rejected or Fault if the axis cannot accept a motion command now."""
     number = axis.number
-    if axis.flags & MOTOR_ERROR:
-        raise Rejected("disabled-axis", f"axis {number} has tripped and accepts no motion command")
+    motor.check_on(task.board, axis)
     check_unslaved(task.board, axis)
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
