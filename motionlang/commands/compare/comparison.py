@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.commands.compare.alignment import Signal, find_delay, fit, lag, simulated
+from motionlang.commands.compare.differences import scale_remarks, stroke_remarks
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
+from motionlang.commands.compare.strokes import Matched, match
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.log.trace import MOTOR, UNITS
 from motionlang.kernel.report import moves as moves_of
@@ -25,8 +27,9 @@ Row = dict[str, Any]
 
 # A recorded motor's position is compared with its commanded position.
 QUANTITIES = (*UNITS, "actual")
-# A fitted scale this far from 1 indicates other units; seconds after an end in which a motor overshoots.
-OTHER_UNITS, AFTER = 0.01, 0.5
+# Seconds after an end in which a motor overshoots, and the share of the variance that least squares may leave in a
+# signal whose scale they give.
+AFTER, UNEXPLAINED = 0.5, 1e-3
 # A time step this many times the usual one is a gap.
 GAP = 3.5
 
@@ -76,40 +79,44 @@ def compare(
     (s) is None it is computed from the data. Raises ProgramError if there is nothing to compare.
     """
     found, remarks = _signals(run, source, mapping)
+    trace = run.trace
+    matches = [match(trace, signal) for signal in found]
     if delay is None:
-        delay = find_delay(run.trace, found)
-        if delay is None:
-            raise ProgramError.of(
-                "recording",
-                "cannot align in time: nothing moves in the run or in the recording",
-                hint="give the delay of the recording with --delay S",
-            )
+        delay = _delay(run, found, matches)
     compared = _Compared(run, delay, tolerances or {})
-    signals = [compared.signal(signal) for signal in found]
-    for row in signals:
-        remarks += _remarks(row)
     rows: list[Row] = list(moves_of(run))
+    signals = []
+    strokes: dict[int, Matched] = {}
+    for signal, matched in zip(found, matches, strict=True):
+        if matched is not None and signal.axis not in strokes:
+            strokes[signal.axis] = matched
+            own = [row for row in rows if row["axis"] == signal.axis]
+            remarks += stroke_remarks(signal.name, matched, delay, own)
+    for signal, matched in zip(found, matches, strict=True):
+        known = strokes.get(signal.axis)
+        row = compared.signal(signal, matched, known.pairs[0].recorded.begin if known else None)
+        signals.append(row)
+        remarks += scale_remarks(
+            row, signal.quantity, matched, trace.controller.axes[signal.axis].scale.counts
+        )
     moves = [row for signal in found for row in compared.moves(signal, rows)]
     return Comparison(run, delay, found, signals, moves, remarks)
 
 
-def _remarks(row: Row) -> Iterator[Diagnostic]:
-    if row["points"] == 0:
-        yield Diagnostic(
+def _delay(run: Run, found: Sequence[Signal], matches: Sequence[Matched | None]) -> float:
+    """Return the delay of the recording, s: at the first stroke if the strokes differ, otherwise by least squares."""
+    known = [each for each in matches if each is not None]
+    if not all(each.is_same for each in known):
+        first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin)
+        return first.lag
+    delay = find_delay(run.trace, found)
+    if delay is None:
+        raise ProgramError.of(
             "recording",
-            f"{row['signal']}: no time of {row['column']} lies within the run",
-            severity="warning",
-            hint="try another --delay, or another unit of time",
+            "cannot align in time: nothing moves in the run or in the recording",
+            hint="give the delay of the recording with --delay S",
         )
-    elif abs(row["scale"] - 1.0) > OTHER_UNITS and row["moves"]:
-        yield Diagnostic(
-            "recording",
-            f"{row['signal']}: {row['column']} moves {row['scale']:.6g} times as far as the run",
-            severity="warning",
-            hint=f"if its unit differs: --map {row['signal']}={row['column']}*{1.0 / row['scale']:.6g}"
-            if row["scale"]
-            else "",
-        )
+    return delay
 
 
 # ------------------------------------------------------------------------------------------ columns
@@ -201,15 +208,33 @@ class _Compared:
     def __init__(self, run: Run, delay: float, tolerances: Mapping[str, float]) -> None:
         self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
 
-    def signal(self, signal: Signal) -> Row:
-        """Return the figures of a signal over its whole length."""
+    def signal(self, signal: Signal, matched: Matched | None, start: float | None) -> Row:
+        """Return the figures of a signal over its whole length; its axis starts at `start` in the recording."""
         times, values, residual = self._within(signal, 0.0, self._trace.end)
         expected = values - residual
-        scale, offset = fit(expected, values) if len(times) else (1.0, 0.0)
+        scale, offset = self._fit(signal, matched, start, expected, values)
         row = {"signal": signal.name, "column": signal.column, "points": len(times)}
         row |= {"scale": scale, "offset": offset, "moves": bool(len(times) and np.ptp(expected) > 0.0)}
         row |= {"lag": lag(self._trace, signal, self._delay, 0.0, self._trace.end)}
         return row | self._figures(signal, times, residual)
+
+    def _fit(
+        self, signal: Signal, matched: Matched | None, start: float | None, expected: Array, values: Array
+    ) -> tuple[float | None, float | None]:
+        """Return scale and offset: of the travel and at rest, or by least squares; None if they do not fit."""
+        if not len(values):
+            return 1.0, 0.0
+        scale, offset = fit(expected, values)
+        left = values - scale * expected - offset
+        if matched is not None:
+            scale = matched.scale
+        elif float(left @ left) > UNEXPLAINED * float(np.var(values)) * len(values):
+            return None, None
+        if matched is not None and signal.quantity == "position":
+            first = matched.pairs[0]
+            return scale, first.recorded.level - scale * first.run.level
+        before = np.zeros(0) if start is None else signal.values[signal.times < start]
+        return scale, float(np.median(before)) if len(before) else offset
 
     def moves(self, signal: Signal, rows: Sequence[Row]) -> Iterator[Row]:
         """Yield a row per move of the signal's axis, with one per phase."""

@@ -59,8 +59,7 @@ def render_comparison(
     """
     run = made.run
     head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
-    later = "later" if made.delay >= 0.0 else "earlier"
-    sections = [[head, f"the recording is {abs(made.delay):.6f} s {later} than the run"]]
+    sections = [[head, _delay_text(made.delay)]]
     sections.append(signals_table(made.signals).lines(width, colour=colour))
     if made.moves:
         sections.append(_moves(made.moves, everything).lines(width, colour=colour))
@@ -68,6 +67,13 @@ def render_comparison(
         verdict = "every residual is within its tolerance" if made.is_within else _verdict(made)
         sections.append([styled(verdict, "note" if made.is_within else "error", colour)])
     return "\n\n".join("\n".join(section) for section in sections) + "\n"
+
+
+def _delay_text(delay: float) -> str:
+    size = f"{abs(delay):.6f}"
+    if not float(size):
+        return "the recording starts with the run"
+    return f"the recording is {size} s {'later' if delay > 0.0 else 'earlier'} than the run"
 
 
 def signals_table(rows: Sequence[Row]) -> Table:

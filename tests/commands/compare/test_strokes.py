@@ -1,0 +1,209 @@
+"""How a recording of other motion is described, in both languages: its delay, its scale, and each stroke that differs.
+
+The run moves 200, -100 and 50 uu at 200 uu/s and 1000 uu/s², in 1.2, 0.7 and 0.45 s, from 0.5 s on, and rests 0.3 s in
+between. The recording is the same program with another line, or another column, at 500 Hz with six decimals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from motionlang.commands.compare.comparison import Comparison, Mapped, compare
+from motionlang.kernel.execution import run
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+MINT = """\
+SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000
+WAIT = 500
+MOVER(0) = 200 : GO(0) : PAUSE IDLE(0)
+WAIT = 300
+MOVER(0) = -100 : GO(0) : PAUSE IDLE(0)
+WAIT = 300
+MOVER(0) = 50 : GO(0) : PAUSE IDLE(0)
+WAIT = 500
+"""
+MCCL = """\
+1MN,1SV200,1SA1000,1DS1000
+WA0.5
+1MR200,1WS
+WA0.3
+1MR-100,1WS
+WA0.3
+1MR50,1WS
+WA0.5
+"""
+PROGRAMS = {"mint": ("a.mnt", MINT, 0), "mccl": ("a.mcl", MCCL, 1)}
+
+
+class Case(NamedTuple):
+    """A change of line `line` to a text of Mint or of MCCL, or of the numbers of the recording."""
+
+    line: int
+    mint: str
+    mccl: str
+    delay: float
+    scale: float
+    differences: list[str]
+    column: Callable[[np.ndarray], np.ndarray] = lambda values: values
+
+
+FASTER = [
+    "3: recorded the same 200 uu in 11 % less time: 240 against 200 uu/s",
+    "5: recorded the same 100 uu in 6.2 % less time: 240 against 200 uu/s",
+]
+CASES = {
+    "itself": Case(8, "WAIT = 500", "WA0.5", 0.0, 1.0, []),
+    "another speed": Case(
+        1, "SPEED(0) = 240 : ACCEL(0) = 1000 : DECEL(0) = 1000", "1MN,1SV240,1SA1000,1DS1000", 0.0, 1.0, FASTER
+    ),
+    "another speed, in inches": Case(
+        1,
+        "SPEED(0) = 240 : ACCEL(0) = 1000 : DECEL(0) = 1000",
+        "1MN,1SV240,1SA1000,1DS1000",
+        0.0,
+        1.0 / 25.4,
+        [*FASTER, "x moves 0.0393701 times as far as the run (7.87402 against 200 uu): millimetres and inches"],
+        lambda values: values / 25.4,
+    ),
+    # 0.7 s at 200 uu/s and 0.4 s at 500 uu/s² on each side are 1.4 s; 50 uu need √0.4 s, at most 158 uu/s.
+    "another rate": Case(
+        1,
+        "SPEED(0) = 200 : ACCEL(0) = 500 : DECEL(0) = 500",
+        "1MN,1SV200,1SA500,1DS500",
+        0.0,
+        1.0,
+        [
+            "3: recorded the same 200 uu in 17 % more time, accelerated at 500 against 1000 uu/s², "
+            "decelerated at 500 against 1000 uu/s²",
+            "5: recorded the same 100 uu in 29 % more time, accelerated at 500 against 1000 uu/s², "
+            "decelerated at 500 against 1000 uu/s²",
+            "7: recorded the same 50 uu in 41 % more time: 157.1 against 200 uu/s",
+        ],
+    ),
+    "a feed override": Case(
+        2,
+        "FEEDRATEMODE(0) = 2 : FEEDRATEOVERRIDE(0) = 50 : WAIT = 500",
+        "1SV100,WA0.5",
+        0.0,
+        1.0,
+        [
+            "3: recorded the same 200 uu in 75 % more time: 100 against 200 uu/s",
+            "5: recorded the same 100 uu in 57 % more time: 100 against 200 uu/s",
+            "7: recorded the same 50 uu in 33 % more time: 100 against 200 uu/s",
+        ],
+    ),
+    "a late start": Case(2, "WAIT = 2500", "WA2.5", 2.0, 1.0, []),
+    "a late move": Case(
+        4, "WAIT = 800", "WA0.8", 0.0, 1.0, ["5: recorded 0.5 s later, counted from the move before"]
+    ),
+    "a missing move": Case(5, "", "", 0.0, 1.0, ["5: -100 uu at 2 s are not recorded"]),
+    "the first move missing": Case(3, "", "", -1.2, 1.0, ["3: 200 uu at 0.5 s are not recorded"]),
+    "an extra move": Case(
+        4,
+        "WAIT = 100 : MOVER(0) = 30 : GO(0) : PAUSE IDLE(0) : WAIT = 300",
+        "WA0.1,1MR30,1WS,WA0.3",
+        0.0,
+        1.0,
+        ["30 uu at 1.8 s are recorded, the run is at rest"],
+    ),
+    "millimetres for metres": Case(
+        8,
+        "WAIT = 500",
+        "WA0.5",
+        0.0,
+        1000.0,
+        ["x moves 1000 times as far as the run (200000 against 200 uu): a prefix of the unit, such as µm and mm"],
+        lambda values: 1000.0 * values + 17.0,
+    ),
+    "a gear": Case(
+        8,
+        "WAIT = 500",
+        "WA0.5",
+        0.0,
+        -1.5,
+        ["x moves -1.5 times as far as the run (-300 against 200 uu): a gear of 3:2"],
+        lambda values: -1.5 * values,
+    ),
+    "no usual factor": Case(
+        8,
+        "WAIT = 500",
+        "WA0.5",
+        0.0,
+        1.1,
+        ["x moves 1.1 times as far as the run (220 against 200 uu)"],
+        lambda values: 1.1 * values,
+    ),
+    "other travel of one move": Case(
+        3,
+        "MOVER(0) = 220 : GO(0) : PAUSE IDLE(0)",
+        "1MR220,1WS",
+        0.0,
+        1.0,
+        ["3: recorded 1.1 times as far, 220 against 200 uu"],
+    ),
+    "an encoder of four counts per unit": Case(
+        1,
+        "SPEED(0) = 240 : ACCEL(0) = 1000 : DECEL(0) = 1000",
+        "1MN,1SV240,1SA1000,1DS1000",
+        0.0,
+        1.0,
+        ["3: recorded the same 200 uu in 10 % less time: 239.6 against 200 uu/s"],
+        lambda values: np.round(4.0 * values) / 4.0,
+    ),
+}  # fmt: skip
+
+
+@cache
+def made(language: str, line: int = 0, text: str = "") -> Run:
+    name, program, _ = PROGRAMS[language]
+    lines = program.splitlines(keepends=True)
+    lines[line - 1 : line] = [text + "\n"] if line else lines[-1:]
+    return run(Source(name, "".join(lines)))
+
+
+def compared(language: str, case: Case, later: float = 0.0) -> Comparison:
+    axis = PROGRAMS[language][2]
+    other = made(language, case.line, getattr(case, language))
+    samples = other.trace.sample(500.0, [axis], None, ["position"])
+    rows = zip(samples.time + later, case.column(samples.get(axis, "position")), strict=True)
+    text = "\n".join(["t,x", *(f"{time:.6f},{value:.6f}" for time, value in rows)])
+    return compare(made(language), Source("real.csv", text), [Mapped(f"position.{axis}", "x", None)])
+
+
+@pytest.mark.parametrize("later", [0.0, 2.0])
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_a_recording_of_other_motion(language: str, name: str, later: float) -> None:
+    case, axis = CASES[name], PROGRAMS[language][2]
+    found = compared(language, case, later)
+    assert found.delay == pytest.approx(case.delay + later, abs=2e-4)
+    (row,) = found.signals
+    assert row["scale"] == pytest.approx(case.scale, rel=1e-5)
+    command = "MOVER" if language == "mint" else "MR"
+    starts = (f"position.{axis}: ", f"position.{axis}, {command} of line ")
+    assert [
+        each.message.removeprefix(starts[0]).removeprefix(starts[1]) for each in found.remarks
+    ] == case.differences
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_a_run_compared_with_itself_has_no_offset(language: str) -> None:
+    (row,) = compared(language, CASES["itself"]).signals
+    assert (row["scale"], row["offset"]) == (1.0, 0.0)
+
+
+def test_a_line_that_differs_each_time_is_reported_once() -> None:
+    text = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\nWAIT(100)\nFor i = 1 To 5\n"
+    text += "  MOVER(0) = 20 : GO(0) : PAUSE IDLE(0) : WAIT(100)\nNext\n"
+    slow, fast = (run(Source("a.mnt", text.format(speed))) for speed in (50, 100))
+    samples = fast.trace.sample(1000.0, [0], None, ["position"])
+    rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(*samples.data, strict=True))
+    found = compare(slow, Source("real.csv", "t,x\n" + rows), [Mapped("position.0", "x", None)])
+    message = "position.0, MOVER of line 4: recorded the same 20 uu in 33 % less time: 100 against 50 uu/s"
+    assert [each.message for each in found.remarks] == [f"{message} (and 4 more)"]
