@@ -56,7 +56,7 @@ class Recorder:
             return readers.setting(lambda _: self.setting(axis, name), a, unit)
         if unit == readers.POSITION:
             return lambda *level: a.scale.position_to_user(getattr(self, name)(axis))
-        until = readers.passing(self, name, a, unit, subscriber.wraps)  # type: ignore[arg-type]
+        until = readers.passing(self, name, a, unit)  # type: ignore[arg-type]
         return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, subscriber, until)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:

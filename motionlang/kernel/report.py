@@ -302,6 +302,7 @@ def _axis(axis: Axis, now: float) -> Row:
     row: Row = {
         "axis": axis.index,
         "position": axis.scale.position_to_user(counts),
+        **({"wrapped_position": axis.scale.shown_position(counts)} if axis.scale.wrap else {}),
         "counts": counts,
         "scale": axis.scale.counts,
         "enabled": axis.enabled,

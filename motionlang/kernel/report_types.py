@@ -17,6 +17,7 @@ class ReportAxis(TypedDict):
 
     axis: int
     position: float
+    wrapped_position: NotRequired[float]
     counts: float
     scale: float
     enabled: bool

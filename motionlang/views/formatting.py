@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from math import isfinite
 
 from motionlang.kernel.result import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
+# A share of the largest number of a column below which another one is a rounding error of zero.
+ROUNDING = 1e-12
 _OUTCOMES = {
     "ended": "ended after {}",
     "until": "still running at the time limit of {}",
@@ -54,6 +57,18 @@ def figure(value: float, decimals: int = 3) -> str:
     if size >= 1e9 or 0.0 < size < 0.5 * 10.0**-decimals:
         return f"{value:.6g}"
     return f"{value + 0.0:.{decimals}f}"
+
+
+def formatter(values: Iterable[float], most: int = 4) -> Callable[[float], str]:
+    """Return a function that formats the numbers of a column, which all have the fewest decimals that show them.
+
+    The decimals are at most `most`, unless all are small. A number that is a rounding error of zero, compared with the
+    largest, is 0.
+    """
+    values = [value for value in values if isfinite(value)]
+    least = ROUNDING * max(map(abs, values), default=0.0)
+    decimals = decimals_of((value for value in values if abs(value) > least), most)
+    return lambda value: figure(value if abs(value) > least else 0.0, decimals)
 
 
 def decimals_of(values: Iterable[float], most: int = 4) -> int:

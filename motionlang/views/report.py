@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterator, Sequence
-from functools import partial
 from math import fsum
 from typing import Any, cast
 
@@ -25,6 +24,7 @@ from motionlang.views.formatting import (
     decimals_of,
     dialect_name,
     figure,
+    formatter,
     grouped,
     line_number,
     outcome,
@@ -169,8 +169,7 @@ def with_phases(moves: Sequence[Row]) -> list[Row]:
 
 def moves_table(rows: Sequence[Row]) -> Table:
     """Return the table of moves; the commanded speed is only shown if a move did not reach it."""
-    position = [row[end] for row in rows for end in ("start", "end") if end in row]
-    place = partial(figure, decimals=decimals_of(position))
+    place = formatter(row[end] for row in rows for end in ("start", "end") if end in row)
     columns = (
         Column("axis"),
         Column("command", left=True, style="word"),
@@ -326,7 +325,10 @@ def axes_table(rows: Sequence[Row]) -> Table:
     """Return the table of the axes at the end of a run."""
     columns = (
         Column("axis"),
-        Column("position", unit="uu", decimals=4),
+        Column("position", data=True),
+        Column(
+            "", "position", "uu", get=lambda row: row.get("wrapped_position", row["position"]), decimals=4
+        ),
         Column("counts", decimals=2, drop=2),
         Column("scale", unit="counts/uu", decimals=4, drop=1),
         Column("feedback", left=True, drop=3),

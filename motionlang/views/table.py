@@ -15,7 +15,7 @@ from math import isfinite
 from typing import IO, Any
 
 from motionlang.views import terminal
-from motionlang.views.formatting import decimals_of, figure, grouped
+from motionlang.views.formatting import formatter, grouped
 from motionlang.views.terminal import printable, styled
 
 # The name of the one schema of the commands' JSON documents; the report of a run has its own.
@@ -59,10 +59,8 @@ class Column:
         """Return the cells of the column as text."""
         values = list(map(self.value, rows))
         if self.decimals is not None:
-            places = decimals_of([value for value in values if isinstance(value, float | int)], self.decimals)
-            return [
-                figure(value, places) if isinstance(value, float | int) else _plain(value) for value in values
-            ]
+            text = formatter([value for value in values if isinstance(value, float | int)], self.decimals)
+            return [text(value) if isinstance(value, float | int) else _plain(value) for value in values]
         return ["" if value is None else (self.text or _plain)(value) for value in values]
 
 

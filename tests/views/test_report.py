@@ -264,7 +264,7 @@ def test_an_axis_with_a_motor_has_its_error_in_user_units(
         output=output,
         chosen=None if chosen is None else SimpleNamespace(gains=chosen),
     )
-    scale = SimpleNamespace(counts=counts, position_to_user=lambda position: position / 200.0)
+    scale = SimpleNamespace(counts=counts, wrap=0.0, position_to_user=lambda position: position / 200.0)
     axis: Any = SimpleNamespace(index=3, scale=scale, enabled=True, faults=4, feedback=motor)
     assert json.dumps(_axis(axis, 0.0)["motor"]) == json.dumps(row)
     assert [_axis(axis, 0.0)[name] for name in ("axis", "position", "counts", "error", "feedback")] == [

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from itertools import pairwise
+from math import inf
 
 import pytest
 
 from motionlang.kernel.report import moves
-from motionlang.views.formatting import clock_time, decimals_of, figure
+from motionlang.views.formatting import clock_time, decimals_of, figure, formatter
 from motionlang.views.report import _Events, _Gathered, render
 from motionlang.views.table import Column, Table
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
@@ -252,6 +253,21 @@ def test_figures_have_the_decimals_they_need() -> None:
     assert figure(-0.0) == "0.000"
     assert figure(1e12 / 3, 1) == "3.33333e+11"
     assert figure(1e-9, 3) == "1e-09"
+
+
+@pytest.mark.parametrize(
+    ("values", "wanted"),
+    [
+        ([0.025, -8.88e-16, -0.025], ["0.025", "0.000", "-0.025"]),
+        ([5000.0, -9.09e-13, -9.09e-10], ["5000", "0", "0"]),
+        ([1.0, 1e-11], ["1", "1e-11"]),  # too large for a rounding error
+        ([8.88e-16], ["8.88e-16"]),
+        ([inf, 1e-13, 1.0], ["inf", "0", "1"]),
+        ([], []),
+    ],
+)
+def test_a_rounding_error_of_a_column_is_zero(values: list[float], wanted: list[str]) -> None:
+    assert list(map(formatter(values), values)) == wanted
 
 
 @pytest.mark.parametrize(

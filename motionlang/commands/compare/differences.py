@@ -79,9 +79,9 @@ def _differences(
     signal: str, matched: Matched, delay: float, rows: Sequence[Row]
 ) -> Iterator[tuple[str, str]]:
     for stroke in matched.missing:
-        name, travel = _name(signal, stroke, rows), _size(stroke.travel)
+        name, start = _name(signal, stroke, rows), round(stroke.begin, 3)
         yield (
-            f"{name}: {travel} uu at {round(stroke.begin, 3):g} s are not recorded",
+            f"{name}: {_size(stroke.travel)} uu at {start:g} s are not recorded",
             "the controller skips this move, or executes another line",
         )
     for stroke in matched.extra:

@@ -11,7 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from motionlang.views.diagnostics import diagnostics_table
-from motionlang.views.formatting import decimals_of, dialect_name, figure, line_number, outcome
+from motionlang.views.formatting import dialect_name, figure, formatter, line_number, outcome
 from motionlang.views.report import with_phases
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
@@ -78,12 +78,13 @@ def _delay_text(delay: float) -> str:
 
 def signals_table(rows: Sequence[Row]) -> Table:
     """Return the table of the signals of a recording."""
+    sizes = [row[name] for row in rows for name in ("offset", "peak") if row[name] is not None]
     columns = (
         Column("signal", left=True, style="word"),
         Column("column", left=True, drop=2),
         Column("points", drop=3),
         Column("scale", text="{:.6g}".format, drop=1),
-        Column("offset", unit="uu", text=partial(figure, decimals=6), drop=1),
+        Column("offset", unit="uu", text=formatter(sizes, 6), drop=1),
         Column("moves", data=True),
         _LAG,
         *_peaks(rows),
@@ -115,8 +116,7 @@ def moves_table(rows: Sequence[Row]) -> Table:
 
 def _peaks(rows: Sequence[Row]) -> tuple[Column, Column, Column]:
     """Return the columns of the largest residual, its time and the RMS, of the same decimals."""
-    known = [row[name] for row in rows for name in ("peak", "rms") if row["peak"] is not None]
-    size = partial(figure, decimals=decimals_of(known))
+    size = formatter(row[name] for row in rows for name in ("peak", "rms") if row["peak"] is not None)
     return (
         Column("peak", "largest", "uu", text=size),
         Column("peak_time", "at", "s", text=partial(figure, decimals=6)),

@@ -7,7 +7,7 @@ which the quantity passes the level it is compared with.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from operator import attrgetter
 from typing import Any, Protocol
 
@@ -38,12 +38,10 @@ class DependencySink(Protocol):
 
 
 class Subscriber(Protocol):
-    """The subscriber to readings, and by axis the value at which positions wrap."""
+    """The subscriber to readings."""
 
     @property
     def dependencies(self) -> DependencySink: ...
-
-    wraps: dict[int, float]
 
 
 # The unit of a position on the axis, which counts from its zero.
@@ -62,12 +60,12 @@ _CROSSINGS = {
 
 
 class _NoSubscriber:
-    """The absence of a subscriber and of any wrap."""
+    """The absence of a subscriber."""
 
     notes: list[Any] | None = None
 
     def __init__(self) -> None:
-        self.dependencies, self.wraps = self, dict[int, float]()
+        self.dependencies = self
 
     def note(self, until: Until, *about: Any) -> None:
         """Ignore the reading."""
@@ -86,7 +84,7 @@ def reader(
     a = controller.axes[axis]
     if name in SETTINGS:
         return setting(attrgetter(name), a, unit)
-    until = passing(controller, name, a, unit, subscriber.wraps)
+    until = passing(controller, name, a, unit)
     written_out = _WRITTEN_OUT.get((name, unit))
     if written_out is not None:
         return written_out(controller, a, subscriber, until)
@@ -94,7 +92,7 @@ def reader(
     return converted(lambda: verb(axis), a.scale, unit, subscriber, until)
 
 
-def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
+def passing(controller: AxisVerbs, name: str, a: Axis, unit: str) -> Until:
     """Return a function for the time at which a reading passes a level, in its unit.
 
     If the reading is not compared (level None), it may change at once as long as the axis moves.
@@ -107,16 +105,17 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
     def until(level: Level = None) -> float:
         if controller.is_still(axis):
             return INFINITY
-        wrap = wraps.get(axis) if wraps and is_position else None
         if crossing_time is None or level is None:
             return clock.now
         if isinstance(level, tuple):
             distance, centre = level
             return min(until(centre + distance), until(centre - distance))
-        if not wrap:
+        if not (is_position and scale.wrap):
             return crossing_time(axis, to_counts(level))  # type: ignore[no-any-return]
         here = scale.position_to_user(getattr(controller, name)(axis))
-        return passing_within(wrap, here, level, lambda position: crossing_time(axis, to_counts(position)))
+        return passing_within(
+            scale.wrap, here, level, lambda position: crossing_time(axis, to_counts(position))
+        )
 
     return until
 
@@ -202,8 +201,6 @@ def _position(
     clock, scale = controller.clock, a.scale
     dependencies = subscriber.dependencies
     note = dependencies.note
-    wraps = subscriber.wraps
-    axis = a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
     still, until = False, -1.0
     profile: Profile | None = None
@@ -231,10 +228,7 @@ def _position(
                 still = c1 == c2 == c3 == 0.0
                 c0 += 0.0  # no minus zero, as a sum with the other terms gives none
         found = (found - scale.zero) / scale.counts
-        if wraps:
-            wrap = wraps.get(axis)
-            return found % wrap if wrap else found
-        return found
+        return found % scale.wrap if scale.wrap else found
 
     return read
 

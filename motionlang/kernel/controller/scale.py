@@ -13,21 +13,25 @@ def in_unit(value: float, factors: tuple[float, float]) -> float:
 
 
 class Scale:
-    """`counts` per user unit, seconds per user time unit (`rate`), and the `zero`.
+    """`counts` per user unit, seconds per user time unit (`rate`), the `zero`, and the `wrap`.
 
-    MCCL has all three (US, UR, UO). Mint has only the first. On newer drives it also has a unit of speed, `speed`, and
-    a unit of acceleration and jerk, `acceleration`; None means `counts`.
+    A position that is shown starts again from 0 at `wrap` user units; 0 means that it does not. MCCL has the first
+    three (US, UR, UO). Mint has the first and the last (POSWRAP). On newer drives it also has a unit of speed, `speed`,
+    and a unit of acceleration and jerk, `acceleration`; None means `counts`.
     """
 
-    __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "zero")
+    __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "wrap", "zero")
 
     def __init__(self, counts: float = 1.0, rate: float = 1.0, zero: float = 0.0) -> None:
         # By the power of the length: the factor and the divisor of a value in counts and seconds.
         self.factors: list[tuple[float, float]] = []
+        self.counts, self.wrap = counts, 0.0
         self.set(counts, rate, zero)
 
     def set(self, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Set one unit of length for positions, speeds and accelerations."""
+        """Set one unit of length for positions, speeds and accelerations; the wrap keeps its counts."""
+        if self.wrap:
+            self.wrap *= abs(self.counts / counts)
         self.counts, self.rate, self.zero = counts, rate, zero
         self.set_units(None, None)
 
@@ -65,3 +69,8 @@ class Scale:
 
     def position_to_user(self, position: float) -> float:
         return (position - self.zero) / self.counts
+
+    def shown_position(self, position: float) -> float:
+        """Return a position in user units within the wrap."""
+        value = (position - self.zero) / self.counts
+        return value % self.wrap if self.wrap else value

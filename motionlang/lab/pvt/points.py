@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.pieces import acceleration_in, jerk_in, position_in, velocity_in
+from motionlang.kernel.planners.pieces import acceleration_in, jerk_in, velocity_in
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.tools import total
 
@@ -133,20 +133,22 @@ def segments(profile: Profile) -> list[Segment]:
 
 
 def knots(profile: Profile) -> list[Knot]:
-    """Return each knot of a motion with velocity and acceleration on both sides."""
+    """Return each knot of a motion with velocity and acceleration on both sides.
+
+    A cubic ends at the given velocity, with which the next cubic begins: there it is exact.
+    """
     times, pieces = profile.knots, profile.pieces
     table = []
     for i, time in enumerate(times):
+        if i < len(pieces):
+            position, after = pieces[i][0], (pieces[i][1], acceleration_in(pieces[i], 0.0))
+        else:
+            position, after = profile.end, (profile.end_velocity, 0.0)
+        before = profile.start_velocity, 0.0
         if i:
             piece, span = pieces[i - 1], time - times[i - 1]
-            position = position_in(piece, span)
-            before = velocity_in(piece, span), acceleration_in(piece, span)
-        else:
-            position, before = profile.start, (profile.start_velocity, 0.0)
-        if i < len(pieces):
-            after = velocity_in(pieces[i], 0.0), acceleration_in(pieces[i], 0.0)
-        else:
-            after = profile.end_velocity, 0.0
+            joins = any(piece[2:]) and (i == len(pieces) or any(pieces[i][2:]))
+            before = after[0] if joins else velocity_in(piece, span), acceleration_in(piece, span)
         table.append(Knot(time, position, before[0], after[0], before[1], after[1]))
     return table
 

@@ -10,14 +10,12 @@ from typing import Any
 from motionlang.kernel.planners.curve import Profile
 from motionlang.kernel.tools import count_of
 from motionlang.lab.pvt.points import Knot, knots, segments
-from motionlang.views.formatting import decimals_of
+from motionlang.views.formatting import ROUNDING, decimals_of
 from motionlang.views.table import Column, Document, Table
 
 WIDTH = 120
 MAX_ROWS = 40
 MAX_COLUMNS = 12
-NOISE = 1e-12
-"""Largest jump, relative to the accelerations around it, that is a rounding error."""
 
 
 def motion_document(name: str, profile: Profile) -> Document:
@@ -41,7 +39,6 @@ def motion_document(name: str, profile: Profile) -> Document:
 def segments_table(profile: Profile) -> Table:
     """Return each segment with its jerk, acceleration and initial acceleration jump."""
     marks, found = knots(profile), segments(profile)
-    scale = _scale(profile)
     rows = [
         {
             "segment": i,
@@ -49,23 +46,24 @@ def segments_table(profile: Profile) -> Table:
             "duration": each.duration,
             "end_position": marks[i + 1].position,
             "end_velocity": marks[i + 1].velocity,
-            "acceleration": quiet(each.acceleration, scale),
-            "end_acceleration": quiet(each.end_acceleration, scale),
+            "acceleration": each.acceleration,
+            "end_acceleration": each.end_acceleration,
             "jerk": each.jerk,
-            "jump_before": quiet(marks[i].jump, scale),
+            "jump_before": marks[i].jump,
         }
         for i, each in enumerate(found)
     ]
+    scale = _scale(profile)
     columns = (
         Column("segment"),
         _fixed(rows, "start_time", "start", "ms"),
         _fixed(rows, "duration", "time", "ms"),
         _fixed(rows, "end_position", "end", "counts"),
         _fixed(rows, "end_velocity", "end velocity", "counts/s"),
-        _fixed(rows, "acceleration", "acceleration", "counts/s²"),
-        _fixed(rows, "end_acceleration", "to", "counts/s²"),
+        _fixed(rows, "acceleration", "acceleration", "counts/s²", scale=scale),
+        _fixed(rows, "end_acceleration", "to", "counts/s²", scale=scale),
         _fixed(rows, "jerk", "jerk", "counts/s³"),
-        _fixed(rows, "jump_before", "jump before", "counts/s²"),
+        _fixed(rows, "jump_before", "jump before", "counts/s²", scale=scale),
     )
     return Table("segments", columns, rows)
 
@@ -88,10 +86,11 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
     count = len(marks) - 1
     text = f"{count_of(count, 'segment')}, {figure(profile.duration * 1000.0)} ms"
     step = max((abs(mark.next_velocity - mark.velocity) for mark in marks), default=0.0)
-    if quiet(step, profile.peak_speed):
+    if step > ROUNDING * profile.peak_speed:
         text += f"; largest velocity jump {figure(step)} counts/s"
-    largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
-    return f"{text}; largest acceleration jump {figure(largest)} counts/s² between the ends"
+    largest = max((abs(mark.jump) for mark in marks[1:-1]), default=0.0)
+    shown = figure(largest if largest > ROUNDING * scale else 0.0)
+    return f"{text}; largest acceleration jump {shown} counts/s² between the ends"
 
 
 def methods_table(
@@ -103,25 +102,20 @@ def methods_table(
     """
     scale = max(map(abs, accelerations), default=0.0)
     methods: list[dict[str, object]] = [
-        {"velocities": name, "largest_jump": quiet(jump, scale), "values": velocities}
+        {"velocities": name, "largest_jump": jump, "values": velocities}
         | {f"v{n}": velocity for n, velocity in enumerate(velocities)}
         for name, velocities, jump in rows
     ]
     inner = len(rows[0][1]) - 2
     columns = [
         Column("velocities", left=True),
-        _fixed(methods, "largest_jump", "largest jump", "counts/s²", most=1),
+        _fixed(methods, "largest_jump", "largest jump", "counts/s²", most=1, scale=scale),
         Column("values", data=True),
     ]
     for n in range(1, inner + 1 if inner <= MAX_COLUMNS else 1):
         shown = _fixed(methods, f"v{n}", f"v{n}", "counts/s", most=2)
         columns.append(replace(shown, key="", get=itemgetter(f"v{n}"), drop=n))
     return Table("methods", columns, methods)
-
-
-def quiet(value: float, scale: float) -> float:
-    """Return the value, or 0 if it is only a rounding error relative to `scale`."""
-    return value if abs(value) > NOISE * scale else 0.0
 
 
 def pairs_lines(pairs: Sequence[tuple[str, str]]) -> list[str]:
@@ -135,8 +129,12 @@ def figure(value: float, most: int = 4) -> str:
     return f"{value:.{decimals_of([value], most)}f}"
 
 
-def _fixed(rows: Sequence[dict[str, Any]], key: str, title: str, unit: str, most: int = 4) -> Column:
-    """Return a column of numbers with the same decimals, at most so many."""
+def _fixed(
+    rows: Sequence[dict[str, Any]], key: str, title: str, unit: str, most: int = 4, scale: float = 0.0
+) -> Column:
+    """Return a column of numbers with the same decimals, at most so many; `scale` is their usual size."""
     factor = 1000.0 if unit == "ms" else 1.0
-    form = f"{{:z.{decimals_of((factor * row[key] for row in rows), most)}f}}"
+    values = [factor * row[key] for row in rows]
+    least = ROUNDING * max(map(abs, [*values, scale]))
+    form = f"{{:z.{decimals_of((value for value in values if abs(value) > least), most)}f}}"
     return Column(key, title, unit, text=lambda value: form.format(factor * value))

@@ -87,7 +87,7 @@ class Subscriber:
     """A subscriber that receives readings through `note` while `notes` is not None."""
 
     def __init__(self) -> None:
-        self.dependencies, self.wraps = self, dict[int, float]()
+        self.dependencies = self
         self.notes: list[object] | None = None
         self.subscriptions: list[tuple[Callable[..., float], object]] = []
 
@@ -103,7 +103,7 @@ def test_a_subscriber_gets_readings_and_the_levels_they_are_compared_with() -> N
     assert position() == 7.0
     assert subscriber.subscriptions == []
     subscriber.notes = []
-    subscriber.wraps[0] = 5.0
+    controller.axes[0].scale.wrap = 5.0
     assert position(6.5) == 2.0
     assert speed() == 0.0
     assert [level for _, level in subscriber.subscriptions] == [6.5, None]
@@ -127,7 +127,7 @@ def test_a_subscriber_is_notified_when_a_reading_passes_a_level() -> None:
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)
     assert until_position(inf) == inf
-    subscriber.wraps[0] = 0.4
+    controller.axes[0].scale.wrap = 0.4
     assert until_position(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
     assert until_position(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
     assert until_position(inf) == until_position(-inf) == inf

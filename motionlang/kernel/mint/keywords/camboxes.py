@@ -50,8 +50,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
     controller = environment.controller
     if kind == AXIS:
         scale = scale_of(environment, channel)
-        wrap = environment.wraps.get(channel, 0.0)
-        return Source(controller.axes[channel], 0.0, scale.counts, wrap)
+        return Source(controller.axes[channel], 0.0, scale.counts, scale.wrap)
     encoders = environment.component(Encoders if kind == ENCODER else AuxEncoders)
     shown = (
         encoders.setting("zero", channel),

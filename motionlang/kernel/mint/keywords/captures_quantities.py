@@ -93,7 +93,7 @@ def column(
 
 def _of(environment: Environment, quantity: int, axis: int, times: Sequence[float]) -> list[float]:
     a, scale = environment.controller.axes[axis], scale_of(environment, axis)
-    wrap = environment.wraps.get(axis)
+    wrap = scale.wrap
     if quantity in _MOTOR and a.feedback is not None:
         found = _recalled(environment, axis, _MOTOR[quantity], times)
         if quantity in (OUTPUT, TORQUE):

@@ -10,7 +10,7 @@ from motionlang.kernel.controller.motion.reference import PERIOD
 from motionlang.kernel.lang.keyword import Actions, Keyword, kind_of
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
-from motionlang.kernel.mint.runtime.binding import of, of_word
+from motionlang.kernel.mint.runtime.binding import of, of_word, scale_of
 from motionlang.kernel.mint.runtime.changes import moving, repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.planners.reference import Slope
@@ -144,8 +144,8 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
 def read_position(environment: Environment, axis: int) -> float:
     """POSREF: return the target of the axis or, without one, its demand."""
     target = environment.controller.axes[axis].target
-    return environment.wrapped_position(
-        axis, target if abs(target) < INFINITY else environment.controller.demand(axis)
+    return scale_of(environment, axis).shown_position(
+        target if abs(target) < INFINITY else environment.controller.demand(axis)
     )
 
 

@@ -7,7 +7,7 @@ from math import floor
 from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.homing import Homes
-from motionlang.kernel.mint.runtime.binding import axis_of, of, of_word
+from motionlang.kernel.mint.runtime.binding import axis_of, of, of_word, scale_of
 from motionlang.kernel.mint.runtime.changes import moving
 from motionlang.kernel.mint.runtime.environment import Environment
 
@@ -19,12 +19,12 @@ def _wraps(environment: Environment, axis: int, counts: float) -> int:
 
     If the position is infinite, the present position is used instead.
     """
-    wrap = environment.wraps.get(axis)
-    if not wrap:
+    scale = scale_of(environment, axis)
+    if not scale.wrap:
         return 0
     if not abs(counts) < 1e300:
         counts = environment.controller.position(axis)
-    return floor(environment.controller.axes[axis].scale.position_to_user(counts) / wrap + 1e-12)
+    return floor(scale.position_to_user(counts) / scale.wrap + 1e-12)
 
 
 def do_datum(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:

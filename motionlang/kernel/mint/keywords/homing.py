@@ -9,7 +9,7 @@ from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.kernel.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, Switches
-from motionlang.kernel.mint.runtime.binding import of, unchecked
+from motionlang.kernel.mint.runtime.binding import of, scale_of, unchecked
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
 
@@ -42,7 +42,8 @@ class Homes(Settings):
 
     def position_before(self, axis: int) -> float:
         """HOMEPOS: return POS at the datum, before homing set it to a new value."""
-        return self.environment.wrapped_position(axis, self._before[axis]) if axis in self._before else 0.0
+        before = self._before.get(axis)
+        return 0.0 if before is None else scale_of(self.environment, axis).shown_position(before)
 
     def phase(self, axis: int) -> int:
         """Return the state of the homing as its index in `STATES`."""

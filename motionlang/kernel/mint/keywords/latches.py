@@ -181,7 +181,7 @@ def read_value(latch: Latch, row: Keyword) -> float:
     return (
         latch.value
         if latch.source == ENCODER
-        else latch.environment.wrapped_position(latch.axis, latch.value)
+        else scale_of(latch.environment, latch.axis).shown_position(latch.value)
     )
 
 

@@ -51,8 +51,8 @@ class Compare:
 
     def _wrap_counts(self) -> float:
         """Return the length of a wrap in counts, 0 if the axis does not wrap."""
-        wrap = self._environment.wraps.get(self._axis)
-        return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
+        scale = self._controller.axes[self._axis].scale
+        return abs(scale.to_counts(scale.wrap))
 
     def _watched(self, positions: list[float], wrap_counts: float, change: Callable[[int], None]) -> Cells:
         """Watch positions; on an axis that wraps, each of them recurs in every wrap."""

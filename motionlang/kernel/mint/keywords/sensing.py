@@ -66,7 +66,7 @@ def _shown(environment: Environment, axis: int, target: float) -> float:
     POSROLLOVERTARGET returns the number of its wraps.
     """
     counts = target if abs(target) < ENDLESS else environment.controller.position(axis)
-    return environment.wrapped_position(axis, counts)
+    return scale_of(environment, axis).shown_position(counts)
 
 
 # --------------------------------------------------------------------------------------------- idle windows
@@ -276,38 +276,23 @@ def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) 
 # ---------------------------------------------------------------------------------------------------- wraps
 
 
-class Wraps:
-    """POSWRAP of every axis in counts.
-
-    A change of the scale changes its value in user units, as for any earlier setting.
-    """
-
-    def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._counts: dict[int, float] = {}
-        environment.controller.listeners.append(self._on_event, "scale")
-
-    def set(self, axis: int, value: float) -> None:
-        self._environment.wraps[axis] = value
-        self._counts[axis] = value * abs(scale_of(self._environment, axis).counts)
-
-    def _on_event(self, what: str, axis: int) -> None:
-        if what == "scale" and axis in self._counts:
-            self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
+def write_wrap(environment: Environment, axis: int, value: float) -> None:
+    """POSWRAP: set the range in which POS counts."""
+    scale_of(environment, axis).wrap = value
 
 
 def read_wraps(environment: Environment, axis: int) -> int:
     """POSROLLOVER: return the number of times POS has wrapped."""
-    controller, wrap = environment.controller, environment.wraps.get(axis)
-    position = controller.axes[axis].scale.position_to_user(controller.position(axis))
-    return floor(position / wrap) if wrap else 0
+    scale = scale_of(environment, axis)
+    position = scale.position_to_user(environment.controller.position(axis))
+    return floor(position / scale.wrap) if scale.wrap else 0
 
 
 def write_wraps(environment: Environment, axis: int, value: int) -> None:
     """POSROLLOVER: shift the position by the difference in wraps; POS does not change."""
-    controller, wrap = environment.controller, environment.wraps.get(axis, 0.0)
-    more = (value - read_wraps(environment, axis)) * wrap
-    counts = controller.axes[axis].scale.to_counts(more)
+    controller, scale = environment.controller, scale_of(environment, axis)
+    more = (value - read_wraps(environment, axis)) * scale.wrap
+    counts = scale.to_counts(more)
     controller.define_position(axis, controller.position(axis) + counts)
 
 
@@ -340,7 +325,9 @@ _ENCODER_COUNT = Actions(
     )
 )
 _ENCODER_SETTING = Actions(read=of_word(Encoders, read_setting), write=of_word(Encoders, write_setting))
-_WRAP = Actions(read=of(Environment, lambda e, axis: e.wraps.get(axis, 0.0)), write=of(Wraps, Wraps.set))
+_WRAP = Actions(
+    read=of(Environment, lambda e, axis: scale_of(e, axis).wrap), write=of(Environment, write_wrap)
+)
 _WRAPS = Actions(read=moving(of(Environment, read_wraps)), write=unchecked(of(Environment, write_wraps)))
 
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"

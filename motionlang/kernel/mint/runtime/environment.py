@@ -79,8 +79,6 @@ class Environment(Waits):
         self.jogs: dict[int, float] = {}
         # The source offset of the speed of 0 about which each axis has warned.
         self.holds: dict[int, int] = {}
-        # The wrap of POS in user units, for the axes that wrap.
-        self.wraps: dict[int, float] = {}
         # The condition of IDLE beyond the end of the move, if the program sets one.
         self.settled: Callable[[int], bool] | None = None
         # Called with the axis after each load into its buffer, if a program chooses what starts moves.
@@ -285,19 +283,14 @@ class Environment(Waits):
         self.acts += 1
         return self._random()
 
-    def wrapped_position(self, axis: int, counts: float) -> float:
-        """Return a position in user units, within its wrap, as POS shows it."""
-        position, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
-        return position % wrap if wrap else position
-
     def absolute_counts(self, axis: int, value: float) -> float:
         """Return an absolute position of a move in counts; `value` is in user units.
 
         On an axis that wraps it is a position in the wrap in which the axis will be when its buffer is empty.
         """
-        a, wrap = self.controller.axes[axis], self.wraps.get(axis)
-        if wrap:
-            value += a.scale.position_to_user(end(a)) // wrap * wrap
+        a = self.controller.axes[axis]
+        if a.scale.wrap:
+            value += a.scale.position_to_user(end(a)) // a.scale.wrap * a.scale.wrap
         return a.scale.position_to_counts(value)
 
     def restore_variable(self, name: str, variable: list[object]) -> None:
