@@ -169,7 +169,7 @@ class Reachability:
         return True
 
     def _variable_may_change(self, function: Function, symbol: Symbol) -> bool:
-        """True if another function may change a variable while this function waits."""
+        """True if another task, an event handler or a host may change a variable while this function runs."""
         if symbol.kind == "const":
             return False
         if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
@@ -204,7 +204,7 @@ class Reachability:
             elif symbol is None:
                 continue
             elif symbol.kind != "const" and (
-                symbol.kind not in ("variable", "parameter") or self._shared(symbol)
+                symbol.kind not in ("variable", "parameter") or self._variable_may_change(function, symbol)
             ):
                 return
         inside = list(walk(node.body))
@@ -235,13 +235,6 @@ class Reachability:
         if symbol is None:
             return False
         return symbol.home is not function or bool(self.facts.writers.get(symbol, set()) - {function})
-
-    def _shared(self, symbol: Symbol) -> bool:
-        """True if another task, an event handler or a host may change the variable."""
-        if symbol.type.name == TIME or symbol.by_ref or symbol in self.facts.hosted:
-            return True
-        roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}
-        return bool(roots - self.facts.roots[symbol.home]) or len(roots) > 1
 
     def _calls(self, name: nodes.Name) -> bool:
         return name.symbol is not None and name.symbol.kind == "sub"

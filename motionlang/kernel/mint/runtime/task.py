@@ -8,6 +8,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.step_task import StepTask
+from motionlang.kernel.lang.steps import CALL, RETURN
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -113,7 +114,25 @@ class MintTask(StepTask):
     def too_deep(self) -> Rejected:
         """Return the error of calls that are nested too deeply."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
+        label = self._left_gosub()
+        if label:
+            return Rejected(
+                "recursion", f"{words}: a Goto left GOSUB {label} without Return", "end it with Return"
+            )
         return Rejected("recursion", words, "a sub, a function or a Gosub calls itself endlessly")
+
+    def _left_gosub(self) -> str:
+        """Return the label of the innermost Gosub that a Goto left, "" if each call is within the one around it."""
+        for outer, inner in zip(reversed(self.calls[:-1]), reversed(self.calls[1:]), strict=True):
+            steps, begin = outer.steps, outer.steps[outer.pc - 1].to
+            if inner.steps is not steps or begin not in steps.labels:
+                continue
+            called = {step.to for step in steps if step.kind == CALL and step.to in steps.labels}
+            end = min((at for at in called if at > begin), default=len(steps))
+            returns = [at for at in range(begin, end) if steps[at].kind == RETURN]
+            if not begin < inner.pc <= (returns[-1] if returns else end):
+                return steps.labels[begin]
+        return ""
 
     def set_time_slice(self) -> None:
         """Apply TASKQUANTUM, reduced by half a statement.
