@@ -98,8 +98,9 @@ ROWS = (
     Quantity("torque.N", "N m", "largest torque of that motor", _motor("torque")),
     Quantity("rms_torque.N", "N m", "RMS torque over the run", _motor("torque", True)),
     Quantity("output.N", "V", "largest output to that motor", _motor("output")),
-    Quantity("cycle(…)", "s", "median time between moves or waits of a line: cycle(12); between an output's being "
-             "switched on: cycle(output 3); between lines with a text: cycle(print placed); or .least, .most, .count",
+    Quantity("cycle(…)", "s", "median time between moves, waits, outputs or prints of a line: cycle(12); between an "
+             "output's being switched on: cycle(output 3); between lines with a text: cycle(print placed); or .least, "
+             ".most, .count",
              lambda run, n: None),
     Quantity("margin", "", "smallest margin of [axis.N.limits], as a fraction of the limit", _margin),
 )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.records import Changed
+from motionlang.kernel.log.records import Changed, Switched
 from motionlang.kernel.log.stream import Stream
 
 # group -> (name in the log, prefix of a lane's name, True for digital channels)
@@ -49,9 +49,9 @@ def lanes(controller: Controller) -> list[Lane]:
     """Return a lane for every channel that changed, by group and number."""
     made: list[Lane] = []
     for group, (attribute, prefix, is_digital) in GROUPS.items():
-        changes: Stream[Changed] = getattr(controller.log, attribute)
+        changes: Stream[Changed] | Stream[Switched] = getattr(controller.log, attribute)
         found: dict[int, Lane] = {}
-        for time, channel, value in changes:
+        for time, channel, value, *_ in changes:
             lane = found.get(channel)
             if lane is None:
                 lane = found[channel] = Lane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])

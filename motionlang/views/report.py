@@ -88,7 +88,7 @@ def run_document(run: Run) -> Document:
 def _quantity(value: float | str | bool | None) -> str:
     if isinstance(value, float):
         return f"{value:.6g}"
-    return "does not occur twice" if value is None else printable(str(value))
+    return "no value" if value is None else printable(str(value))
 
 
 class _Total:

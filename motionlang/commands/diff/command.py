@@ -25,6 +25,7 @@ from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
+from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import quantity_names, values_of
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
@@ -164,6 +165,9 @@ examples:
             changed = changed_literals(old_run, new_run)
             values = values_of(new_run, self.keep)
             kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]
+            olds = {name: old for name, old, _ in kept}
+            for note in dict.fromkeys([*no_cycle_notes(old_run, olds), *no_cycle_notes(new_run, values)]):
+                sys.stderr.write(f"note: {note}\n")
         lines = _lines(found, diverged, charges, changed, self.all, kept)
         document = diff_document(found, diverged, charges, changed, kept)
         self.show(document, "\n".join(lines) + "\n")

@@ -68,6 +68,8 @@ examples:
 
     def extend(self, result: Result) -> None:
         if self.keep:
+            from motionlang.commands.profile.periods import no_cycle_notes
             from motionlang.commands.quantities import values_of
 
             result.quantities = values_of(result, self.keep)
+            result.notes += no_cycle_notes(result, result.quantities)

@@ -99,19 +99,24 @@ class Worker:
         """Return the row of one variant, including its error, if any."""
         index, values = variant
         try:
-            settings, given = self.job.of(values)
-            found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
-            if found is None:
-                program = self._program(self.source, settings, given)
-                found = self._run(self.source, settings, given, program)
-                if given and found.status == "fault":  # run again, since a run by itself reports the error
-                    found = self._run(self.source, settings, given, None)
+            found = self.run(values)
             results = tuple(self._read(found, *reader) for reader in self._readers)
             return index, results, self._problem(found)
         except ProgramError as error:
             return index, (None,) * len(self._readers), problem_of(error.diagnostics)
         except (ValueError, KeyError) as error:
             return index, (None,) * len(self._readers), problem_of([Diagnostic("machine-file", str(error))])
+
+    def run(self, values: Sequence[Value]) -> Run:
+        """Return the run of a variant."""
+        settings, given = self.job.of(values)
+        found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
+        if found is None:
+            program = self._program(self.source, settings, given)
+            found = self._run(self.source, settings, given, program)
+            if given and found.status == "fault":  # run again, since a run by itself reports the error
+                found = self._run(self.source, settings, given, None)
+        return found
 
     def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
         """Run a variant that gives values to literals.

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.commands import sweep as sweeps
+from motionlang.commands.profile.periods import FORM, no_cycle_notes
 from motionlang.commands.quantities import unit_of
 from motionlang.commands.sweep.expression import Expression, pareto
-from motionlang.commands.sweep.job import Problem, Result
+from motionlang.commands.sweep.job import Problem, Result, Worker
 from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.commands.sweep.table import Row, cell, sweep_table
 from motionlang.kernel.errors import Diagnostic
@@ -68,6 +69,7 @@ class SweepReport:
         command.show(Document([self.table(sweep, rows)]), text)
         sys.stdout.flush()
         self._note_limit(sweep, good)
+        self._note_cycles(sweep, good)
         if bad:
             self._report_failures(sweep, bad, len(rows))
         status = self._draw(command.plot, command.file, good, best, front) if command.plot is not None else 0
@@ -82,6 +84,14 @@ class SweepReport:
                 f"note: every variant ran to the time limit of {limit:.10g} s; compare a cycle instead: "
                 'cycle(LINE), "cycle(output N)" or "cycle(print TEXT)"\n'
             )
+
+    def _note_cycles(self, sweep: sweeps.Sweep, good: Good) -> None:
+        """Name the cycles that the first variant has, if no variant has one of those that are kept."""
+        lacking = {name: None for name in self.keep if all(values[name] is None for values in good.values())}
+        if good and any(FORM.fullmatch(name) for name in lacking):
+            found = Worker(sweep.job).run(sweep.space[next(iter(good))])
+            for note in no_cycle_notes(found, lacking):
+                sys.stderr.write(f"note: {note}\n")
 
     def _cost(self, wanted: Expression, values: dict[str, Any]) -> float | None:
         """Return the value to minimise, None if it is not a number."""

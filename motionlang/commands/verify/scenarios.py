@@ -10,6 +10,7 @@ import os
 from collections.abc import Mapping
 from math import inf
 
+from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import unit_of, values_of
 from motionlang.kernel.execution import machine_of, run
 from motionlang.kernel.lang.machine.file import read_machine
@@ -113,7 +114,7 @@ def _unmet_quantity(result: Run, entry: Entry) -> str:
     except ValueError as error:
         return str(error)
     if not isinstance(found, (int, float)):
-        return f"{name} has no number in this run"
+        return "; ".join(no_cycle_notes(result, {name: found})) or f"{name} has no number in this run"
     if "value" in entry and (text := _off(f"{name} is {found:.6g}", found, entry, "value", unit_of(name))):
         return text
     low, high = entry.get("at_least", -inf), entry.get("at_most", inf)

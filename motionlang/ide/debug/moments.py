@@ -19,6 +19,7 @@ from typing import Any
 from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.log.records import Changed, Switched
 from motionlang.kernel.log.track import WholeTrack
 
 # Yields the moments after one time up to another.
@@ -212,8 +213,10 @@ class Past:
         if what == "time":
             return self.time
         if what in ("input", "output"):
-            log = self._machine.log.inputs if what == "input" else self._machine.log.outputs
-            for each in reversed(log):
+            log: Iterable[Changed | Switched] = (
+                reversed(self._machine.log.inputs) if what == "input" else reversed(self._machine.log.outputs)
+            )
+            for each in log:
                 if each.channel == number and each.time <= self.time:
                     return each.value
             return 0.0

@@ -33,9 +33,9 @@ class Readings:
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.log = log
         self.inputs = Channels(clock, log.inputs)
-        self.outputs = Channels(clock, log.outputs)
+        self.outputs = Channels(clock, log.outputs, log.here)
         self.analogue_inputs = AnalogueInputs(clock, log)
-        self.analogue_outputs = Channels(clock, log.analogue_outputs)
+        self.analogue_outputs = Channels(clock, log.analogue_outputs, log.here)
         # The events at which pulses of outputs end.
         self._pulses: dict[int, Event] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.

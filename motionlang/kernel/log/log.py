@@ -13,7 +13,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.move import Move
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
-from motionlang.kernel.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Waited
+from motionlang.kernel.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Switched, Waited
 from motionlang.kernel.log.samples import AnalogueChanges
 from motionlang.kernel.log.stream import DISK, Store, Stream
 from motionlang.kernel.log.time_slices import Mark as SliceMark
@@ -48,7 +48,8 @@ class Log:
 
     moves      every `Move` that was started, in order of start; updated until it is over
     dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
-    inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
+    inputs, analogue_inputs: `Changed`
+    outputs, analogue_outputs: `Switched`
     sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
@@ -65,12 +66,12 @@ class Log:
         self.store = store = Store(disk=disk)
         self.moves, self.dropped = Moves(store), Moves(store)
         self.inputs: Stream[Changed] = Stream(store, Changed)
-        self.outputs: Stream[Changed] = Stream(store, Changed)
+        self.outputs: Stream[Switched] = Stream(store, Switched)
         self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
         self.sampled: Stream[Sampled] = Stream(store, Sampled)
         # Logs the samples of analogue inputs up to now.
         self.settle: Callable[[], None] = _nothing
-        self.analogue_outputs: Stream[Changed] = Stream(store, Changed)
+        self.analogue_outputs: Stream[Switched] = Stream(store, Switched)
         self.settings: Stream[Setting] = Stream(store, Setting)
         self.waits: Stream[Waited] = Stream(store, Waited)
         self.loops: Stream[Looped] = Stream(store, Looped)
@@ -105,6 +106,10 @@ class Log:
     def locate_by(self, where: Callable[[], int]) -> None:
         """Set the function that returns the source offset of an event."""
         self.where = where
+
+    def here(self) -> int:
+        """Return the source offset of the program, -1 without one."""
+        return self.where()
 
     def note(
         self,

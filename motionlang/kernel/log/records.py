@@ -11,11 +11,20 @@ from motionlang.kernel.log.columns import Numbers, Texts, Values
 
 
 class Changed(NamedTuple):
-    """A channel changed its value: an output set by the program, or an input."""
+    """An input changed its value."""
 
     time: float
     channel: int
     value: Annotated[float, Values]
+
+
+class Switched(NamedTuple):
+    """An output changed its value; `at` is -1 if no program ran."""
+
+    time: float
+    channel: int
+    value: Annotated[float, Values]
+    at: int
 
 
 class Sampled(NamedTuple):
@@ -38,10 +47,11 @@ class Sampled(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """A complete line that was printed."""
+    """A complete line that was printed; `at` is -1 if no program ran."""
 
     time: float
     text: Annotated[str, Texts]
+    at: int
 
 
 # The causes of a wait: a time, axes, channels, the operator, another task, a host, or any of these in a

@@ -165,7 +165,7 @@ def test_what_a_program_waited_for_is_in_the_log() -> None:
     moving = log.moves[0]
     assert moving.profile is not None
     assert waits[0].until == pytest.approx(moving.start_time + moving.profile.duration)
-    assert [text for _, text in log.prints] == ["done"]
+    assert [each.text for each in log.prints] == ["done"]
     assert [change.value for change in log.outputs][:3] == [1, 0, 1]
 
 

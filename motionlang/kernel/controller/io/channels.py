@@ -7,22 +7,29 @@ from collections.abc import Callable, Iterable
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.records import Changed
+from motionlang.kernel.log.records import Changed, Switched
 from motionlang.kernel.log.stream import Stream
 
 
 class Channels:
-    """Numbered values, 0 until they are set; `changes` is their log, as `Changed`.
+    """Numbered values, 0 until they are set; `changes` is their log.
+
+    The log has `Changed` of inputs, and `Switched` of outputs, if `where` returns the source offset of the program.
 
     `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
     channels that are on while their level is low. The value of an input is its level; the value of an output is
     true if it is on.
     """
 
-    __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
+    __slots__ = ("_clock", "_values", "_where", "active_low", "changes", "listeners")
 
-    def __init__(self, clock: Clock, changes: Stream[Changed] | None = None) -> None:
-        self._clock, self.changes = clock, changes
+    def __init__(
+        self,
+        clock: Clock,
+        changes: Stream[Changed] | Stream[Switched] | None = None,
+        where: Callable[[], int] | None = None,
+    ) -> None:
+        self._clock, self.changes, self._where = clock, changes, where
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
         self.listeners: list[Callable[[int, float], None]] = []
@@ -39,7 +46,8 @@ class Channels:
             return False
         self._values[channel] = value
         if self.changes is not None:
-            self.changes.add((self._clock.now, channel, value))
+            row = (self._clock.now, channel, value)
+            self.changes.add(row if self._where is None else (*row, self._where()))
         self._notify(channel)
         return True
 

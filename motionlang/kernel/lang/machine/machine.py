@@ -71,7 +71,7 @@ class Machine:
         self._operators: dict[int, Operator] = {}
         self.log = Log()
         self.log.hurried = self._hurried
-        self.terminal = Terminal(self.clock, self.log.prints, show)
+        self.terminal = Terminal(self.clock, self.log.prints, show, self.log.here)
         # The output to other terminals and to serial ports, by label.
         self.terminals: dict[str, Terminal] = {}
         # Called for a line of the console when the program wants one; None if there is no operator.

@@ -7,6 +7,7 @@ from io import StringIO
 
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.log.log import nowhere
 from motionlang.kernel.log.records import Printed
 from motionlang.kernel.log.stream import Stream
 
@@ -45,16 +46,32 @@ class LineBuffer:
 class Terminal:
     """The complete lines of a terminal in `prints`.
 
-    `show(text)`, if given, is called with each fragment of text as it is written. With `repeats`, a text for
+    `show(text)`, if given, is called with each fragment of text as it is written. `where` returns the source offset of
+    the program. With `repeats`, a text for
     a row of the screen is written even if the row already shows it, because hosts see every character.
     """
 
-    __slots__ = ("_clock", "_expected_row", "_open", "_row", "_rows", "_size", "prints", "repeats", "show")
+    __slots__ = (
+        "_clock",
+        "_expected_row",
+        "_open",
+        "_row",
+        "_rows",
+        "_size",
+        "_where",
+        "prints",
+        "repeats",
+        "show",
+    )
 
     def __init__(
-        self, clock: Clock, prints: Stream[Printed], show: Callable[[str], object] | None = None
+        self,
+        clock: Clock,
+        prints: Stream[Printed],
+        show: Callable[[str], object] | None = None,
+        where: Callable[[], int] = nowhere,
     ) -> None:
-        self._clock, self.prints, self.show = clock, prints, show
+        self._clock, self.prints, self.show, self._where = clock, prints, show, where
         self._open = LineBuffer()
         self._size = 0
         self.repeats = False
@@ -99,7 +116,7 @@ class Terminal:
         if self.show is not None:
             self.show(text)
         for line in self._open.completed(text):
-            self.prints.add((self._clock.now, line))
+            self.prints.add((self._clock.now, line, self._where()))
 
     @property
     def begun(self) -> str:

@@ -141,7 +141,7 @@ def _analogue(environment: Environment, quantity: int, channel: int, times: Sequ
     controller = environment.controller
     log = controller.log
     changes = log.analogue_inputs if quantity == ADC else log.analogue_outputs
-    levels = _stepped([(time, value) for time, each, value in changes if each == channel], times)
+    levels = _stepped([(each.time, each.value) for each in changes if each.channel == channel], times)
     if quantity == DAC:
         return levels
     analogue = environment.component(Analogue)
@@ -152,11 +152,11 @@ def _bank(environment: Environment, quantity: int, bank: int, times: Sequence[fl
     controller, first = environment.controller, bank * BANK
     channels: Channels = controller.inputs if quantity == INPUTS else controller.outputs
     bits, steps = 0, []
-    for time, channel, value in controller.log.inputs if quantity == INPUTS else controller.log.outputs:
-        if first <= channel < first + BANK:
-            bit = 1 << channel - first
-            bits = bits | bit if value else bits & ~bit
-            steps.append((time, float(bits)))
+    for each in controller.log.inputs if quantity == INPUTS else controller.log.outputs:
+        if first <= each.channel < first + BANK:
+            bit = 1 << each.channel - first
+            bits = bits | bit if each.value else bits & ~bit
+            steps.append((each.time, float(bits)))
     low = 0
     if quantity == INPUTS:
         low = sum(1 << k for k in range(BANK) if first + k in channels.active_low)
