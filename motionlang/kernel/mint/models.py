@@ -15,7 +15,7 @@ V4, MINTMT = "Mint v4", "MintMT"
 NAMES = ("mint4", "mintmt")
 # The extension of a program of Mint v4.
 V4_SUFFIX = ".prg"
-# The family of the string functions that Mint v4 lacks. Their names are names like any other there.
+# The family of the string functions that Mint v4 lacks. A program may give their names to what it declares.
 STRINGS = "strings"
 _V4 = (
     "EuroSystem", "ServoNode 34", "ServoNode 50", "ServoNode 51", "NextMove PC", "NextMove PC2", "NextMove RK",

@@ -247,7 +247,6 @@ def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
         ("old.mnt", "PRINT 1", None),
         ("old.prg", "PRINT 1", '"mint4"    # the extension .prg'),
         ("old.mnt", "AUTO\n#GO\nPRINT 1", '"mint4"    # line 1: AUTO; line 2: #GO'),
-        ("old.prg", "LEN = 5\nPRINT LEN\nOUTX.1 = 1", '"mint4"    # line 1: Len as a name; line 3: OUTX.1'),
         ("old.prg", "Dim n As Integer\n#GO\nPRINT 1", '"mintmt"    # line 1: As'),
         ("old.mnt", "SPEED(0) = 5\nACCEL.0 = 5", None),
         ("old.mccl", "CF35,CN34", '"multiflex"    # line 1: CF35, and 33 to 48 are outputs at power-up'),

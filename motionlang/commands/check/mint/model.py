@@ -14,7 +14,7 @@ from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.comms import EVENTS
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
-from motionlang.kernel.mint.models import ABSENT, LARGEST, MINTMT, NAMES, STRINGS, V4, V4_SUFFIX, age, named
+from motionlang.kernel.mint.models import ABSENT, LARGEST, MINTMT, NAMES, V4, V4_SUFFIX, age, named
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax import nodes
@@ -107,18 +107,7 @@ def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
     yield from _v4_tokens(source, Tokens(source.text))
     for name in names_of(module):
-        row = table.get(name.name)
-        if row is None:
-            continue
-        symbol = name.symbol
-        if row.family == STRINGS and symbol is not None and symbol.at == name.start:
-            yield (
-                name.start,
-                f"{row.name} as a name",
-                f"{row.name} is a function there: choose another name",
-                "",
-            )
-        if not name.axes:
+        if table.get(name.name) is None or not name.axes:
             continue
         text = token_at(source.text, name.start)
         word, *channels = text.split(".")

@@ -27,7 +27,7 @@ name gets none of these; the check reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
-  form, a v4 keyword, one that is not simulated, or in a v4 program a string function.
+  form, a v4 keyword, one that is not simulated, or a string function.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `uses` counts reads, not assignments.
 - At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
@@ -42,7 +42,6 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 from math import inf
 
-from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.kernel.mint.keywords.unsimulated import WRITTEN, written
@@ -334,16 +333,12 @@ class Names:
             and row.name.lower() == key
             and row.simulated
             and row.group != "v4"
-            and not self._is_absent(row)
+            and row.family != STRINGS
             and (row.kind != "statement" or key in TYPES)
         ):
             self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
                               hint="choose another name")  # fmt: skip
         scope.names[key] = symbol
-
-    def _is_absent(self, row: Keyword) -> bool:
-        """True for a string function in a program of Mint v4, which has none."""
-        return row.family == STRINGS and self.problems.is_v4
 
     # ---------------------------------------------------------------------------------------------- uses
 
@@ -353,7 +348,7 @@ class Names:
             if function.scope.find(name) is not None:
                 continue
             row = self.table.get(name)
-            if row is not None and not self._is_absent(row):
+            if row is not None and row.family != STRINGS:
                 continue
             if not _is_result(function, name):
                 symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
