@@ -353,7 +353,7 @@ class _Reader:
             kinds = self.before.expected()
         hint = expectations.hint(kinds, before, text, self.kinds[self.start])
         self.report("syntax", expectations.message(kinds, kind, text), at, hint)
-        for plain in plain_lines(self.kinds[self.start : end]):
+        for plain in plain_lines([*self.kinds[self.start : end], *_quoted(self.texts[end])]):
             if top := self.mark.feed_all(plain, self.start):
                 self.top = top
                 return self._after_line(end)
@@ -386,6 +386,14 @@ class _Reader:
         at = end + 1 if self.kinds[end] == "_NL" else end
         self.start = at
         return at
+
+
+def _quoted(ending: str) -> list[str]:
+    """Return the kinds of a line's rest that a single quote has made a comment, as if its quotes were double."""
+    comment = ending.partition("\n")[0]
+    return (
+        Tokens(comment.replace("'", '"')).kinds[:-2] if comment.startswith("'") and "'" in comment[1:] else []
+    )
 
 
 def _article(name: str) -> str:

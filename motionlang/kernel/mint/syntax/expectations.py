@@ -76,6 +76,8 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return misprint[1] if misprint else 'add the closing "'
     if found_typographic := typographic(text):
         return found_typographic[1]
+    if text[:1] == "'" and kinds >= VALUE:
+        return "' begins a comment; text is in double quotes"
     if text == "!":
         return SLIPS["!", "="]
     if text == "/" and is_first:
