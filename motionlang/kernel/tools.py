@@ -75,13 +75,28 @@ def _letters(word: str) -> int:
 
 def _is_near(word: str, other: str) -> bool:
     """True if the words differ little, or if `word` abbreviates `other`."""
+    return differ_little(word, other) or _abbreviates(word, other)
+
+
+def _abbreviates(word: str, other: str) -> bool:
+    """True if `word` begins `other`, or has its first letter and more than half of its letters in their order."""
+    if other.startswith(word):
+        return True
     letters = iter(other)
-    return differ_little(word, other) or all(letter in letters for letter in word)
+    return word[:1] == other[:1] and 2 * len(word) > len(other) and all(each in letters for each in word)
 
 
 def differ_little(word: str, other: str) -> bool:
-    """True if a third of the letters differs at most, or one; case does not matter."""
-    return edits(word.lower(), other.lower()) <= max(1, max(len(word), len(other)) // 3)
+    """True if a third of the letters differs at most, or one; case does not matter.
+
+    Many words of three letters differ in one, such as OCT and OUT. Words so short have the same first letter, and one
+    has all letters of the other.
+    """
+    word, other = word.lower(), other.lower()
+    longest = max(len(word), len(other))
+    if edits(word, other) > max(1, longest // 3):
+        return False
+    return longest > 3 or (word[:1] == other[:1] and (set(word) <= set(other) or set(word) >= set(other)))
 
 
 def edits(word: str, other: str) -> int:

@@ -52,6 +52,14 @@ def test_a_number_without_a_text_is_described() -> None:
 # by the number of all letters, 0.6 at least.
 MEANT: tuple[tuple[str, list[str], str | None], ...] = (
     ("spede", ["SPEED", "SPREAD"], "SPEED"),
+    ("spd", ["SPEED"], "SPEED"),
+    ("psx", ["POS"], None),
+    ("goo", ["GO"], "GO"),
+    # Each means a function that Mint has not.
+    ("hex", ["HELIXR"], None),
+    ("bin", ["IN"], None),
+    ("oct", ["OUT"], None),
+    ("pow", ["POS"], None),
     ("ab", ["abcd", "xy"], "abcd"),  # 2 · 2 / 6
     ("abc", ["abcdefg"], "abcdefg"),  # 2 · 3 / 10
     ("abc", ["abcdefgh"], None),  # 2 · 3 / 11
