@@ -68,7 +68,7 @@ def keywords_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
     """Return all facts about keywords, each with its language, as data."""
     found = []
     for dialect, row in rows:
-        names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb"))
+        names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb", "word"))
         meaning = of_word(dialect, row)["meaning"]
         found.append({
             "dialect": dialect,

@@ -22,6 +22,7 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.semaphores": "semaphore",
     "mint.integer-limits": "_pi _maxint _minint",
     "mint.functions-angles": "sin cos tan asin acos atan int sqrt log",
+    "mint.string-function-names": "left",
     "mint.text-functions": "len asc chr str val left mid right",
     "mint.rnd": "rnd",
     "mint.controller": "controller",

@@ -8,6 +8,7 @@ defines.
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass
 from math import inf
 from typing import Any
@@ -108,6 +109,7 @@ class Keyword:
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
     `tests`    the condition of a command that goes on if it holds, or waits for it, with {} for the parameter
     `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
+    `word`     the name or the short form by which a program names it, for messages
     """
 
     def __init__(
@@ -145,6 +147,7 @@ class Keyword:
         optional: int = 0,
     ) -> None:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
+        self.word = name
         self.actions = actions if isinstance(actions, Actions) else Actions(actions)
         self.unit, self.verb, self.help, self.example = unit, self.actions.verb, help, example
         self.default, self.low, self.high, self.below = default, low, high, below
@@ -176,7 +179,7 @@ class Keyword:
         if low <= value <= high:
             return None
         hint = "" if self.low is None or self.high is None else f"it takes {low:.10g} to {high:.10g}"
-        return f"{self.name} cannot be {value:.10g}", hint
+        return f"{self.word} cannot be {value:.10g}", hint
 
     @property
     def accepted(self) -> str:
@@ -190,6 +193,12 @@ class Keyword:
     def attribute(self) -> str:
         """The property of its subject that the keyword reads and writes."""
         return self.actions.attribute
+
+    def shortened(self) -> Keyword:
+        """Return the same row, named by its short form."""
+        row = copy(self)
+        row.word = self.short.upper()
+        return row
 
     def does(self, what: str) -> bool:
         """True if `effect` contains `what`, a word of `ROLES` or `TRAITS`."""

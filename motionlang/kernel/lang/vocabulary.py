@@ -76,4 +76,4 @@ class Vocabulary:
         for row in rows:
             self._by_name[row.name.lower()] = row
             if row.short:
-                self._by_name[row.short.lower()] = row
+                self._by_name[row.short.lower()] = row.shortened()

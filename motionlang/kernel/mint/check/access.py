@@ -13,13 +13,13 @@ def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
     if "R" in row.access:
         return True
     what = "is a command and has no value" if row.access == "C" else "can be written but not read"
-    b.problem("write-only", f"{row.name} {what}", node)
+    b.problem("write-only", f"{row.word} {what}", node)
     return False
 
 
 def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword takes no value."""
-    b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
+    b.problem("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
     for each in node.values:
         b.value(each)
 
@@ -36,7 +36,7 @@ def _instead(row: Keyword, name: str) -> str:
     if name.lower() == row.short.lower():
         return f"{name} is short for {row.name}; Dim {name} makes a variable of it"
     if row.access == "C" and row.kind == "command":
-        return f"write {row.name}(0) without ="
+        return f"write {row.word}(0) without ="
     if row.group == "v4":
         return "a variable of this name must be declared with Dim"
     return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(
@@ -46,13 +46,13 @@ def _instead(row: Keyword, name: str) -> str:
 
 def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
-    shown = row.name if target.args is None else f"{row.name}(…)"
+    shown = row.word if target.args is None else f"{row.word}(…)"
     if row.kind == "statement":
-        b.problem("syntax", f"{row.name} cannot be used here", target, as_hint(row.help))
+        b.problem("syntax", f"{row.word} cannot be used here", target, as_hint(row.help))
     elif "W" in row.access:
-        b.problem("not-a-command", f"{row.name} needs a value", target, _with_value(target, row, shown))
+        b.problem("not-a-command", f"{row.word} needs a value", target, _with_value(target, row, shown))
     else:
-        message = f"{row.name} is a value, not a statement"
+        message = f"{row.word} is a value, not a statement"
         b.problem("not-a-command", message, target, f"print it with PRINT {shown}")
 
 
@@ -65,5 +65,5 @@ def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
     if row.index == "none" and given:
         number = given[0] if len(given) == 1 else None
         value = f"{number.value:.10g}" if isinstance(number, nodes.Number) else "value"
-        return f"{row.name} = {value}"
+        return f"{row.word} = {value}"
     return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"

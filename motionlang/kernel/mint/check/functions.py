@@ -17,8 +17,8 @@ def call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if len(kinds) - row.optional <= len(args) < len(kinds):
         kinds = kinds[: len(args)]
     if len(args) != len(kinds):
-        message = f"{row.name} takes {many(len(kinds), 'value')}, {len(args)} given"
-        b.problem("values", message, node, f"{row.name}({row.index})")
+        message = f"{row.word} takes {many(len(kinds), 'value')}, {len(args)} given"
+        b.problem("values", message, node, f"{row.word}({row.index})")
         return NOTHING
     if row.verb == "choice":
         return _immediate_if(b, node, args)
@@ -33,7 +33,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
         return b.number(node)
     found = b.value(node)
     if found.type != STRING and found is not NOTHING:
-        b.problem("type", f"{row.name} needs a text, not a number", node, "convert the number with Str")
+        b.problem("type", f"{row.word} needs a text, not a number", node, "convert the number with Str")
     return found
 
 

@@ -26,7 +26,7 @@ def check_indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> int:
     args = node.args or []
     if row.index == "none":
         if args:
-            b.problem("values", f"{row.name} takes no brackets", node)
+            b.problem("values", f"{row.word} takes no brackets", node)
         return 0
     kinds = row.index.split(", ")
     if kinds[-1] == "array":
@@ -34,14 +34,14 @@ def check_indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> int:
     elif not args:
         if len(kinds) > 1 or row.index == "task":
             needed = row.index if len(kinds) > 1 else article(row.index)
-            b.problem("values", f"{row.name} needs {needed} in brackets", node)
+            b.problem("values", f"{row.word} needs {needed} in brackets", node)
     elif len(args) == len(kinds) or (len(args) > len(kinds) and kinds[-1] in ("axis", "axes") and not single):
         kinds += kinds[-1:] * (len(args) - len(kinds))
         for arg, kind in zip(args, kinds, strict=True):
             _index(b, arg, kind)
     else:
         wanted = many(1, kinds[0]) if len(kinds) == 1 else f"{many(len(kinds), 'value')} ({row.index})"
-        b.problem("values", f"{row.name} takes {wanted} in brackets, {len(args)} given", node)
+        b.problem("values", f"{row.word} takes {wanted} in brackets, {len(args)} given", node)
     return len(kinds)
 
 
@@ -78,7 +78,7 @@ def _with_arrays(b: Body, node: nodes.Name, row: Keyword, kinds: list[str]) -> N
     args = node.args or []
     least = len(kinds) - kinds.count("array") + 1
     if not least <= len(args) <= len(kinds):
-        message = f"{row.name} takes {row.index} in brackets, {len(args)} given"
+        message = f"{row.word} takes {row.index} in brackets, {len(args)} given"
         b.problem("values", message, node, row.example.split("\n")[0])
         return
     for kind, arg in zip(kinds, args, strict=False):
@@ -96,7 +96,7 @@ def _array(b: Body, node: nodes.Expr, row: Keyword) -> None:
     if symbol is None and type(node) is nodes.Name and node.name.lower() == "null":
         return
     if symbol is None or len(symbol.dimensions) != 1 or symbol.type.name not in NUMERIC:
-        message = f"{row.name} needs an array of numbers with one subscript here"
+        message = f"{row.word} needs an array of numbers with one subscript here"
         b.problem("type", message, node, "NULL stands for a table that is not given")
     else:
         node.type = str(symbol.type)

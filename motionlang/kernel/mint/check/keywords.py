@@ -26,12 +26,12 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return unsimulated.read(b, node, row)
     if row.kind == "constant":
         if node.args is not None:
-            b.problem("values", f"{row.name} is a constant and takes no brackets", node)
+            b.problem("values", f"{row.word} is a constant and takes no brackets", node)
         return literal(constant(row.verb, row.unit))
     if row.kind == "function":
         return call_function(b, node, row)
     if row.kind == "statement":
-        b.problem("type", f"{row.name} is a statement and has no value", node)
+        b.problem("type", f"{row.word} is a statement and has no value", node)
         return NOTHING
     if not can_be_read(b, node, row):
         return NOTHING

@@ -28,8 +28,8 @@ def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword,
     wanted = units.count("uu") if len(units) > 1 else 0
     if (wanted and axes != wanted) or axes < 2:
         needed = f"{wanted} axes" if wanted else "2 axes or more"
-        b.problem("values", f"{row.name} needs {needed} in brackets, {axes} given", target, form)
+        b.problem("values", f"{row.word} needs {needed} in brackets, {axes} given", target, form)
         return
     count, given = len(units) if wanted else axes, len(node.values)
     if given != count:
-        b.problem("values", f"{row.name} needs {count} values here, {given} given", node, form)
+        b.problem("values", f"{row.word} needs {count} values here, {given} given", node, form)

@@ -27,7 +27,7 @@ _OTHER_WORDS = {
 def unknown_name(b: Body, node: nodes.Name) -> None:
     """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
     if node.row is not None:
-        b.problem("type", f"a variable is needed here, and {node.row.name} is a keyword", node)
+        b.problem("type", f"a variable is needed here, and {node.row.word} is a keyword", node)
         return
     is_constant = node.name.startswith("_")
 

@@ -80,9 +80,9 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
     `by` is the statement that writes it or carries it out.
     """
     if row.verb == STORED or _is_stored(row, by):
-        _once(b, node, row, f"{row.name} is stored but has no effect")
+        _once(b, node, row, f"{row.word} is stored but has no effect")
     elif row.verb == unsimulated.COMMAND:
-        _once(b, node, row, f"{row.name} is a Mint keyword that is not simulated: it has no effect")
+        _once(b, node, row, f"{row.word} is a Mint keyword that is not simulated: it has no effect")
     elif by is not None or row.name.upper() not in b.program.supplied:
         _ending(b, node, row, by is not None)
 
@@ -112,6 +112,6 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
         end = _WHEN_WRITTEN.get(row.verb, _ENDS)
     else:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
-    message = f"{row.name} is a Mint keyword that is not simulated"
+    message = f"{row.word} is a Mint keyword that is not simulated"
     b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}; {end}")
     b.program.problems.in_run.add((CODE, node.start))

@@ -31,9 +31,9 @@ def _check_count(b: Body, node: nodes.Assign, row: Keyword, wanted: int) -> None
         hint = "end the list with ; to give the last value to all further axes"
     elif row.index in ("axis", "axes"):
         axes = ", ".join(map(str, range(given)))
-        hint = f"name an axis for each value: {row.name}({axes}) = …"
+        hint = f"name an axis for each value: {row.word}({axes}) = …"
     b.problem(
-        "values", f"{row.name} needs {many(wanted, 'value')} here, {many(given, 'value')} given", node, hint
+        "values", f"{row.word} needs {many(wanted, 'value')} here, {many(given, 'value')} given", node, hint
     )
 
 
@@ -42,9 +42,9 @@ def written_value(b: Body, node: nodes.Expr, row: Keyword) -> None:
     found = b.value(node)
     if row.unit == "text":
         if found.type != STRING and found is not NOTHING:
-            b.problem("type", f"{row.name} takes a text, not a number", node)
+            b.problem("type", f"{row.word} takes a text, not a number", node)
     elif not found.is_number:
-        b.problem("type", f"{row.name} takes a number, not a text", node)
+        b.problem("type", f"{row.word} takes a number, not a text", node)
     elif found.const is not None and (refusal := row.refusal(float(found.const))) is not None:
         message, hint = refusal
         b.problem("range", message, node, hint)

@@ -138,7 +138,7 @@ def do_table(
 ) -> None:
     """PRECISIONTABLE: set the tables of nut positions, forward and reverse."""
     if forward is None:
-        raise Rejected("range", f"{row.name}: no forward table", "only the reverse table may be NULL")
+        raise Rejected("range", f"{row.word}: no forward table", "only the reverse table may be NULL")
     elements(forward, row.name)
     compensation.attach(axis, forward, reverse)
 

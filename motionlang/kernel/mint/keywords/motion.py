@@ -48,7 +48,7 @@ def refuse_stopping(environment: Environment, axis: int) -> None:
 def finite(row: Keyword, value: float) -> None:
     """Raise Rejected if a distance is infinite."""
     if not -1e300 < value < 1e300:
-        raise Rejected("range", f"{row.name} cannot be {value:.10g}", "a move needs a finite distance")
+        raise Rejected("range", f"{row.word} cannot be {value:.10g}", "a move needs a finite distance")
 
 
 def do_go(environment: Environment, row: Keyword) -> Operation:

@@ -155,7 +155,7 @@ _SECOND = {
 def _second(row: Keyword, number: int) -> int:
     last, hint = _SECOND.get(row.name, (0, ""))
     if not 0 <= number <= last:
-        raise Rejected("range", f"{row.name} has no parameter {number}", hint)
+        raise Rejected("range", f"{row.word} has no parameter {number}", hint)
     return number
 
 

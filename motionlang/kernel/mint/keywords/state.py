@@ -28,7 +28,7 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
     """POS: set a new value for the present position."""
     counts = scale_of(environment, axis).position_to_counts(value)
     if not -1e300 < counts < 1e300:
-        raise Rejected("range", f"{row.name} cannot be {value:.10g}", "a position is finite, in counts too")
+        raise Rejected("range", f"{row.word} cannot be {value:.10g}", "a position is finite, in counts too")
     environment.controller.define_position(axis, counts)
 
 

@@ -189,7 +189,7 @@ def do_segment(
     values = elements(data, row.name) if data is not None else []
     if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
         words = f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
-        raise Rejected("range", f"{row.name}: {words}")
+        raise Rejected("range", f"{row.word}: {words}")
     array[start + 1 : start + 1 + len(values)] = values
 
 

@@ -127,7 +127,7 @@ def read_current(environment: Environment, row: Keyword, axis: int, channel: int
     """
     if channel:
         hint = "channel 0 is the current of the motor, the only one that is simulated"
-        raise Rejected("channel", f"{row.name}: there is no current {channel}", hint)
+        raise Rejected("channel", f"{row.word}: there is no current {channel}", hint)
     return environment.controller.motor_current(axis)
 
 

@@ -40,7 +40,7 @@ def read_value(environment: Environment, row: Keyword) -> Operation:
         *where, _, at = given
         found = stored.find(row, tuple(where))
         if found is None:
-            _end(row, f"the value of {row.name} is not known here", at, with_hint=True)
+            _end(row, f"the value of {row.word} is not known here", at, with_hint=True)
         return found
 
     return read
@@ -69,20 +69,20 @@ def write_motion(environment: Environment, row: Keyword) -> Operation:
 
     def write(*given: object) -> None:
         if given[-3] != 0:
-            _end(row, f"{row.name} is not simulated", given[-1])
+            _end(row, f"{row.word} is not simulated", given[-1])
         store(*given[:-1])
 
     return write
 
 
 def do_motion(environment: Environment, row: Keyword) -> Operation:
-    return lambda *given: _end(row, f"{row.name} is not simulated", given[-1])
+    return lambda *given: _end(row, f"{row.word} is not simulated", given[-1])
 
 
 def write_jump(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that ends the run: the keyword is simulated for reads only."""
     return lambda *given: _end(
-        row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
+        row, f"writing {row.word} {WRITTEN[row.name]}: this is not simulated", given[-1]
     )
 
 
