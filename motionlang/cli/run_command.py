@@ -14,7 +14,7 @@ from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.event_status import complaints
 from motionlang.cli.option_groups import Output, Program, World, forms
 from motionlang.cli.readers import allowed, machine_time, real
-from motionlang.cli.run_progress import watched
+from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import ONE_SHIFT, Checked, run
@@ -26,13 +26,14 @@ from motionlang.kernel.report import assumptions, failure, pieces
 from motionlang.kernel.result import Run, who_ended
 from motionlang.kernel.source import STDIN, Source, name_of
 from motionlang.kernel.tools import CollectorOff, MissingExtra
+from motionlang.views.formatting import clock_time
 from motionlang.views.questions import ask
 from motionlang.views.report import render, run_document
 from motionlang.views.table import Document
-from motionlang.views.terminal import draws, is_terminal, plain, printable, shower, table_width, wants_colour
+from motionlang.views.terminal import draws, is_terminal, plain, printable, table_width, wants_colour
 
 # Seconds of processor time of a run that no machine time ends.
-CPU = 60.0
+CPU = 20.0
 
 
 Pace = Callable[[float], None]
@@ -161,17 +162,19 @@ class Simulated(Output, World, Program):
         def warn(diagnostic: Diagnostic) -> None:
             complain([diagnostic], source, self.file)
 
-        def begun(machine: Machine) -> None:
-            machine.warn = warn
-
         def simulate(show: Callable[[str], object], begun: Callable[[Machine], None]) -> Run:
-            return self._unwatched(source, settings, outside, pace, show, begun)
+            return self._unreported(source, settings, outside, pace, show, begun)
 
-        if sys.stderr.isatty():
-            return watched(simulate, warn)
-        return simulate(shower(sys.stdout), begun)
+        def line_of(at: int) -> int:
+            return self.known_language().locate(source, at)[0]
 
-    def _unwatched(
+        return reported(simulate, warn, line_of if pace is None and self._is_endless(settings) else None)
+
+    def _is_endless(self, settings: Checked) -> bool:
+        """True if no time of the user's ends the run, only a limit of processor time."""
+        return self.until is None and "run.until" not in settings
+
+    def _unreported(
         self,
         source: Source,
         settings: Checked,
@@ -185,8 +188,7 @@ class Simulated(Output, World, Program):
             if outside is None and self.file != STDIN:
                 machine.ask = lambda: ask(machine)
 
-        is_endless = self.until is None and "run.until" not in settings
-        with SIGNALS.limited(self.cpu if is_endless else 0.0):
+        with SIGNALS.limited(self.cpu if self._is_endless(settings) else 0.0):
             return run(
                 source,
                 dialect=self.known_language().name,
@@ -225,6 +227,9 @@ class Simulated(Output, World, Program):
             complain(left, result.source, self.file)
             if any(each.code == "never" and "the machine file" in each.hint for each in left):
                 self._point_to_init()
+        if result.status == "until" and (moving := result.controller.moving()):
+            limit = clock_time(result.time)
+            sys.stderr.write(f"note: {_axes_were(moving)} still moving at the time limit of {limit}\n")
         sys.stdout.flush()
         if result.crash is not None:
             return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
@@ -266,6 +271,12 @@ class Simulated(Output, World, Program):
         for each in found:
             sys.stderr.write(f"{printable(each)}\n")
         return bool(found)
+
+
+def _axes_were(axes: list[int]) -> str:
+    if len(axes) == 1:
+        return f"axis {axes[0]} was"
+    return f"axes {', '.join(map(str, axes[:-1]))} and {axes[-1]} were"
 
 
 def pacer(factor: float) -> Pace:

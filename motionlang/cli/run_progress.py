@@ -1,49 +1,75 @@
-"""Progress of a long run on a terminal, below the program's output."""
+"""Progress of a long run: a line on a terminal below the program's output, and a note how to end it."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from threading import Timer
 from time import monotonic
 
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.result import Run
+from motionlang.views.formatting import clock_time
 from motionlang.views.progress import Watcher, is_shown, run_line
 from motionlang.views.terminal import shower
 
+# Seconds of real time after which the note is written.
+PATIENCE = 10.0
 
-def watched(
+
+def reported(
     run: Callable[[Callable[[str], object], Callable[[Machine], None]], Run],
     warn: Callable[[Diagnostic], object],
+    line_of: Callable[[int], int] | None = None,
 ) -> Run:
-    """Return the result of `run(show, begun)`, with a progress line until it ends.
+    """Return the result of `run(show, begun)`, with a progress line on a terminal until it ends.
 
-    Warnings of the machine during the run go to `warn`, above the progress line.
+    Warnings of the machine during the run go to `warn`, above the progress line. With `line_of`, which returns the line
+    of an offset, a long run gets a note on standard error.
     """
-    if not is_shown(sys.stderr):
-        return run(shower(sys.stdout), lambda machine: setattr(machine, "warn", warn))
-    write = shower(sys.stdout)
+    show = shower(sys.stdout)
     watcher: Watcher | None = None
+    timer: Timer | None = None
 
-    def show(text: str) -> None:
-        if watcher is not None:
-            watcher.above(write, text)
-        else:
+    def above(write: Callable[[str], object], text: str) -> None:
+        if watcher is None:
             write(text)
+        else:
+            watcher.above(write, text)
 
     def begun(machine: Machine) -> None:
-        nonlocal watcher
-        watcher = Watcher(sys.stderr, _describer(machine))
-        watcher.start()
-        shown = watcher
-        machine.warn = lambda diagnostic: shown.above(lambda _: warn(diagnostic), "\n")
+        nonlocal watcher, timer
+        if is_shown(sys.stderr):
+            watcher = Watcher(sys.stderr, _describer(machine))
+            watcher.start()
+        machine.warn = lambda diagnostic: above(lambda _: warn(diagnostic), "\n")
+        if line_of is not None:
+            timer = Timer(PATIENCE, lambda: above(_write_note, _note(machine, line_of)))
+            timer.daemon = True
+            timer.start()
 
     try:
-        return run(show, begun)
+        return run(lambda text: above(show, text), begun)
     finally:
+        if timer is not None:
+            timer.cancel()
         if watcher is not None:
             watcher.stop()
+
+
+def _note(machine: Machine, line_of: Callable[[int], int]) -> str:
+    line, now = "", machine.clock.now
+    if machine.scheduler is not None:
+        at, reached = machine.scheduler.current.reached
+        line, now = f"line {line_of(at)}, ", max(now, reached)
+    return f"note: still running: {line}{clock_time(round(now, 3))} of machine time; --until S or --cpu S ends it\n"
+
+
+def _write_note(text: str) -> None:
+    sys.stdout.flush()
+    sys.stderr.write(text)
+    sys.stderr.flush()
 
 
 def _describer(machine: Machine) -> Callable[[], str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -343,3 +344,13 @@ def test_a_run_that_nothing_ends_stops_after_its_processor_time(cell: Cell) -> N
     assert cell("run", "a.mnt", "--cpu", "0.001", "--until", "0.5").status == 0
     cell.write("b.mnt", MOVE)
     assert cell("run", "b.mnt", "--cpu", "0").status == 0
+
+
+def test_a_long_run_says_where_it_is_and_how_to_end_it(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In a pipe too, once, and only if no machine time ends the run."""
+    monkeypatch.setattr("motionlang.cli.run_progress.PATIENCE", 0.05)
+    cell.write("a.mnt", ENDLESS)
+    note = r"note: still running: line [34], [0-9.]+ s of machine time; --until S or --cpu S ends it\n"
+    found = cell("run", "a.mnt", "--cpu", "0.3", "--format", "none")
+    assert re.match(note + r"error\[interrupted\]", found.err)
+    assert cell("run", "a.mnt", "--until", "0.5", "--format", "none").err == ""

@@ -102,6 +102,12 @@ class StepTask(Task):
         return max(self.at_statement, 0)
 
     @property
+    def reached(self) -> tuple[int, float]:
+        steps, pc = self.steps, self.pc
+        at = steps[pc].at if pc < len(steps) else -1  # a call or a return changes one before the other
+        return (at if at >= 0 else self.at), self.now
+
+    @property
     def stack(self) -> tuple[int, ...]:
         called = (call.steps[call.pc - 1].at for call in self.calls)
         return (*(at for at in called if at >= 0), self.at)

@@ -69,6 +69,11 @@ class Task:
         """True if a statement of the task is being executed now."""
         return False
 
+    @property
+    def reached(self) -> tuple[int, float]:
+        """The source position and the time, s, that it has reached, as far as another thread sees them."""
+        return self.at, 0.0
+
     def at_error(self, error: BaseException) -> int:
         """Return the source position at which `error`, raised by `resume`, occurred."""
         return self.at
