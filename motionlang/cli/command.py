@@ -163,10 +163,10 @@ class Command:
         made = cls(**{each.name: getattr(given, each.name) for each in fields(cls) if each.init})
         made.given, made._parser = given.given, parser
         try:
+            made.check()
             for each in fields(cls):
                 if each.metadata.get("suffixes"):
                     _check_target(each, getattr(made, each.name))
-            made.check()
         except WrongOption as error:
             parser.error(str(error))
         return made

@@ -32,13 +32,18 @@ def test_a_verb_with_a_file_prints_no_report(pick: Cell, verb: str, out: str) ->
     assert pick(verb, "pick.mnt", out, "--format", "text").out == pick("run", "pick.mnt").out
 
 
+def test_the_page_of_a_program_is_next_to_it(pick: Cell) -> None:
+    assert pick("plot", "pick.mnt").err == "note: wrote pick.html\n"
+    assert (pick.folder / "pick.html").stat().st_size > 1000
+
+
 def test_a_verb_takes_the_options_of_run(pick: Cell) -> None:
     """At 100 uu/s and the default rates, the axis is at full speed in the row at 1 s."""
     assert pick("trace", "pick.mnt", "a.csv", "--rate", "1", "--columns", "velocity").status == 0
     assert (pick.folder / "a.csv").read_text().splitlines()[2] == "1.000000000,100.000000"
 
 
-@pytest.mark.parametrize(("given", "hint"), [("plot", "OUT"), ("trace", "OUT"), ("profile", "FILE")])
+@pytest.mark.parametrize(("given", "hint"), [("plot", "FILE"), ("trace", "OUT"), ("profile", "FILE")])
 def test_what_is_missing_is_named(pick: Cell, given: str, hint: str) -> None:
     ran = pick(given, *(["pick.mnt"] if hint == "OUT" else []))
     assert ran.status == 2

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import os
+import sys
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import WrongOption, argument, option
@@ -10,6 +12,7 @@ from motionlang.cli.readers import axes, machine_time, path
 from motionlang.cli.run_to_file import Drawn
 from motionlang.commands.scope import write_scope
 from motionlang.kernel.result import Run as Result
+from motionlang.kernel.source import STDIN
 from motionlang.kernel.tools import need
 from motionlang.views.figure_files import write_figure
 from motionlang.views.window import Window
@@ -27,10 +30,12 @@ class Plot(Drawn):
     title: ClassVar[str] = "picture"
     epilog: ClassVar[str] = """\
 examples:
-  motionlang plot pick.mnt pick.html
+  motionlang plot pick.mnt
   motionlang plot pick.mnt path.svg --path 0,1
 """
-    out: str = argument("OUT", "the file to draw", suffixes=PLOTS)
+    out: str = argument(
+        "OUT", "the file to draw, by default pick.html for pick.mnt", suffixes=PLOTS, default=""
+    )
     from_: float | None = option(
         "S", "start of the time span, s; an .html page also has the rest", read=machine_time
     )
@@ -47,10 +52,22 @@ examples:
         if not self.out.lower().endswith(".html"):  # a page has the profiles themselves
             need("motionlang plot", "numpy")
 
+    _names_file: bool = field(default=False, init=False, repr=False)
+
     def check(self) -> None:
         super().check()
+        if not self.out:
+            if self.file == STDIN:
+                raise WrongOption("a program from standard input needs an OUT, such as motion.html")
+            self.out, self._names_file = f"{os.path.splitext(self.file)[0]}.html", True
         if self.to is not None and self.to <= (self.from_ or 0.0):
             raise WrongOption("--to must be after --from")
+
+    def after(self, result: Result) -> int:
+        status = super().after(result)
+        if self._names_file and not status:
+            sys.stderr.write(f"note: wrote {self.out}\n")
+        return status
 
     def write(self, result: Result) -> None:
         servos, window = _motors(result), Window(self.from_ or 0.0, self.to, self.axes, self.path)
