@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from io import TextIOWrapper
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from io import BytesIO, TextIOWrapper
 from typing import Any, BinaryIO, ClassVar, cast
 
 from motionlang.cli.command import Command, Refused, WrongOption, flag, option
@@ -26,6 +27,7 @@ from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, plain
+from motionlang.views.text_pages import PAGES, Page
 
 # What each form of output is, for help.
 FORMS = {
@@ -44,7 +46,7 @@ def forms(*names: str, what: str = "the form") -> Any:
     listed = [FORMS[name] for name in names]
     listed[0] += " (the default)"
     help = f"{what}: {either(listed)}"
-    return option("", help, choices=names, default=names[0])
+    return option("", help, choices=names)
 
 
 @dataclass
@@ -143,19 +145,37 @@ class Output(Command):
     """The form of the output, and its file."""
 
     title: ClassVar[str] = "report"
+    # The forms that the extension of the file chooses; the text becomes a page for those of `PAGES`.
+    suffixes: ClassVar[Mapping[str, str]] = {".json": "json", ".csv": "csv"}
     format: str = forms("text", "json", "csv", "none")
     quiet: bool = flag("same as --format none", short="q")
-    output: str | None = option("FILE", "write to FILE instead of standard output", short="o")
+    output: str | None = option(
+        "FILE",
+        "write to FILE instead of standard output; .json, .csv, .html, .md and .svg choose the form",
+        short="o",
+    )
+    _page: Page | None = field(default=None, init=False, repr=False)
 
     def check(self) -> None:
         super().check()
         if self.quiet:
             self.format = "none"
+        self._choose_form()
+
+    def _choose_form(self) -> None:
+        """Choose the form by the extension of the file, unless an option has."""
+        if self.format is not None:
+            return
+        choices = next(each.metadata["choices"] for each in fields(self) if each.name == "format")
+        suffix = os.path.splitext(self.output or "")[1].lower()
+        self.format = self.suffixes.get(suffix, "text" if suffix in PAGES else choices[0])
+        if self.format == "text":
+            self._page = PAGES.get(suffix)
 
     def start(self) -> int:
         if self.output is None:
             return super().start()
-        return into(self.output, super().start)
+        return into(self.output, super().start, self._page)
 
     def show(self, document: Document, text: str) -> None:
         """Print what the command has found, in the form that is wanted."""
@@ -176,6 +196,7 @@ class Findings(Output):
 
     def check(self) -> None:
         Command.check(self)
+        self._choose_form()
 
 
 @dataclass
@@ -267,21 +288,27 @@ def with_world(settings: dict[str, object], entries: dict[str, list[str]]) -> di
         raise Refused([Diagnostic("option", error.message, hint=error.hint)], status=2) from None
 
 
-def into(path: str, command: Callable[[], int]) -> int:
+def into(path: str, command: Callable[[], int], page: Page | None = None) -> int:
     """Run a command with standard output redirected to a file, replaced at the end.
 
-    Returns the exit status of the command, or 1 if the file cannot be written.
+    `page` returns the content of the file from the output and the name of the file. Returns the exit status of the
+    command, or 1 if the file cannot be written.
     """
     before = sys.stdout
     try:
         with replacing(path) as out:
-            sys.stdout = TextIOWrapper(cast("BinaryIO", out), "utf-8", write_through=True)
+            target = cast("BinaryIO", out) if page is None else BytesIO()
+            sys.stdout = TextIOWrapper(target, "utf-8", write_through=True)
             try:
                 return command()
             finally:
                 sys.stdout.flush()
                 sys.stdout.detach()
                 sys.stdout = before
+                if page is not None:
+                    out.write(
+                        page(cast("BytesIO", target).getvalue().decode(), os.path.basename(path)).encode()
+                    )
     except OSError as error:
         complain([unwritten(path, error)], None, path)
         return 1

@@ -66,6 +66,8 @@ examples:
     lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
 
     def check(self) -> None:
+        if self.format is None and not self.html and (self.output or "").lower().endswith(".html"):
+            self.html, self.output, self.quiet = self.output, None, True
         super().check()
         given = [name for name in ("all", "fail_under", "html", "lcov") if getattr(self, name)]
         if self.suggest and given:

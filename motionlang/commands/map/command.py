@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import sys
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -37,6 +37,7 @@ examples:
   motionlang map old.prg
   motionlang map old.prg --run -o old.html
 """
+    suffixes: ClassVar[Mapping[str, str]] = SUFFIXES
     file: str = argument("FILE", "the program; - reads standard input")
     format: str = option(
         "",
@@ -52,11 +53,8 @@ examples:
     )  # fmt: skip
 
     def check(self) -> None:
-        """Raise WrongOption if a world is given without a run; choose the form by the output file."""
+        """Raise WrongOption if a world is given without a run."""
         super().check()
-        if self.format is None:
-            suffix = os.path.splitext(self.output or "")[1].lower()
-            self.format = SUFFIXES.get(suffix, "text")
         if not self.run_ and (self.entries() or self.until is not None):
             raise WrongOption("--input, --analog, --answer, --keys and --until need --run")
 
