@@ -114,7 +114,7 @@ def test_a_board_is_served_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> N
     connected, ended = err.splitlines()
     assert connected.startswith("host 1 connected from 127.0.0.1:")
     assert ended.startswith("host 1 ")
-    assert out.startswith("served 1 hosts")
+    assert out.startswith("served 1 host")
 
 
 @links

@@ -33,6 +33,7 @@ from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import count_of
 
 
 @dataclass
@@ -63,7 +64,7 @@ class ServedBoard(Served):
             self.greet(board.model.title, len(board.numbers))
             say(opened)
             until_signal(server)
-        say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
+        say(f"served {count_of(server.served, 'host')}; machine time {console.now:.3f} s{dropped(queues)}\n")
         return 0
 
 

@@ -25,6 +25,7 @@ from motionlang.kernel.mint.keywords.identity import VIRTUAL
 from motionlang.kernel.mint.models import named
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
 from motionlang.views.terminal import shower
 
@@ -118,7 +119,9 @@ def remark_on_mapping(source: Source, model: str, say: Callable[[str], None]) ->
 def _farewell(result: Run, server: ModbusServer, file: str, queues: list[OutputQueue]) -> int:
     troubles = [each for each in result.diagnostics if each.code != "interrupted"]
     complain(troubles, result.source, file)
-    remark(f"answered {server.requests} requests; machine time {result.time:.3f} s{dropped(queues)}\n")
+    remark(
+        f"answered {count_of(server.requests, 'request')}; machine time {result.time:.3f} s{dropped(queues)}\n"
+    )
     return int(any(each.severity == "error" for each in troubles))
 
 

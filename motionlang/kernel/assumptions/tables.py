@@ -281,6 +281,7 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
     "mccl.hex-form": "hm",
     "mccl.recorded-form": "do dr dq tp",
     "mccl.hex-letters": "hm",
+    "mccl.channels": "tc wn wf dn df in if",
     "mccl.channel-form": "tc",
     "mccl.no-breakpoint": "tb",
     "mccl.error-told": "te",

@@ -28,8 +28,9 @@ class Model:
     before a scale is set. `lacks` has the families of commands that are missing. `macros` is the highest
     macro number, and `registers` the number of registers. `words` is true if TS has its four status words,
     and `at_target` if status bit 2 means "at target". `outputs` has the channels that are outputs at
-    power-up. `whole_gains` is true if gains are integers. `update` is the servo period, s. `stepper` has
-    velocity, acceleration and minimum velocity of a stepper at power-up. `axes` is the number of axes.
+    power-up, and `channels` is the highest number of a digital channel. `whole_gains` is true if gains are
+    integers. `update` is the servo period, s. `stepper` has velocity, acceleration and minimum velocity of a
+    stepper at power-up. `axes` is the number of axes.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Model:
     words: bool = True
     at_target: bool = True
     outputs: range = range(9, 17)
+    channels: int = 80
     whole_gains: bool = False
     update: float = 0.00025
     stepper: tuple[float, float, float] = (40_000.0, 100_000.0, 0.0)
@@ -56,12 +58,13 @@ class Model:
 
 
 _MODELS = (
-    Model("multiflex", "MultiFlex PCI 1000 series", outputs=range(33, 49), stepper=(10_000.0, 10_000.0, 1000.0)),
+    Model("multiflex", "MultiFlex PCI 1000 series", outputs=range(33, 49), channels=64,
+          stepper=(10_000.0, 10_000.0, 1000.0)),
     Model("dcx-pci300", "DCX-PCI300, DSP based modular controller", words=False, lacks=(_OUTPUT_CONTROL,)),
     Model("dcx-pci100", "DCX-PCI100 modular controller", words=False, at_target=False, whole_gains=True,
           lacks=_BASIC, update=0.000341),
     Model("dcx-at200", "DCX-AT200 advanced modular controller", line_end="\r", words=False,
-          at_target=False, lacks=(_OUTPUT_CONTROL,), update=0.001, axes=6),
+          at_target=False, lacks=(_OUTPUT_CONTROL,), channels=64, update=0.001, axes=6),
     Model("dcx-pc100", "DCX-PC100 modular controller", prompt="", echo=False, line_end="\r", macros=255, words=False,
           at_target=False, whole_gains=True, lacks=(*_BASIC, _TASKS, _SCALES, _CONTOURS), update=0.001),
 )  # fmt: skip

@@ -54,7 +54,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
         process.send_signal(end)
         out, err = process.communicate(timeout=60)
     assert process.returncode == 0
-    assert "served 1 hosts; machine time " in out
+    assert "served 1 host; machine time " in out
     assert "error[unknown-word]: there is no command QQ (?1: unrecognised command)\n" in err
     assert "press.mcl:4:1\n" in err
     assert "1 < 1TP,TR20\n1 > 01 800\n1 > 7\n" in err
@@ -75,7 +75,7 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
         process.send_signal(signal.SIGTERM)
         out, _ = process.communicate(timeout=MAX_SECONDS)
     assert process.returncode == 0
-    found = re.search(r"^served 1 hosts; .*; (\d+) lines of standard error dropped$", out, re.MULTILINE)
+    found = re.search(r"^served 1 host; .*; (\d+) lines of standard error dropped$", out, re.MULTILINE)
     assert found, out
     assert int(found[1]) >= logged // 250 // 2
 

@@ -196,7 +196,7 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
         out, err = process.communicate(timeout=60)
     assert (process.returncode, out) == (0, "")
     client_lines = r"Modbus client (127\.0\.0\.1:\d+) connected\nModbus client \1 has left\n"
-    assert re.fullmatch(rf"{client_lines}answered 1 requests; machine time \d+\.\d{{3}} s\n", err), err
+    assert re.fullmatch(rf"{client_lines}answered 1 request; machine time \d+\.\d{{3}} s\n", err), err
 
 
 def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:

@@ -40,6 +40,11 @@ def channel_of(axis: int, name: str) -> int:
     return first + ORDER.index(name)
 
 
+def is_input_of_axis(board: Board, channel: int) -> bool:
+    """True if an axis of the board has an input with this channel."""
+    return any(channel_of(number, name) == channel for number in board.numbers for name in (*ORDER, *SINGLE))
+
+
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
     """True if the input is logically on.
 

@@ -12,11 +12,12 @@ from motionlang.kernel.lang.steps import BRANCH
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import real
+from motionlang.kernel.mccl.axis.inputs import is_input_of_axis
 from motionlang.kernel.mccl.axis.volts import percent, volts
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords.flow import skip_unless
 from motionlang.kernel.mccl.keywords.row import Group, accumulator, polls, pure, written
-from motionlang.kernel.mccl.models import models_with
+from motionlang.kernel.mccl.models import elsewhere, models_with
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command
@@ -67,7 +68,7 @@ def channel_low(task: CommandTask, command: Command) -> None:
 
 
 def tell_channel(task: CommandTask, command: Command) -> None:
-    channel = task.whole(command)
+    channel = _existing(task, command)
     on = is_on(task.board, channel)
     words = task.board.assumptions.get("mccl.channel-form") == "ON"
     task.tell(channel, ("ON" if on else "OFF") if words else str(int(on)))
@@ -136,15 +137,27 @@ def _switch(task: CommandTask, command: Command, on: bool) -> None:
 
 
 def _is_on(task: CommandTask, command: Command) -> bool:
-    return is_on(task.board, task.whole(command))
+    return is_on(task.board, _existing(task, command))
 
 
 def _is_off(task: CommandTask, command: Command) -> bool:
-    return not is_on(task.board, task.whole(command))
+    return not is_on(task.board, _existing(task, command))
+
+
+def _existing(task: CommandTask, command: Command) -> int:
+    """Return the channel of a command; raise Fault if neither the board nor the machine has it."""
+    board, channel = task.board, task.whole(command)
+    if channel <= board.model.channels or channel in board.outputs or board.is_driven(channel):
+        return channel
+    if is_input_of_axis(board, channel):
+        return channel
+    hint = elsewhere(lambda each: channel <= each.channels)
+    words = f"the {board.model.title} has no digital channel {channel}"
+    raise Fault(codes.PARAMETER, words, hint or f"they are 1 to {board.model.channels}", "channel")
 
 
 def _wait(task: CommandTask, command: Command, on: bool) -> Wait | None:
-    board, channel = task.board, task.whole(command)
+    board, channel = task.board, _existing(task, command)
     if is_on(board, channel) is on:
         return None
     state = "on" if on else "off"
