@@ -79,11 +79,6 @@ REPORTED: tuple[
         "  HOME(0) = 1\nPAUSE IDLE(0)\n", {}, "fault", [],
         [
             (
-                "never",
-                "HOME looks for a home switch on axis 0 and index marks on axis 0, which nothing provides",
-                1, 0, 1, "the machine file sets them: axis.0.home_switch, travel and index_every", "warning",
-            ),
-            (
                 "never", "axis 0 homes towards a switch that does not exist", 1, 3, 11,
                 "give its position in the machine file: axis.0.home_switch, travel and index_every", "error",
             ),

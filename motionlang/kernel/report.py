@@ -192,7 +192,7 @@ def _running(run: Run) -> dict[int, float | None]:
 def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
     start, scale, zero = move.start_time, move.scale or 1.0, move.zero
     profile, ended = _until_end(run, move, running)
-    size = abs(scale)
+    size, peak = abs(scale), _peak(profile)
     row: Row = {
         "axis": move.axis,
         "command": move.command,
@@ -203,11 +203,12 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "start": (profile.start - zero) / scale,
         "end": (profile.end - zero) / scale,
         "distance": (profile.end - profile.start) / scale,
-        "peak_speed": _peak(profile) / size,
+        "peak_speed": peak / size,
         **({} if move.commanded_speed is None else {"commanded_speed": move.commanded_speed / size}),
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
             for phase in profile.phases
+            if peak or phase.name == "hold"  # an axis that stands on a path has no phases
         ],
     }
     if ended:

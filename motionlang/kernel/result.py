@@ -241,6 +241,9 @@ def _lost(result: Run) -> list[Diagnostic]:
             found.append(
                 Diagnostic("never", homing.endless_motion, homing.line, column, length=length, hint=hint)
             )
+            # The warning of the HOME says the same.
+            warned = result.machine.diagnostics
+            warned[:] = [each for each in warned if each.code != "never" or not each.hint.endswith(keys)]
     return found
 
 

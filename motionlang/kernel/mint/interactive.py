@@ -10,6 +10,7 @@ from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import check_line
+from motionlang.kernel.mint.check.error_recovery import parsed
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import Session
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -46,9 +47,15 @@ class MintInteractive(Interactive):
 
         Raises ProgramError for a line with errors, which then declares nothing.
         """
-        module = parse(source)
+        module = parsed(source, self._check)
         override_if_there(module, self.machine.overrides)
         return self._task_of(module, source, of_program=False)
+
+    def _check(self, module: Module) -> None:
+        """Raise ProgramError with the errors of a module, whose names are not known in later lines."""
+        session = Session()
+        session.scope.names, session.types = dict(self._session.scope.names), self._session.types
+        check_line(module, self.machine.settings, session)
 
     def program(self, source: Source, strict: bool = False) -> Task:
         """Return the task of a whole program, whose lines may trigger faults of the machine file.

@@ -117,7 +117,7 @@ def checked_program(
     The values of the names in `given` are set when it starts; see `override`. With `is_debug` a debugger can stop it.
     """
     with CollectorOff(), StackSpace():
-        module = parsed(source, settings)
+        module = parsed(source, lambda readable: check_module(readable, settings))
         if overrides or given:
             override(module, overrides or {}, given)
         checked = check_module(module, settings)

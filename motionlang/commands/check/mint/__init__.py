@@ -52,7 +52,11 @@ def _check(source: Source, settings: dict[str, object], known: Known | None) -> 
     try:
         module = parse(source)
     except ProgramError as error:
-        return with_other_lines(source, settings, error, known).diagnostics
+
+        def checked(module: Module) -> None:
+            check_module(module, settings, recall=None if known is None else Recall(module, known))
+
+        return with_other_lines(source, checked, error).diagnostics
     recall = None if known is None else Recall(module, known)
     try:
         checked = check_module(module, settings, recall)

@@ -16,6 +16,7 @@ from motionlang.kernel.controller.moves.buffer import motion_at
 from motionlang.kernel.controller.moves.geometry import Segment, corner
 from motionlang.kernel.controller.triggers.events import too_late
 from motionlang.kernel.planners import Profile, State, hold
+from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.lookahead import Pace, plan_course
 from motionlang.kernel.planners.ramp_down import onset, stop_in_motion
@@ -117,7 +118,7 @@ class Course:
         end = self._at(k, self.segment.ends[k])
         present = self.present
         if not self.segment.length:  # it takes no time, unless it is suspended
-            return hold(end).cut(present.duration)
+            return relabelled(hold(end).cut(present.duration), present.shape)
         made = travelled(present, self.segment.curves[k])
         if self.begins[k] != self.starts[k]:
             made = made.scaled(self._at(k, made.start), 1.0)
@@ -248,7 +249,7 @@ class Course:
             stop = self.with_standstill(time)
             return None if stop is None else (stop, None)
         if not self.segment.length:
-            return hold(0.0).cut(0.0), self.here
+            return relabelled(hold(0.0).cut(0.0), pace.shape), self.here
         stretches, goal = self._stretches(pace)
         eased, distance, speed, acceleration = onset(self.profile, time, pace.shape, pace.accel_jerk)
         try:

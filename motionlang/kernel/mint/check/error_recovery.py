@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.mint.check.check import check_module
 from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.mint.resolve.recall import Known, Recall
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.recovery import readable
@@ -34,31 +32,28 @@ _OF_A_STATEMENT = frozenset(
 )
 
 
-def parsed(source: Source, settings: Mapping[str, object] | None) -> Module:
-    """Parse a text; raise ProgramError with its syntax errors and the other errors of its readable lines."""
+def parsed(source: Source, check: Callable[[Module], object]) -> Module:
+    """Parse a text; raise ProgramError with its syntax errors and those that `check` finds in its readable lines."""
     try:
         return parse(source)
     except ProgramError as error:
-        raise with_other_lines(source, settings, error) from None
+        raise with_other_lines(source, check, error) from None
 
 
 def with_other_lines(
-    source: Source,
-    settings: Mapping[str, object] | None,
-    unreadable: ProgramError,
-    known: Known | None = None,
+    source: Source, check: Callable[[Module], object], unreadable: ProgramError
 ) -> ProgramError:
-    """Return the syntax errors of a text and the other errors of its readable lines.
+    """Return the syntax errors of a text and those that `check` raises for its readable lines.
 
     The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
-    it are not reported. `known` is as in `check`.
+    it are not reported.
     """
     module, taken = readable(source, unreadable)
     if module is None:
         return unreadable
     names = {name for number in taken for name in _names(source.line(number))}
     try:
-        check_module(module, settings, recall=None if known is None else Recall(module, known))
+        check(module)
     except ProgramError as error:
         more = [each for each in error.diagnostics if _is_unrelated(each, source, names)]
         return ProgramError([*unreadable.diagnostics, *more])
