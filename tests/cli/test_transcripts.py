@@ -106,6 +106,8 @@ FILES = {
     "handled.machine.toml": "[axis.0]\ntravel = [-10, 50]\n",
     "fixable.mnt": "MOVER(3) = 5 : GO3\nPrint “x”\nPrint ‘y\n",
     "corner.mnt": "VECTORR(0, 1) = 0, 0 : GO(0) : PAUSE IDLE(0)\nVECTORR(0, 1) = 10, 0 : GO(0) : PAUSE IDLE(0)\n",
+    "latched.mnt": "LATCHTRIGGERCHANNEL(0) = 3\nLATCHENABLE(0) = 1\nPAUSE LATCH(0)\n",
+    "unarmed.mnt": "PAUSE LATCH(0)\n",
     "lost.mnt": "MR0 = 10 : GO0\nPAUSE IDLE(0)\n",
     "screen.mnt": 'PRINT "a";\nCLS\nLOCATE 3, 4\nPRINT "x"\n',
     "both.prg": "SPEED[0,1] = 100, 50\nACCEL[0,1] = 1000, 500\nMOVER[0,1] = 10, 20\nGO[0,1]\nPAUSE IDLE[0,1]\n",

@@ -50,6 +50,10 @@ class Meaning:
     text: Callable[[], str]
 
 
+# A command of MCCL as manuals print it, or as a program has it: aPSn, 1MR100.
+MCCL = re.compile(r"(?:a|\d+)?([A-Z]{2})(?:n|[-+]?[\d.]+)?", re.IGNORECASE)
+
+
 @dataclass
 class Help(Output):
     """Explain a command, a keyword or a diagnostic's code."""
@@ -145,8 +149,14 @@ examples:
         return found, omitted
 
     def _named(self, name: str) -> dict[str, Keyword]:
-        """Return the keyword of each language that has one of this name."""
-        return {each: row for each, table in self._tables().items() if (row := table.get(name)) is not None}
+        """Return the keyword of each language that has one of this name, or that of a command of MCCL."""
+        tables = self._tables()
+        found = {each: row for each, table in tables.items() if (row := table.get(name)) is not None}
+        command = MCCL.fullmatch(name)
+        if not found and command is not None and "mccl" in tables:
+            row = tables["mccl"].get(command[1])
+            return {} if row is None else {"mccl": row}
+        return found
 
     def _groups(self, name: str) -> dict[str, list[Keyword]]:
         """Return the keywords of a group in each language that has it."""

@@ -15,6 +15,12 @@ from motionlang.views.terminal import cells, styled
 
 # The heading of keywords that are known but not simulated, in the list.
 KNOWN = "known, not simulated"
+# Keywords that people use first; they and their groups begin the list.
+FIRST = {
+    "mint": "MOVER MOVEA GO SPEED ACCEL DECEL JOG POS IDLE VEL SCALEFACTOR HOME STOP CANCEL INX OUTX IN OUT WAIT PAUSE "
+    "PRINT",
+    "mccl": "MR MA GO WS ST SV SA DS MN MF US TP TV CN CF WN WF WA RP",
+}
 UNSIMULATED = "not simulated: the keyword is recognised, and a program that uses it gets a message."
 
 
@@ -35,7 +41,8 @@ def listing(
     name_width = max((len(row.name) for row in simulated), default=0)
     short_width = max((len(row.short) for row in simulated), default=0)
     groups: dict[str, list[Keyword]] = {}
-    for row in simulated:
+    first = {name: place for place, name in enumerate(FIRST[dialect].split())}
+    for row in sorted(simulated, key=lambda row: first.get(row.name.upper(), len(first))):
         groups.setdefault(row.group or row.kind, []).append(row)
     for group, members in groups.items():
         lines += ["", styled(group, "bold", colour)]

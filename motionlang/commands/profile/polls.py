@@ -222,7 +222,9 @@ class Polls:
                 if axis is not None:
                     return end, MOVING, (axis,)
         others = [
-            kind for kind in ("time", "task", "operator", "host", "encoder", "other") if _has(reads, kind)
+            kind
+            for kind in ("time", "task", "operator", "host", "encoder", "latch", "other")
+            if _has(reads, kind)
         ]
         if others and (whole or others[0] == "time"):
             return end, KINDS[others[0]], ()

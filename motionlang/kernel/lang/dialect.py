@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
     from motionlang.kernel.lang.vocabulary import Vocabulary
-    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.
@@ -217,6 +217,10 @@ class Dialect:
         `why` is the text that describes the wait.
         """
         return []
+
+    def triggers(self, task: Task, latches: Sequence[int]) -> tuple[frozenset[Read], str]:
+        """Return the inputs that trigger latches, and a hint if one of the latches does not wait for its trigger."""
+        return frozenset(), ""
 
     def table(self) -> Vocabulary:
         """Return the vocabulary."""

@@ -12,6 +12,7 @@ KINDS = {
     "axis": "axis",
     "position": "axis",
     "input": "input",
+    "latch": "condition",
     "analogue": "input",
     "encoder": "input",
     "time": "time",

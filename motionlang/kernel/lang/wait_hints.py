@@ -36,6 +36,11 @@ def what_ends(
     at = f"{round(now + SOON, 1):.10g}"
     driven = dialect.driven_by(wait.why)
     leaves = _reads(dialect, source, task, wait)
+    latches = [number for kind, number in leaves if kind == "latch" and number is not None]
+    if latches:
+        leaves, unarmed = dialect.triggers(task, latches)
+        if unarmed:
+            return unarmed
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
     levels = machine.controller.inputs
     if not channels and driven == ["input"]:

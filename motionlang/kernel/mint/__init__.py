@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic
@@ -12,8 +12,9 @@ from motionlang.kernel.lang.machine.switch import Switch
 from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
@@ -144,6 +145,13 @@ class Mint(Dialect):
         from motionlang.kernel.mint.runtime.wait_sources import driven_by
 
         return driven_by(why)
+
+    def triggers(self, task: Task, latches: Sequence[int]) -> tuple[frozenset[Read], str]:
+        from motionlang.kernel.mint.keywords.latches import triggers
+        from motionlang.kernel.mint.runtime.task import MintTask
+
+        assert isinstance(task, MintTask)
+        return triggers(task.environment, latches)
 
     def table(self) -> Vocabulary:
         from motionlang.kernel.mint.keywords import table

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.help.keyword_search import MAX_FOUND, _are_similar, search
+from motionlang.commands.help.view import FIRST
 from motionlang.kernel.lang.dialect import dialect, dialects
 from tests.cli.programs import Cell
 
@@ -80,3 +81,13 @@ def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
 )
 def test_stems_that_begin_alike_are_similar(one: str, other: str, similar: bool) -> None:
     assert _are_similar(one, other) is similar
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_the_list_begins_with_what_people_use_first(language: str, cell: Cell) -> None:
+    first = FIRST[language].split()
+    listed = [
+        line.split()[0] for line in cell("help", "keywords", "--lang", language).out.splitlines() if line
+    ]
+    assert set(first) <= {each.upper() for each in listed}
+    assert listed[2:4] == first[:2]

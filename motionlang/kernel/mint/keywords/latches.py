@@ -7,7 +7,7 @@ numbers are from memory.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from motionlang.kernel.controller.clock import INFINITY
@@ -15,6 +15,7 @@ from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.controller.triggers.homing import next_index
 from motionlang.kernel.controller.triggers.watch import Watch
 from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.lang.wait_causes import Read
 from motionlang.kernel.mint.keywords.io_inputs import checked
 from motionlang.kernel.mint.runtime.binding import ByNumber, Maker, Operation, axis_of, scale_of, unchecked
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -155,6 +156,18 @@ class FastLatches(Latches):
         """Reset the axis to its defaults (DEFAULT)."""
         if axis in self._latches:
             self._latches.pop(axis).arm(False)
+
+
+def triggers(environment: Environment, numbers: Sequence[int]) -> tuple[frozenset[Read], str]:
+    """Return the inputs that trigger latches, and a hint if one of the latches is not armed."""
+    found = []
+    for number in numbers:
+        latch = environment.component(Latches).latch(number)
+        if not latch.armed:
+            return frozenset(), f"LATCHENABLE({number}) = 1 arms the latch first"
+        if latch.trigger_mode == BY_INPUT:
+            found.append(("input", latch.input))
+    return frozenset(found), ""
 
 
 # ----------------------------------------------------------------------------------------------- operations

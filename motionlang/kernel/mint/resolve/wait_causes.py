@@ -239,6 +239,8 @@ def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
         yield from ((kind, number) for number in numbers or [None])
     elif row.index == "task":
         yield "task", None
+    elif row.index == "latch":
+        yield "latch", next(_numbers(node), None)
     else:
         yield "other", None
 
