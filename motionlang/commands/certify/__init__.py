@@ -5,6 +5,7 @@ The extremes come from the closed form of the motion (`commands/certify/extremes
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping
 from math import inf
 
@@ -12,6 +13,8 @@ from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.execution import MACHINE_SUFFIX
+from motionlang.kernel.source import STDIN_NAME
 
 # The limits of `[axis.N.limits]`: the field of the extremes or the column of the motor, and the unit.
 LIMITS = {
@@ -25,7 +28,6 @@ LIMITS = {
 MOTOR = ("torque", "following_error")
 # A figure that exceeds a limit by less than this fraction of it equals it.
 SLACK = 1e-9
-HINT = "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000 to {}"
 # The derivative that jumps where another one is infinite.
 JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 
@@ -109,18 +111,19 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
     return line
 
 
-def violations(lines: list[Limit], machine: str = "the machine file") -> list[Diagnostic]:
-    """Return a diagnostic per exceeded or unknown limit.
+def missing_limits(program: str, machine: str | None) -> str:
+    """Return the hint that names the machine file in which limits are missing, or that to write."""
+    if machine is None:
+        stem = os.path.splitext(program)[0]
+        machine = "a machine file" if program == STDIN_NAME else f"{stem}{MACHINE_SUFFIX} next to the program"
+    return f"add a section such as [axis.0.limits] with speed = 500, acceleration = 8000 to {machine}"
 
-    `machine` names the file or setting in which limits are set.
-    """
+
+def violations(lines: list[Limit], hint: str) -> list[Diagnostic]:
+    """Return a diagnostic per exceeded or unknown limit; `hint` is for a machine without limits."""
     found = [_diagnostic_of(line) for line in lines if line.verdict != "within"]
     if not lines:
-        found.append(
-            Diagnostic(
-                "beyond-limit", "nothing to certify: the machine has no limits", hint=HINT.format(machine)
-            )
-        )
+        found.append(Diagnostic("beyond-limit", "nothing to certify: the machine has no limits", hint=hint))
     return found
 
 

@@ -12,14 +12,14 @@ from motionlang.cli.command import argument
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.program_files import programs
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.certify import Limit, certificate, violations
+from motionlang.commands.certify import Limit, certificate, missing_limits, violations
 from motionlang.commands.certify.view import certificate_lines, limits_table
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.command import Prove
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import MACHINE_SUFFIX, machine_of, run
+from motionlang.kernel.execution import machine_of, run
 from motionlang.kernel.result import Run as Result
-from motionlang.kernel.source import STDIN_NAME, Source
+from motionlang.kernel.source import Source
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
 
@@ -111,11 +111,7 @@ examples:
 def certify(result: Result, machine: str | None) -> list[Limit]:
     """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
-    if machine is None:
-        stem = os.path.splitext(result.source.name)[0]
-        of_none = result.source.name == STDIN_NAME
-        machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX} next to the program"
-    result.diagnostics += violations(lines, machine)
+    result.diagnostics += violations(lines, missing_limits(result.source.name, machine))
     return lines
 
 

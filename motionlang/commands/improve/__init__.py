@@ -28,7 +28,7 @@ from itertools import combinations
 from math import ceil, floor, inf, log10
 from typing import Any
 
-from motionlang.commands.certify import MOTOR, Limit, certificate
+from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.periods import cycle_of
 from motionlang.commands.profile.profile import TimeProfile
@@ -113,6 +113,7 @@ class Improver:
 
     `others` are its scenarios. `cycle` is the name of the cycle (`periods.py`); without one it is the whole run, or the
     longest cycle of a line if the run ends at the time limit. `progress` is called with the number of runs so far.
+    `machine` is the path of the machine file, for messages.
     """
 
     def __init__(
@@ -125,7 +126,9 @@ class Improver:
         cycle: str = "",
         until: float | None = None,
         progress: Callable[[int], object] = lambda runs: None,
+        machine: str | None = None,
     ) -> None:
+        self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
         self.until, self._progress, self._runs = until, progress, 0
         named = constants(source, language)
@@ -232,9 +235,11 @@ class Improver:
         if not limited:
             raise NotPossible(
                 "nothing bounds a faster cycle: the machine file has no limits",
-                "add a section such as [axis.0.limits] with speed = 500, acceleration = 8000",
+                missing_limits(self.source.name, self.machine),
             )
-        self.skipped = [f"axis {axis} has no limits, so its speeds stay" for axis in sorted(axes - limited)]
+        self.skipped = [
+            f"axis {axis} has no limits{self._in}, so its speeds stay" for axis in sorted(axes - limited)
+        ]
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
         structure = self.language.structure(self.source, self.world.settings)
         starts = sorted(structure.statements)
@@ -269,7 +274,9 @@ class Improver:
             free.update(dict.fromkeys(without))
             if mine and literal.is_write and not without:
                 found.append(literal)
-        self.skipped += [f"axis {axis} has no limit of its {name}, so that stays" for axis, name in free]
+        self.skipped += [
+            f"axis {axis} has no limit of its {name}{self._in}, so that stays" for axis, name in free
+        ]
         return found
 
     # -------------------------------------------------------------------------------------------------- searching

@@ -104,6 +104,7 @@ examples:
                 cycle=self.cycle or "",
                 until=self.until,
                 progress=lambda runs: progress(min(runs / RUNS, 1.0)),
+                machine=self.machine_path(),
             )
             found = improver.improved(self.by or 0.0, self.edits or 0)
         except NotPossible as error:

@@ -10,7 +10,7 @@ from hashlib import sha256
 from time import perf_counter
 from typing import Any
 
-from motionlang.commands.certify import certificate, violations
+from motionlang.commands.certify import certificate, missing_limits, violations
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -194,7 +194,7 @@ class Worker:
             diagnostics += found.proof().violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
-            diagnostics += violations(lines)
+            diagnostics += violations(lines, missing_limits("", "the machine file"))
         return problem_of(diagnostics) if diagnostics else None
 
 

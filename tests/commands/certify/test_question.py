@@ -113,11 +113,11 @@ def test_what_prevents_signing_is_reported() -> None:
         ({}, "nothing to certify: the machine has no limits"),
     ):
         result, lines = certified(limits)
-        (found,) = violations(lines)
+        (found,) = violations(lines, "")
         assert found.message.startswith(expected)
         assert found.code == "beyond-limit"
     result, lines = certified({"speed": 100.0, "acceleration": 1000.0, "position": [0.0, 40.0]})
-    assert violations(lines) == []
+    assert violations(lines, "") == []
 
 
 # The limit, its value, the value reached, the margin and the verdict. A position may be exceeded by a

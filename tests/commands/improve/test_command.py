@@ -102,6 +102,9 @@ def test_what_cannot_be_improved(cell: Cell) -> None:
     assert (ran.status, ran.err.splitlines()[0]) == (
         1, "error[beyond-limit]: nothing bounds a faster cycle: the machine file has no limits"
     )  # fmt: skip
+    section = "[axis.0.limits] with speed = 500, acceleration = 8000"
+    hint = f"  hint: add a section such as {section} to free.machine.toml next to the program"
+    assert ran.err.splitlines()[-1] == hint
     cell.write("wrong.mnt", "n = 0\nPRINT 1 / n\n")
     assert "error[division-by-zero]" in cell("improve", "wrong.mnt").err
     cell.write("still.mnt", "Loop\nWAIT(100)\nEnd Loop\n")
