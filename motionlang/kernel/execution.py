@@ -25,6 +25,7 @@ from motionlang.kernel.result import (
     report_guesses,
     report_keywords_without_effect,
     report_never_started,
+    report_stop,
     report_stuck,
     report_unasked,
     save_nonvolatile,
@@ -122,6 +123,8 @@ def run(
         hook=hook,
         observer=observer,
     )
+    if virtual.stop is not None:
+        virtual.stop.line_of = lambda at: language.locate(source, at)[0] if at >= 0 else 0
     result = Run(source, language, virtual)
     if wrong:
         result.diagnostics, result.status = wrong, "fault"
@@ -220,9 +223,10 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
     result.time = result.machine.clock.now
     if result.program is not None and result.machine.log.moves:
         result.notes += result.program.remarks
+    report_stop(result)
     if settings:
         report_guesses(result)
-    if "answer" in settings and result.status in ("ended", "until"):
+    if "answer" in settings and result.status in ("ended", "until", "stopped"):
         report_unasked(result)
     if result.status == "ended" and any(key.startswith("budget.") for key in settings):
         from motionlang.commands.profile.budget import over_budget
@@ -318,6 +322,8 @@ def _execute(
                 outside.start(result.machine)
             parent = compiled.start(result.machine)
             scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
+        if result.machine.stop is not None:
+            result.machine.stop.end = scheduler.stop
         result.status = scheduler.run(until)
         if result.status == "until":
             report_futile_waits(result, scheduler)

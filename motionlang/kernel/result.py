@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 class Run:
     """The result of a run.
 
-    `status` is "ended", "until" (the time limit), "fault" (the program is invalid or failed) or "interrupted"
-    (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
+    `status` is "ended", "until" (the time limit), "stopped" (by `run.stop`), "fault" (the program is invalid or
+    failed) or "interrupted" (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
     """
 
     def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
@@ -125,6 +125,8 @@ class Run:
         return build(self)
 
 
+# Lines that a message names at the most.
+MAX_NAMED_LINES = 12
 # Maximum lines that are named for a keyword without effect.
 MAX_LINES = 5
 
@@ -284,6 +286,20 @@ def report_guesses(result: Run) -> None:
         message = f"this result depends on {guesses} of the machine file: {'; '.join(found)}"
         hint = "correct each in the machine file and remove its guess = true"
         result.diagnostics.append(Diagnostic("guess", message, hint=hint, severity="warning"))
+
+
+def report_stop(result: Run) -> None:
+    """Report a `run.stop` by a line of which nothing is in the log."""
+    stop = result.machine.stop
+    if stop is None or stop.line is None or stop.counts.total():
+        return
+    log = result.machine.log
+    at = {each.at for stream in (log.waits, log.outputs, log.analogue_outputs, log.prints) for each in stream}
+    lines = {move.line for move in log.moves} | {stop.line_of(each) for each in at if each >= 0}
+    named = ", ".join(map(str, sorted(lines - {0})[:MAX_NAMED_LINES]))
+    message = f"line {stop.line} cannot end the run: it moved, switched and printed nothing, and no wait of it ended"
+    hint = f"run.stop.line can be {named}" if named else "end the run by run.until"
+    result.diagnostics.append(Diagnostic("machine-file", message, hint=hint))
 
 
 def report_unasked(result: Run) -> None:

@@ -13,6 +13,7 @@ ROUNDING = 1e-12
 _OUTCOMES = {
     "ended": "ended after {}",
     "until": "still running at the time limit of {}",
+    "stopped": "stopped after {}",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
     "open": "{} so far",  # a session, which ends only when its user leaves
@@ -21,7 +22,8 @@ _OUTCOMES = {
 
 def outcome(run: Run) -> str:
     """Return how the run ended, and its machine time."""
-    return _OUTCOMES[run.status].format(clock_time(run.time))
+    text = _OUTCOMES[run.status].format(clock_time(run.time))
+    return f"{text} by {run.machine.stop}" if run.status == "stopped" else text
 
 
 def dialect_name(name: str) -> str:

@@ -65,6 +65,14 @@ def unmet(result: Run, expected: list[Entry]) -> list[str]:
     """Return unmet expectations and unexpected errors of a run, each as a sentence."""
     found = [text for entry in expected if (text := _unmet(result, entry))]
     codes = {entry["diagnostic"] for entry in expected if "diagnostic" in entry}
+    stop = result.machine.stop
+    if (
+        stop is not None
+        and result.status != "stopped"
+        and not codes
+        and not any("status" in e for e in expected)
+    ):
+        found.append(f"the run {_ended(result)} at {result.time:.6f} s, not stopped by {stop}")
     faults = any(entry.get("status") == "fault" for entry in expected)
     for each in result.diagnostics:
         if each.severity == "error" and each.code not in codes and not (faults and not codes):
@@ -177,6 +185,9 @@ def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool
 
 
 def _ended(result: Run) -> str:
-    return {"ended": "ended", "until": "was still running", "fault": "stopped with an error"}.get(
-        result.status, result.status
-    )
+    return {
+        "ended": "ended",
+        "until": "was still running",
+        "stopped": "was stopped",
+        "fault": "stopped with an error",
+    }.get(result.status, result.status)

@@ -281,7 +281,10 @@ class Adapter:
             return
         run = self._debugger.run
         self.phase = ENDED
-        self.event("exited", {"exitCode": 0 if run is not None and run.status in ("ended", "until") else 1})
+        self.event(
+            "exited",
+            {"exitCode": 0 if run is not None and run.status in ("ended", "until", "stopped") else 1},
+        )
         self.event("terminated")
 
     def _ask(self, prompt: str) -> str | None:

@@ -138,8 +138,9 @@ class State:
     delays: Mark = NO_RECORDS
     logged: Any = None
     lengths: list[int] = field(default_factory=list)
-    # How much the observer of the run had counted.
+    # How much the observer of the run had counted, and how often what ends the run had occurred.
     seen: Any = None
+    occurred: int = 0
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: State | None = None
     change: list[float] | None = None
@@ -312,6 +313,8 @@ class Loops:
         now = State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
         if self.machine.observer is not None:
             now.seen = self.machine.observer.seen
+        if self.machine.stop is not None:
+            now.occurred = self.machine.stop.counts.total()
         return now
 
     def _begin(self) -> None:
@@ -358,6 +361,8 @@ class Loops:
     def _repeated(self, task: StepTask, now: State, last: State) -> tuple[float, Wait | None, bool]:
         """Skip the iterations that repeat that from `last` to `now`; False if it does not repeat."""
         t = now.t
+        if now.occurred != last.occurred:  # each of these iterations counts
+            return t, None, False
         if not _same_waits(last, now):
             return t, None, True
         change = self._change(last, now)

@@ -121,6 +121,8 @@ class Scheduler:
         # The other tasks whose waits are not over.
         self._waiting: list[Task] = []
         self.until = INFINITY
+        # True once an event has ended the run.
+        self.stopped = False
         # The index of the next task, and how often in a row time did not advance while all waited.
         self._next_index = 0
         self._stalls = 0
@@ -165,13 +167,18 @@ class Scheduler:
     def run(self, until: float = INFINITY) -> str:
         """Run until the program has ended, or virtual time is up, then let motion finish.
 
-        The result is "ended" or "until". Raises `Stuck` if the parent waits for something that can never
-        happen, and any exception of a task.
+        The result is "ended", "until", or "stopped" after a call of `stop`. Raises `Stuck` if the parent waits for
+        something that can never happen, and any exception of a task.
         """
-        if not self.run_program(until):
-            return "until"
-        self.ended = self.clock.now
-        return "ended" if self.settle(until) else "until"
+        done = self.run_program(until)
+        if done:
+            self.ended = self.clock.now
+            done = self.settle(until)
+        return "stopped" if self.stopped else "ended" if done else "until"
+
+    def stop(self) -> None:
+        """End the run now, at an event that it was to end at."""
+        self.stopped, self.until = True, self.clock.now
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False if `until` came first."""
@@ -181,7 +188,7 @@ class Scheduler:
         self.until, self._end = until, 0.0
         while not parent.done:
             now = clock.now
-            if now >= until:
+            if now >= self.until:
                 return False
             if self._hook is not None and not self._end:
                 self._hook.between()
@@ -316,7 +323,7 @@ class Scheduler:
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion in progress end; False if `until` comes first or an axis jogs."""
-        while True:
+        while not self.stopped:
             busy = self.machine.moving()
             times = [self.machine.idle_time(axis) for axis in busy]
             if not busy:
@@ -337,6 +344,7 @@ class Scheduler:
                         self._advance(until)
                     return False
             self._advance(time)
+        return False
 
     def _next_due(self, task: Task) -> float:
         """Return when the first wait of another task may end; no time slice outlasts it.

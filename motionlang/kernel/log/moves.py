@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.move import CONTINUED, Action, Move
@@ -46,6 +46,8 @@ class Moves(Records[Move]):
         self._waiting = 0  # pieces of continued entries that are no rows
         # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
+        # Called with each move that is added, for what ends a run.
+        self.heard: Callable[[Move], None] | None = None
 
     @property
     def first(self) -> int:
@@ -59,6 +61,8 @@ class Moves(Records[Move]):
         self._tail.append(move)
         if len(self._tail) >= MAX_OBJECTS:
             self.pack(MAX_OBJECTS - LEFT)
+        if self.heard is not None:
+            self.heard(move)
 
     def pack(self, count: int) -> None:
         """Make rows of the `count` oldest objects."""

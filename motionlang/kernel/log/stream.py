@@ -29,7 +29,7 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import IO, Any, Generic, TypeVar, overload
 from weakref import finalize
@@ -207,6 +207,13 @@ class Stream(Records[T]):
         self._oldest = 0, 0
         # The sealed chunk that was read last, with its columns.
         self._loaded = self._open
+        # Called with each record that is added, for what ends a run.
+        self.heard: Callable[[tuple[Any, ...]], None] | None = None
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The names of the fields of a record."""
+        return self._kind._fields  # type: ignore[attr-defined, no-any-return]
 
     # ------------------------------------------------------------------------------------------- writing
 
@@ -217,6 +224,8 @@ class Stream(Records[T]):
         self._rows += 1
         if self._rows - self._open.first >= CHUNK:
             self._seal()
+        if self.heard is not None:
+            self.heard(row)
 
     def repeat(self, first: int, times: int, period: float, base: float = 0.0, cost: float = 0.0) -> None:
         """Append the records from number `first` on so many times again, as `Repetition` says."""

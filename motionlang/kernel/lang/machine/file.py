@@ -27,6 +27,8 @@ from motionlang.kernel.lang.machine.keys import (
     REQUIRED,
     SERVO,
     SHORTEST_PERIOD,
+    STOP_EVENTS,
+    STOPS,
     TABLES,
     TERMINALS,
     VIEWS,
@@ -73,9 +75,24 @@ def read_machine(
     if any(".plant." in key or ".servo." in key for key in settings):
         for section, message, hint in servo_mistakes(settings):
             mistakes.append(_located(source, f"{section}.", message, hint, f"[{section}]"))
+    if (wrong := stop_mistake(settings)) is not None:
+        mistakes.append(_located(source, "run.stop", *wrong, "stop"))
     if mistakes:
         raise ProgramError(mistakes)
     return settings
+
+
+def stop_mistake(settings: Mapping[str, object]) -> tuple[str, str] | None:
+    """Return message and hint of a wrong `run.stop`, which is one event, text or line."""
+    named = [key.removeprefix("run.stop.") for key in STOPS if key in settings]
+    if len(named) > 1:
+        return f"run.stop ends the run by one thing, not by {' and '.join(named)}", "leave one of them"
+    if not named and "run.stop.times" in settings:
+        return (
+            "run.stop has times without what happens so often",
+            'event = "input", prints = "TEXT" or line = N',
+        )
+    return None
 
 
 def _with_some_channel(key: str, value: object) -> object:
@@ -166,7 +183,8 @@ def first_mistake(settings: Mapping[str, object]) -> str:
     for key, value in settings.items():
         for message, hint, *_ in _problems(key, value):
             return f"{message} ({hint})"
-    return ""
+    wrong = stop_mistake(settings)
+    return "" if wrong is None else f"{wrong[0]} ({wrong[1]})"
 
 
 def _problems(
@@ -340,6 +358,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "dpr": (whole and 0 <= value <= 4095, "must be a whole number from 0 to 4095"),  # type: ignore[operator]
         "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
         "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
+        "stop event": (value in STOP_EVENTS, f"must be one of {', '.join(STOP_EVENTS)}"),
         "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
         "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
         "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),

@@ -6,6 +6,8 @@ tables of events (`[[input]]`). Every key has a default.
 
 from __future__ import annotations
 
+from motionlang.kernel.log.records import EVENTS
+
 MAX_AXES = 64
 # key -> (kind, help). A pair is two numbers, the first not above the second.
 KEYS: dict[str, tuple[str, str]] = {
@@ -16,6 +18,16 @@ KEYS: dict[str, tuple[str, str]] = {
         "time",
         "The time limit of the run, in seconds of machine time; the scenario ends there too.",
     ),
+    "run.stop.event": (
+        "stop event",
+        "End the run at an event of this kind, or at an INPUT for which no answer is left: input.",
+    ),
+    "run.stop.prints": ("text", "End the run when a printed line contains this text."),
+    "run.stop.line": (
+        "line",
+        "End the run when this line of the program has moved, waited, switched or printed.",
+    ),
+    "run.stop.times": ("times", "The number of times after which it ends; 1 by default."),
     "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
     "budget.time": ("positive", "The longest duration of the run allowed, in seconds; more is an error."),
     "budget.motion": ("positive", "The most motion on the critical path of the run, in seconds."),
@@ -296,7 +308,7 @@ EXPECTED: dict[str, tuple[str, ...]] = {
     "status": (),
     "diagnostic": (),
 }
-OUTCOMES = ("ended", "until", "fault")
+OUTCOMES = ("ended", "until", "stopped", "fault")
 REQUIRED = {
     "input": ("channel",),
     "analogue": ("channel", "value"),
@@ -348,6 +360,9 @@ NODE_EVENTS = ("live", "dead", "emergency")
 BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
 # The keys that identify the subject of a [[remote]] entry.
 OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
+# What may end a run: an event of the log, or a question of the program that nobody answers.
+STOP_EVENTS = (*EVENTS, "input")
+STOPS = ("run.stop.event", "run.stop.prints", "run.stop.line")
 LAST_REGISTER = 65535
 LAST_LINE = 99_999_999
 MOTORS = ("servo", "stepper")
@@ -362,5 +377,6 @@ CHOICES: dict[str, tuple[object, ...]] = {
     "bus event": tuple(BUS_EVENTS),
     "view": tuple(VIEWS),
     "outcome": tuple(OUTCOMES),
+    "stop event": STOP_EVENTS,
     "terminal": tuple(TERMINALS),
 }

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.keys import ABOUT, NAMED
+from motionlang.kernel.lang.machine.keys import ABOUT, NAMED, STOPS
 from motionlang.kernel.tools import nearest
 
 Entry = Mapping[str, object]
@@ -22,6 +22,8 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
     refer to its channel by the name that `below` gives it. Raises ProgramError for a name that is not there.
     """
     out = dict(below)
+    if any(key in above for key in STOPS):  # one thing ends a run
+        out = {key: value for key, value in out.items() if not key.startswith("run.stop.")}
     for key, value in above.items():
         under = below.get(key)
         if key in NAMED and isinstance(value, list):

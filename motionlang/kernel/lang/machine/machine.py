@@ -17,6 +17,7 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.machine.operator import Operator
+from motionlang.kernel.lang.machine.stop import stop_of
 from motionlang.kernel.lang.machine.terminal import Terminal, labelled
 from motionlang.kernel.lang.statement_time import StatementTime
 from motionlang.kernel.log.log import Log
@@ -71,6 +72,8 @@ class Machine:
         self._operators: dict[int, Operator] = {}
         self.log = Log()
         self.log.hurried = self._hurried
+        # What ends the run before its time limit, if anything does.
+        self.stop = stop_of(self.settings, self.clock, self.log)
         self.terminal = Terminal(self.clock, self.log.prints, show, self.log.here)
         # The output to other terminals and to serial ports, by label.
         self.terminals: dict[str, Terminal] = {}

@@ -23,6 +23,8 @@ def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE)
         line = machine.ask()
         operator.lines += [] if line is None else [(line, "")]
     operator.asking = not operator.has_answer()
+    if operator.asking and machine.stop is not None:
+        machine.stop.asks()
     return Wait(t, lambda: _answered(operator), lambda: INFINITY, FOR_ANSWER, "operator")
 
 
