@@ -247,6 +247,7 @@ def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
         ("old.mnt", "PRINT 1", None),
         ("old.prg", "PRINT 1", '"mint4"    # the extension .prg'),
         ("old.mnt", "AUTO\n#GO\nPRINT 1", '"mint4"    # line 1: AUTO; line 2: #GO'),
+        ("old.mnt", "AUTO\nSPEED.0 = 5\nLOCATE(1, 2)\nLINE(1)", '"mint4"    # line 2: SPEED.0'),
         ("old.prg", "Dim n As Integer\n#GO\nPRINT 1", '"mintmt"    # line 1: As'),
         ("old.mnt", "SPEED(0) = 5\nACCEL.0 = 5", None),
         ("old.mccl", "CF35,CN34", '"multiflex"    # line 1: CF35, and 33 to 48 are outputs at power-up'),

@@ -51,6 +51,8 @@ _MT_TOKENS = {
     "RUN": ("Run", "v4 has one task"),
     "AS": ("As", "v4 has numbers only, without declaration"),
 }
+# Keywords that v4 has with round brackets, too.
+_WITH_BRACKETS = frozenset(("LOCATE", "LINE", "BINARY"))
 _END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
 
 
@@ -126,7 +128,9 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
     for name in names_of(module):
         row = table.get(name.name)
         brackets = name.args is not None and not name.axes
-        if brackets and row is not None and row.kind not in ("function", "constant", "statement"):
+        if row is None or row.name in _WITH_BRACKETS:
+            continue
+        if brackets and row.kind not in ("function", "constant", "statement"):
             shown = ", ".join(_shown(each) for each in name.args or ())
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
             yield (
@@ -135,7 +139,7 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
                 f"write {dotted}" if shown else f"write {name.name}",
                 "",
             )
-        elif row is not None and row.verb == "choice":
+        elif row.verb == "choice":
             yield name.start, "IIf", "write IF … DO", ""
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:
