@@ -30,18 +30,21 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
     """Write the fixes of diagnostics to their file, and return them.
 
     `check(text)` returns the diagnostics of a text. A check stops after a number of errors, so fixing and checking
-    repeat until no fix is left; the file is then written once. Line endings do not change. A file that is not
-    UTF-8, or that has lone carriage returns, does not change. Raises OSError if the file cannot be read or
-    written.
+    repeat until no fix is left; the file is then written once. Line endings and the encoding do not change. A file in
+    UTF-16, or that has lone carriage returns, does not change. Raises OSError if the file cannot be read or written.
     """
     if not any(each.fix for each in found):
         return []
     with open(path, "rb") as file:
         data = file.read()
+    encoding = "utf-8"
     try:
-        text = data.decode("utf-8")
+        text = data.decode(encoding)
     except UnicodeDecodeError:
-        return []
+        if b"\0" in data:
+            return []
+        encoding = "latin-1"
+        text = data.decode(encoding)
     mark = _MARK if text.startswith(_MARK) else ""
     text = text.removeprefix(mark)
     if "\r" in text.replace("\r\n", ""):
@@ -53,7 +56,7 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
             break
         fixed += made
     with replacing(path, only_copy=True) as out:
-        out.write((mark + text).encode())
+        out.write((mark + text).encode(encoding))
     return fixed
 
 

@@ -204,3 +204,10 @@ def test_a_wait_for_a_condition_becomes_a_pause(before: str, after: str, cell: C
     cell.write("a.mnt", before)
     cell("check", "a.mnt", "--fix")
     assert (cell.folder / "a.mnt").read_text() == after
+
+
+def test_latin_1_stays_latin_1(cell: Cell) -> None:
+    path = cell.folder / "old.mnt"
+    path.write_bytes(b'\' gr\xfc\xdfe\r\nSPEED.0 = 5 : PRINT "M\xfcll"\r\n')
+    assert "1 fixed" in cell("check", "old.mnt", "--model", "mintmt", "--fix").out
+    assert path.read_bytes() == b'\' gr\xfc\xdfe\r\nSPEED(0) = 5 : PRINT "M\xfcll"\r\n'
