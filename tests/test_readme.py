@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 
 from tests.scope_picture import PICTURE, PROGRAM, ROOT, digest, recorded, with_digest
 
@@ -33,6 +34,12 @@ def test_a_run_and_a_diagnostic_are_shown_in_the_minute_of_use() -> None:
 
 def test_the_sections_are_in_the_order_of_use() -> None:
     assert re.findall(r"^## (.+)$", README, re.MULTILINE) == ORDER
+
+
+def test_every_extra_of_users_is_named() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    built = README[README.index("\n## Built with") :]
+    assert set(re.findall(r"\(`(\w+)`\)", built)) == set(extras) - {"dev", "release", "site"}
 
 
 def test_the_picture_is_of_the_program_as_it_is() -> None:

@@ -29,7 +29,8 @@ These scripts print the tables, the formulas and the figures of the documents: [
 calculate.
 
 A test runs every command and compares its output (`tests/sources/test_sources.py`). Rows of kind *context* have nothing
-to compute: they say why. A `calc` row is the formula with the document's figures.
+to compute: they say why. Where no command shows a figure, the row has the formula with the document's figures, which
+that test calculates.
 
 """
 
@@ -100,11 +101,12 @@ def page() -> str:
 def _proof(each: Entry) -> str:
     if each.kind == "context":
         return f"*{each.command}* | | "
-    command = (
-        f"[{each.command[5:]}]({each.command[10:]})"
-        if each.command.startswith("page ")
-        else f"`{each.command}`"
-    )
+    verb, _, rest = each.command.partition(" ")
+    command = f"`{each.command}`"
+    if verb == "page":
+        command = f"[{rest}]({rest.removeprefix('docs/')})"
+    elif verb == "calc":
+        command = f"`{rest}` in `tests/sources/test_sources.py`"
     return f"{_cell(command)} | {_cell(' … '.join(each.shows))} | `{each.test}`"
 
 
