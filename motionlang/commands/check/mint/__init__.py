@@ -53,10 +53,10 @@ def _check(source: Source, settings: dict[str, object], known: Known | None) -> 
         module = parse(source)
     except ProgramError as error:
 
-        def check(module: Module) -> None:
+        def check_readable(module: Module) -> None:
             check_module(module, settings, recall=None if known is None else Recall(module, known))
 
-        return with_other_lines(source, check, error).diagnostics
+        return with_other_lines(source, check_readable, error).diagnostics
     recall = None if known is None else Recall(module, known)
     try:
         checked = check_module(module, settings, recall)
