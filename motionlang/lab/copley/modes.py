@@ -191,14 +191,26 @@ class ProfileModes:
         here, last = self._position, end + drive.datum
         forwards = last > here
         side, limit = ("positive", switches.positive) if forwards else ("negative", switches.negative)
-        self._limited = False
-        if last <= limit if forwards else last >= limit:
-            drive.follow(profile, seconds, then)
-        elif here >= limit if forwards else here <= limit:
+        is_within = last <= limit if forwards else last >= limit
+        if not is_within and (here >= limit if forwards else here <= limit):
             self._stopped_by_limit(side)
+            return
+        self._leave_limit()
+        if is_within:
+            drive.follow(profile, seconds, then)
         else:
             end_of_motion = partial(self._stopped_by_limit, side)
             drive.follow(profile, crossing(profile, limit - drive.datum), end_of_motion)
+
+    @property
+    def is_at_limit(self) -> bool:
+        """True if a limit switch has stopped the axis, and no motion away from it has begun."""
+        return self._limited
+
+    def _leave_limit(self) -> None:
+        if self._limited:
+            self._limited = False
+            self._emergency(0, "")
 
     def _stopped_by_limit(self, side: str) -> None:
         self._point = self._next = None
@@ -216,8 +228,8 @@ class ProfileModes:
         return self._failed_method not in (None, self._values[0x6098, 0])
 
     def _begin_homing(self) -> None:
-        self._homed = self._limited = False
-        self._failed_method = None
+        self._leave_limit()
+        self._homed, self._failed_method = False, None
         self._stages = self._homing(self._values[0x6098, 0])
         self._continue_homing()
 

@@ -169,7 +169,9 @@ class DriveNode(LocalNode):
         return int(self.nmt._state)
 
     def send_emergency(self, code: int) -> None:
-        """Send an EMCY message; code 0 means that the error has been cleared."""
+        """Send an EMCY message; code 0 means that the errors have been cleared, and needs one."""
+        if code == 0 and not self.error_register:
+            return
         self.error_register = 0 if code == 0 else self.error_register | GENERIC
         if code >> 12 == 8 and code >> 8 in (0x81, 0x82):
             self.error_register |= COMMUNICATION

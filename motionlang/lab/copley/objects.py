@@ -19,12 +19,13 @@ from motionlang.lab.copley.modes import (
     METHODS,
     PROFILE_POSITION,
     PROFILE_VELOCITY,
+    REFERENCE_LIMIT,
     SPEED_UNIT,
     START,
     ProfileModes,
 )
 from motionlang.lab.copley.point import MAX_TIME
-from motionlang.lab.copley.states import DISABLED, ENABLED, FAULT, QUICK_STOP, STATUS, next_state
+from motionlang.lab.copley.states import DISABLED, ENABLED, FAULT, QUICK_STOP, RESET, STATUS, next_state
 from motionlang.lab.copley.switches import Switches
 
 INTERPOLATED_POSITION = 7
@@ -357,10 +358,18 @@ class ObjectServer:
         self.drive.steering = True
 
     def _report(self, code: int, why: str) -> None:
-        """Report an error that is not a fault."""
+        """Report an error that is not a fault; code 0 means that the axis has left its limit."""
+        if code == 0:
+            if self.error == REFERENCE_LIMIT:
+                self._clear_error()
+            return
         self.error = code
         self.emergency(code)
         self.complain(why)
+
+    def _clear_error(self) -> None:
+        self.error = 0
+        self.emergency(0)
 
     def _choose_mode(self, _: int, value: int) -> None:
         if value not in (0, *MODES):
@@ -402,9 +411,8 @@ class ObjectServer:
         before, was = self.values[0x6040, 0], self.power
         self.values[0x6040, 0] = value
         self.power = next_state(was, before, value)
-        if was == FAULT and self.power != FAULT:
-            self.error = 0
-            self.emergency(0)
+        if value & RESET & ~before and (was == FAULT or not self._modes.is_at_limit):
+            self._clear_error()
         if self.power != ENABLED:
             if was == ENABLED:
                 self._leave("by the control word")

@@ -250,9 +250,31 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
         axis.write(CONTROL, control)
     axis.move(6000)
     assert axis.at(2.0) == 1050
+    assert axis.errors == [0x8612, 0x8612]
     axis.move(0)
     assert axis.at(3.0) == 0
     assert axis.has(LIMIT) == [False]
+
+
+def test_an_error_is_cleared_when_the_axis_leaves_the_limit() -> None:
+    axis = Axis(PP, Switches(positive=1000.0))
+    axis.move(5000)
+    axis.at(1.0)
+    assert (axis.objects.read(0x603F, 0), axis.errors) == (0x8612, [0x8612])
+    axis.write(CONTROL, 0x8F)  # the axis is still at its limit
+    assert axis.objects.read(0x603F, 0) == 0x8612
+    axis.write(CONTROL, 0x0F)
+    axis.move(0)
+    assert (axis.objects.read(0x603F, 0), axis.errors) == (0, [0x8612, 0])
+
+
+def test_a_fault_reset_clears_the_error_of_a_homing() -> None:
+    axis = Axis(HM)
+    axis.write(METHOD, 0)
+    axis.write(CONTROL, 0x1F)
+    assert (axis.objects.read(0x603F, 0), axis.errors) == (0xFF02, [0xFF02])
+    axis.write(CONTROL, 0x8F)
+    assert (axis.objects.read(0x603F, 0), axis.errors) == (0, [0xFF02, 0])
 
 
 @pytest.mark.parametrize("sign", [1, -1])
