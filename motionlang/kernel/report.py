@@ -189,6 +189,10 @@ def _running(run: Run) -> dict[int, float | None]:
     return found
 
 
+# The phases of ramps, which an axis that stands on a path does not have.
+_RAMPS = ("accel", "slew", "decel", "stop")
+
+
 def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
     start, scale, zero = move.start_time, move.scale or 1.0, move.zero
     profile, ended = _until_end(run, move, running)
@@ -208,7 +212,7 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
             for phase in profile.phases
-            if peak or phase.name == "hold"  # an axis that stands on a path has no phases
+            if peak or phase.name not in _RAMPS
         ],
     }
     if ended:
