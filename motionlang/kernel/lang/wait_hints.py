@@ -37,10 +37,10 @@ def what_ends(
     driven = dialect.driven_by(wait.why)
     leaves = _reads(dialect, source, task, wait)
     latches = [number for kind, number in leaves if kind == "latch" and number is not None]
+    unarmed = ""
     if latches:
-        leaves, unarmed = dialect.triggers(task, latches)
-        if unarmed:
-            return unarmed
+        triggers, unarmed = dialect.triggers(task, latches)
+        leaves |= triggers
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
     levels = machine.controller.inputs
     if not channels and driven == ["input"]:
@@ -58,6 +58,8 @@ def what_ends(
     elif "analogue" in driven:
         channel = next((n for kind, n in leaves if kind == "analogue" and n is not None), 0)
         options.append(f"{dash}analog {channel}=25@{at}")
+    if unarmed and not options:
+        return unarmed
     entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
     if options:
         verb = "ends" if len(options) == 1 else "end"
