@@ -140,11 +140,16 @@ def columns(rows: Iterable[tuple[str, str]], width: int) -> str:
 
 
 def _axes(session: Session, _: str) -> None:
-    session.write(status.table(session.machine))
+    session.write(status.table(*session.shown))
 
 
 def _time(session: Session, _: str) -> None:
-    session.write(status.one_line(session.machine) + "\n")
+    session.write(status.one_line(*session.shown) + "\n")
+
+
+def _own_time(session: Session) -> None:
+    """Show the session's machine, whose time has passed, and not that in the debugger."""
+    session.write(status.one_line(session.machine, session.machine.clock.now) + "\n")
 
 
 def _run(session: Session, argument: str) -> None:
@@ -156,12 +161,12 @@ def _run(session: Session, argument: str) -> None:
         _wrong(session, "range", f".run takes 0 to {ONE_SHIFT:.10g} seconds, not {argument}", ".run 0.5")
         return
     if session.runner.pass_time(seconds):
-        _time(session, "")
+        _own_time(session)
 
 
 def _settle(session: Session, _: str) -> None:
     if session.runner.settle():
-        _time(session, "")
+        _own_time(session)
 
 
 def _live(session: Session, argument: str) -> None:
@@ -393,7 +398,12 @@ GROUPS: dict[str, tuple[Command, ...]] = {
             "Replace line N of the program, and run it to the same time.",
             debugging.change,
         ),
-        Command("vars", "[X]", "Show the state at the stop, or X; X = 5 sets a variable.", debugging.vars_),
+        Command(
+            "vars",
+            "[X]",
+            "Show the state at the stop, or X; X = 5 sets a variable. Without a program, show what you assigned.",
+            debugging.vars_,
+        ),
     ),
 }
 COMMANDS: dict[str, Command] = {each.name: each for group in GROUPS.values() for each in group}

@@ -20,6 +20,7 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import dialect_for, settings_next_to
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang.debugging import Variable
+from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.formatting import significant
@@ -76,6 +77,14 @@ class Debugging:
                 raise ValueError(f"there is no statement in line {match[1]} or below")
             self._broken[text] = Breakpoint(self.debugger.offsets_at(line), match[2] or "")
         self.use()
+
+    @property
+    def stopped(self) -> tuple[Machine, float] | None:
+        """The machine and the time of the stop; None if the program has ended."""
+        if self.debugger.stop is None:
+            return None
+        state = self.debugger.state()
+        return state.machine, state.time
 
     def remove_all(self) -> None:
         self._broken.clear()
@@ -233,7 +242,10 @@ def changed(session: Session, text: str) -> None:
 
 
 def vars_(session: Session, text: str) -> None:
-    """`.vars`: show the state at the stop or one value, or assign a variable."""
+    """`.vars`: show the state at the stop or one value, or assign a variable.
+
+    Without a program in the debugger, show what the lines of the session have assigned.
+    """
 
     def work(debugging: Debugging) -> str:
         given = assignment(text)
@@ -244,7 +256,10 @@ def vars_(session: Session, text: str) -> None:
             return f"{text} = {shown(getattr(found, 'value', found))}\n"
         return _everything(debugging.debugger)
 
-    _with(session, work)
+    if session.debugging is None and not text:
+        session.write(_lines(_listed(session.runner.variables())))
+    else:
+        _with(session, work)
 
 
 def _give(debugger: Debugger, name: str, text: str) -> str:
@@ -268,6 +283,10 @@ def _everything(debugger: Debugger) -> str:
         if _has_moved(axis):
             lines += _axis(axis)
     lines += _listed([*state.inputs(), *state.outputs()])
+    return _lines(lines)
+
+
+def _lines(lines: Sequence[str]) -> str:
     return "".join(f"{line}\n" for line in lines) or "no variables\n"
 
 

@@ -92,7 +92,7 @@ def _answer(begun: str) -> str | None:
 def _asker(session: Session, live: Live) -> PromptSession[str]:
     def bar() -> StyleAndTextTuples:
         live.catch_up()
-        return [("", status.one_line(session.machine) + ("   live" if session.live else ""))]
+        return [("", status.one_line(*session.shown) + ("   live" if session.live else ""))]
 
     name = session.dialect.name
     return PromptSession(

@@ -8,6 +8,7 @@ from traceback import walk_tb
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import ONE_SHIFT
+from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.run_errors import explain
@@ -56,6 +57,10 @@ class Runner:
     def keeps_columns(self) -> bool:
         """True if errors in an earlier text are reported with their columns."""
         return self._interactive.keeps_columns
+
+    def variables(self) -> list[Variable]:
+        """Return what the lines so far have assigned."""
+        return self._interactive.variables()
 
     def is_complete(self, text: str) -> bool:
         """True if `text` does not leave a block open."""

@@ -90,6 +90,12 @@ class Session:
             raise
         self.debugging = None
 
+    @property
+    def shown(self) -> tuple[Machine, float]:
+        """The machine that the user sees, and its time: that at the stop of the debugger, if there is one."""
+        stopped = None if self.debugging is None else self.debugging.stopped
+        return stopped or (self.machine, self.machine.clock.now)
+
     # -------------------------------------------------------------------------------------------------- input
 
     def is_complete(self, text: str) -> bool:

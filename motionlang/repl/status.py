@@ -15,23 +15,23 @@ def moving(machine: Machine) -> list[int]:
     return [number for number in controller.axes if not controller.is_idle(number)]
 
 
-def one_line(machine: Machine) -> str:
-    """Return machine time and positions for the bottom bar.
+def one_line(machine: Machine, now: float) -> str:
+    """Return the time and the positions then for the bottom bar.
 
     For example: `1.5 s   0: 200   1: 12.5 moving`.
     """
-    fields = [f"{number_text(machine.controller.clock.now, 9)} s"]
-    fields += [_brief(machine, axis) for axis in _touched(machine)]
+    fields = [f"{number_text(now, 9)} s"]
+    fields += [_brief(machine, axis, now) for axis in _touched(machine)]
     return "   ".join(fields)
 
 
-def table(machine: Machine) -> str:
-    """Return a table of the axes in user units.
+def table(machine: Machine, now: float) -> str:
+    """Return a table of the axes at a time, in user units.
 
     A line shows an axis with its position, velocity, target and activity.
     """
     rows = [("axis", "position", "velocity", "target", "")]
-    rows += [_row(machine, axis) for axis in _touched(machine)]
+    rows += [_row(machine, axis, now) for axis in _touched(machine)]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     lines = ["  ".join(text.rjust(width) for text, width in zip(row, widths, strict=False)) for row in rows]
     text = "".join(f"{line}  {row[4]}".rstrip() + "\n" for line, row in zip(lines, rows, strict=True))
@@ -52,20 +52,19 @@ def _is_touched(axis: Axis) -> bool:
     return bool(len(axis.starts) > 1 or axis.buffer or axis.faults or scaled)
 
 
-def _brief(machine: Machine, axis: Axis) -> str:
-    position = axis.scale.position_to_user(axis.position(machine.controller.clock.now))
+def _brief(machine: Machine, axis: Axis, now: float) -> str:
+    position = axis.scale.shown_position(axis.position(now))
     state = _state(machine, axis)
     return f"{axis.index}: {number_text(position)}" + (f" {state}" if state != "idle" else "")
 
 
-def _row(machine: Machine, axis: Axis) -> tuple[str, str, str, str, str]:
-    now, scale = machine.controller.clock.now, axis.scale
-    endless = abs(axis.target) == inf
+def _row(machine: Machine, axis: Axis, now: float) -> tuple[str, str, str, str, str]:
+    scale, endless = axis.scale, abs(axis.target) == inf
     return (
         str(axis.index),
-        number_text(scale.position_to_user(axis.position(now))),
+        number_text(scale.shown_position(axis.position(now))),
         number_text(scale.to_user(axis.velocity(now), "uu/s")),
-        "-" if endless else number_text(scale.position_to_user(axis.target)),
+        "-" if endless else number_text(scale.shown_position(axis.target)),
         _state(machine, axis),
     )
 

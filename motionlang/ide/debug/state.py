@@ -10,6 +10,7 @@ from motionlang.ide.debug.expressions import READINGS, WrongExpression, parse
 from motionlang.ide.debug.replay import Point, Replay
 from motionlang.ide.debug.scopes import Waiting
 from motionlang.kernel.lang.debugging import Frame, Variable
+from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 
 if TYPE_CHECKING:
@@ -30,6 +31,11 @@ class State:
             return self._point.time
         assert self._replay.run is not None
         return self._replay.run.time
+
+    @property
+    def machine(self) -> Machine:
+        """The machine of the run."""
+        return self._replay.machine
 
     def tasks(self) -> list[Waiting]:
         """Return the tasks and event handlers, each with the condition it waits for."""

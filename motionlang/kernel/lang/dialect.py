@@ -16,6 +16,7 @@ from motionlang.kernel.source import Source
 from motionlang.kernel.tools import nearest, shown
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.debugging import Variable
     from motionlang.kernel.lang.keyword import Keyword
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.machine.switch import Switch
@@ -275,4 +276,8 @@ class Interactive:
 
     def task(self, source: Source) -> Task:
         """Return the task that executes `source`; ProgramError if it is invalid."""
+        raise NotImplementedError
+
+    def variables(self) -> list[Variable]:
+        """Return the variables or registers that the lines so far have assigned."""
         raise NotImplementedError

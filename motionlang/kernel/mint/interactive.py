@@ -6,6 +6,7 @@ from then on.
 
 from __future__ import annotations
 
+from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
@@ -15,6 +16,7 @@ from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import Session
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
+from motionlang.kernel.mint.steps.inspection import variable
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter
 from motionlang.kernel.mint.syntax.nodes import Module
@@ -56,6 +58,11 @@ class MintInteractive(Interactive):
         session = Session()
         session.scope.names, session.types = dict(self._session.scope.names), self._session.types
         check_line(module, self.machine.settings, session)
+
+    def variables(self) -> list[Variable]:
+        names, places = self._session.scope.names.values(), self.environment.places
+        found = [symbol for symbol in names if symbol.kind == "variable"]
+        return [variable(symbol, places.shared, places.index(symbol)) for symbol in found]
 
     def program(self, source: Source, strict: bool = False) -> Task:
         """Return the task of a whole program, whose lines may trigger faults of the machine file.

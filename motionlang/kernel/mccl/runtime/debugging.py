@@ -21,10 +21,13 @@ class Inspection:
 
     def module(self) -> list[Variable]:
         """Return the registers that all tasks share, except those that are 0."""
-        numbers = range(PRIVATE, len(self._board.registers))
-        return [
-            _register(self._foreground, number) for number in numbers if self._board.registers[number] != 0
-        ]
+        return self.registers(PRIVATE)
+
+    def registers(self, first: int = 0) -> list[Variable]:
+        """Return the registers from a number on as the foreground sees them, except those that are 0."""
+        task = self._foreground
+        numbers = range(first, len(self._board.registers))
+        return [_register(task, number) for number in numbers if task.register(number) != 0]
 
     def frames(self, task: Task, offset: int | None) -> list[Frame]:
         """Return the macro calls of a task, the innermost first.

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.steps import Steps, Values
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mccl.resolve.line import Line, lines_of
 from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl.runtime.debugging import Inspection
 from motionlang.kernel.mccl.runtime.program import locate, override
 from motionlang.kernel.mccl.runtime.register_uses import PRIVATE
 from motionlang.kernel.mccl.runtime.task import CommandTask
@@ -26,7 +28,7 @@ class Session(Interactive):
         self._machine = machine
         first = LineTask(self.board, Source("input", ""), [0] * PRIVATE)
         override(first, machine.overrides)
-        self._registers = first.registers
+        self._registers, self._last = first.registers, first
 
     def task(self, source: Source) -> Task:
         """Return the task for `source`.
@@ -34,7 +36,11 @@ class Session(Interactive):
         An error gives a `?` code and a diagnostic of the machine.
         """
         self.board.forget_complaints()
-        return LineTask(self.board, source, self._registers)
+        self._last = LineTask(self.board, source, self._registers)
+        return self._last
+
+    def variables(self) -> list[Variable]:
+        return Inspection(self.board, self._last).registers()
 
     def _complain(self, diagnostic: Diagnostic, task: CommandTask) -> None:
         line = task.line

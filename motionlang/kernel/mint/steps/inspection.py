@@ -70,11 +70,12 @@ class Inspection:
         found = []
         for symbol in variables_of(function):
             content = places.shared if is_shared(symbol) else values
-            found.append(_variable(symbol, content, places.index(symbol)))
+            found.append(variable(symbol, content, places.index(symbol)))
         return found
 
 
-def _variable(symbol: Symbol, content: Values, index: int) -> Variable:
+def variable(symbol: Symbol, content: Values, index: int) -> Variable:
+    """Return a variable whose content is at an index of a list."""
     if symbol.by_ref:
         content, index = content[index]
     elif symbol.boxed:
