@@ -351,6 +351,8 @@ def _tail(run: Run) -> Row:
             {"axis": move.axis, "command": move.command, "line": move.line, "reason": move.ended}
             for move in run.controller.log.dropped
         ]
+    if run.verified is not None:
+        tail["proof"] = run.verified.as_dict()
     if run.certificate is not None:
         tail["certificate"] = [line.as_dict() for line in run.certificate]
     if run.terminals:

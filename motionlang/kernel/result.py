@@ -54,6 +54,7 @@ class Run:
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
         self.expected_motion: ExpectedMotion | None = None  # of a run to be proved
+        self.verified: Proof | None = None  # of a run whose motion was verified
         self.certificate: list[Limit] | None = None  # of a run with certified limits
 
     @property

@@ -131,6 +131,7 @@ FILES = {
     "path.mnt": PATH,
     "turns.mnt": "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\nCIRCLER(0, 1) = 5, 0, 720\nGO(0)\nPAUSE IDLE(0)\n",
     "table.mnt": "POSWRAP(0) = 360\nSPEED(0) = 100 : MOVER(0) = 710 : GO(0) : PAUSE IDLE(0)\nPRINT POS(0)\n",
+    "halted.mnt": "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 50\nMOVER(0) = 100 : GO(0)\nWAIT(2000)\nCANCEL(0)\n",
     "measured.csv": "time,x,y\n0,0,1\n0.5,50,1\n1,100,1\n",
     "points.csv": "position,velocity,time\n0,0,100\n1000,8000,100\n2000,0,0\n",
 }

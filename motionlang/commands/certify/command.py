@@ -94,18 +94,18 @@ examples:
 
     def extend(self, result: Result) -> None:
         super().extend(result)
-        if self.proof is not None:
+        if result.verified is not None:
             result.certificate = certify(result, self.machine_path())
 
     def document(self, result: Result) -> Document:
         return Document([limits_table(result.certificate or [])])
 
     def conclude(self, result: Result) -> None:
-        if self.proof is None or not result.certificate or self.format != "text":
+        if result.verified is None or not result.certificate or self.format != "text":
             super().conclude(result)
             return
         sys.stdout.write("\n")
-        print_certificate(result, result.certificate, self.proof, self.machine_path())
+        print_certificate(result, result.certificate, result.verified, self.machine_path())
 
 
 def certify(result: Result, machine: str | None) -> list[Limit]:

@@ -49,6 +49,15 @@ class Proof:
         found += [f"  ordered: {name}, {count} x" for name, count in sorted(self.exceptions.items())]
         return found
 
+    def as_dict(self) -> dict[str, object]:
+        """Return the results in the form of the JSON report; its diagnostics have the violations."""
+        return {
+            **self.counts,
+            "violations": len(self.violations),
+            "bounds": [{"name": name, "share": share} for name, share in sorted(self.worst.items())],
+            "exceptions": [{"name": name, "count": count} for name, count in sorted(self.exceptions.items())],
+        }
+
     def breaks(self, line: int, message: str) -> None:
         """Record a violation."""
         self.violations.append(Diagnostic("proof", message, line))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
@@ -28,20 +28,19 @@ examples:
   motionlang prove pick.mnt
 """
     proves: ClassVar[bool] = True
-    proof: Proof | None = field(default=None, init=False, repr=False)
 
     def prepare(self) -> None:
         need(f"motionlang {type(self).__name__.lower()}", "numpy")
 
     def extend(self, result: Result) -> None:
-        self.proof = proof_of(result)
-        if self.proof is not None:
-            result.diagnostics += self.proof.violations
+        result.verified = proof_of(result)
+        if result.verified is not None:
+            result.diagnostics += result.verified.violations
 
     def conclude(self, result: Result) -> None:
-        if self.proof is not None:
+        if result.verified is not None:
             sys.stdout.write("\n" if self.format == "text" else "")
-            sys.stdout.write("\n".join(self.proof.lines()) + "\n")
+            sys.stdout.write("\n".join(result.verified.lines()) + "\n")
 
 
 def proof_of(result: Result) -> Proof | None:
