@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from motionlang.commands.compare.alignment import Signal, find_delay, fit, lag, simulated
 from motionlang.commands.compare.differences import scale_remarks, stroke_remarks
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
-from motionlang.commands.compare.strokes import Matched, match
+from motionlang.commands.compare.strokes import Matched, is_explained, match
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.log.trace import MOTOR, UNITS
 from motionlang.kernel.report import moves as moves_of
@@ -81,8 +81,11 @@ def compare(
     found, remarks = _signals(run, source, mapping)
     trace = run.trace
     matches = [match(trace, signal) for signal in found]
+    fitted = find_delay(trace, found) if delay is None else delay
+    if fitted is not None and all(is_explained(trace, signal, fitted) for signal in found):
+        matches = [each if each is not None and each.is_same else None for each in matches]
     if delay is None:
-        delay = _delay(run, found, matches)
+        delay = _onset(fitted, matches)
     compared = _Compared(run, delay, tolerances or {})
     rows: list[Row] = list(moves_of(run))
     signals = []
@@ -103,20 +106,18 @@ def compare(
     return Comparison(run, delay, found, signals, moves, remarks)
 
 
-def _delay(run: Run, found: Sequence[Signal], matches: Sequence[Matched | None]) -> float:
-    """Return the delay of the recording, s: at the first stroke if the strokes differ, otherwise by least squares."""
+def _onset(fitted: float | None, matches: Sequence[Matched | None]) -> float:
+    """Return the delay of the recording, s: at the first stroke if strokes differ, otherwise by least squares."""
     known = [each for each in matches if each is not None]
     if not all(each.is_same for each in known):
-        first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin)
-        return first.lag
-    delay = find_delay(run.trace, found)
-    if delay is None:
+        return min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin).lag
+    if fitted is None:
         raise ProgramError.of(
             "recording",
             "cannot align in time: nothing moves in the run or in the recording",
             hint="give the delay of the recording with --delay S",
         )
-    return delay
+    return fitted
 
 
 # ------------------------------------------------------------------------------------------ columns

@@ -136,7 +136,8 @@ def _name(signal: str, stroke: Stroke, rows: Sequence[Row]) -> str:
 
 
 def _size(travel: float) -> str:
-    return f"{travel:.6g}"
+    """Format a travel, whose last digits depend on the samples."""
+    return f"{float(f'{travel:.5g}'):.10g}"
 
 
 def _warning(message: str, hint: str) -> Diagnostic:

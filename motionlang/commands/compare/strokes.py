@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import Signal
+from motionlang.commands.compare.alignment import Signal, fit, simulated
 from motionlang.kernel.log.trace import Trace
 
 Array = NDArray[np.float64]
@@ -52,6 +52,8 @@ RATE_SHARES, STRAIGHT = (0.2, 0.4, 0.8), 0.05
 MIN_SAMPLES = 6
 # Travel and times that differ by less than this share agree; so do times within so many windows.
 SAME_SHARE, SAME_WINDOWS = 0.01, 2.0
+# The RMS that a fit may leave of the same motion: so many standard deviations of the noise, or a share of the range.
+RESIDUAL_NOISE, RESIDUAL_SHARE = 3.0, 5e-4
 # Costs of an alignment: a stroke without a partner, a start that is entirely elsewhere, and a reversed sign.
 GAP, ELSEWHERE, REVERSED = 1.0, 0.2, 0.5
 # The largest number of scales that are tried.
@@ -159,6 +161,11 @@ class Motion(NamedTuple):
         means = (sums[window:] - sums[:-window]) / window
         return np.asarray(means[window:] - means[:-window])
 
+    def top_slope(self, window: int) -> float:
+        """Return the largest slope, 0 if the motion is shorter than a window."""
+        slopes = self.slopes(window) if len(self.positions) >= 2 * window else np.zeros(1)
+        return float(np.abs(slopes).max())
+
     def padded(self, count: int) -> Motion:
         """Return the motion with `count` samples of rest at each end where it is slow."""
         if len(self.positions) < 2:
@@ -168,6 +175,17 @@ class Motion(NamedTuple):
         return self._replace(
             start=self.start - slow[0] * self.step, positions=np.pad(self.positions, slow, "edge")
         )
+
+
+def is_explained(trace: Trace, signal: Signal, delay: float) -> bool:
+    """True if a signal is that of the run at a delay, but for its noise, a scale and an offset."""
+    if signal.quantity not in ("position", "velocity"):
+        return True
+    expected = simulated(trace, signal, signal.times - delay)
+    scale, offset = fit(expected, signal.values)
+    left = signal.values - scale * expected - offset
+    allowed = max(RESIDUAL_NOISE * _noise(signal.values), RESIDUAL_SHARE * float(np.ptp(signal.values)))
+    return float(np.sqrt(np.mean(left**2))) <= allowed
 
 
 def match(trace: Trace, signal: Signal) -> Matched | None:
@@ -182,7 +200,10 @@ def match(trace: Trace, signal: Signal) -> Matched | None:
     if window is None:
         return None
     times = np.arange(int(trace.end / step) + 2) * step
-    run = Motion(0.0, step, trace.at(signal.axis, "position", np.clip(times, 0.0, trace.end)), 0.0)
+    positions = trace.at(signal.axis, "position", np.clip(times, 0.0, trace.end))
+    # The same share of the slopes is noise, so that the same motion has the same strokes.
+    noise = recorded.noise * Motion(0.0, step, positions, 0.0).top_slope(window) / recorded.top_slope(window)
+    run = Motion(0.0, step, positions, noise)
     expected, _, _ = _strokes(run.padded(2 * window), window)
     measured, first, last = _strokes(recorded.padded(2 * window), window)
     if len(expected) * len(measured) > MAX_CELLS:
@@ -366,8 +387,7 @@ def _exact(trace: Trace, axis: int, stroke: Stroke, step: float) -> Stroke:
     sign = 1.0 if stroke.travel > 0.0 else -1.0
     begin = _edge(trace, axis, sign, stroke.reached(stroke.known[0], at_end=False), stroke.begin - step)
     end = _edge(trace, axis, sign, stroke.reached(stroke.known[1], at_end=True), stroke.end + step)
-    level, after = trace.at(axis, "position", np.clip([begin, end], 0.0, trace.end))
-    return stroke._replace(begin=begin, end=end, level=float(level), travel=float(after - level))
+    return stroke._replace(begin=begin, end=end)
 
 
 def _edge(trace: Trace, axis: int, sign: float, moving: float, resting: float) -> float:

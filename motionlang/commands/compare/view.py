@@ -78,13 +78,12 @@ def _delay_text(delay: float) -> str:
 
 def signals_table(rows: Sequence[Row]) -> Table:
     """Return the table of the signals of a recording."""
-    sizes = [row[name] for row in rows for name in ("offset", "peak") if row[name] is not None]
     columns = (
         Column("signal", left=True, style="word"),
         Column("column", left=True, drop=2),
         Column("points", drop=3),
         Column("scale", text="{:.6g}".format, drop=1),
-        Column("offset", unit="uu", text=formatter(sizes, 6), drop=1),
+        Column("offset", unit="uu", text="{:z.6f}".format, drop=1),
         Column("moves", data=True),
         _LAG,
         *_peaks(rows),

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
 from motionlang.commands.compare.comparison import Comparison, Mapped, compare
-from motionlang.kernel.execution import run
+from motionlang.kernel.execution import run, settings_next_to
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 
@@ -68,7 +69,7 @@ CASES = {
         "1MN,1SV240,1SA1000,1DS1000",
         0.0,
         1.0 / 25.4,
-        [*FASTER, "x moves 0.0393701 times as far as the run (7.87402 against 200 uu): millimetres and inches"],
+        [*FASTER, "x moves 0.0393701 times as far as the run (7.874 against 200 uu): millimetres and inches"],
         lambda values: values / 25.4,
     ),
     # 0.7 s at 200 uu/s and 0.4 s at 500 uu/s² on each side are 1.4 s; 50 uu need √0.4 s, at most 158 uu/s.
@@ -196,6 +197,24 @@ def test_a_recording_of_other_motion(language: str, name: str, later: float) -> 
 def test_a_run_compared_with_itself_has_no_offset(language: str) -> None:
     (row,) = compared(language, CASES["itself"]).signals
     assert (row["scale"], row["offset"]) == (1.0, 0.0)
+
+
+@pytest.mark.parametrize(("rate", "noise"), [(500.0, 0.0), (100.0, 0.0), (1000.0, 1e-3)])
+@pytest.mark.parametrize(
+    "name", ["mint/indexing-table.mnt", "mint/lift.mnt", "mint/tool-changer.mnt", "mccl/contour-arcs.mcl"]
+)
+def test_a_program_of_the_gallery_does_not_differ_from_itself(name: str, rate: float, noise: float) -> None:
+    """These jog, home, reverse without rest, creep, and end in motion; the noise is a share of the travel."""
+    path = Path(__file__).parents[3] / "scripts" / name
+    result = run(Source.read(path), machine=settings_next_to(str(path)), until=20.0)
+    axis = result.trace.axes[0]
+    samples = result.trace.sample(rate, [axis], None, ["position"])
+    values = samples.get(axis, "position")
+    values = values + noise * np.ptp(values) * np.random.default_rng(3).normal(size=len(values))
+    rows = "\n".join(f"{t + 0.3:.6f},{x:.6f}" for t, x in zip(samples.time, values, strict=True))
+    found = compare(result, Source("real.csv", "t,x\n" + rows), [Mapped(f"position.{axis}", "x", None)])
+    assert found.remarks == []
+    assert found.delay == pytest.approx(0.3, abs=1e-3)
 
 
 def test_a_line_that_differs_each_time_is_reported_once() -> None:
