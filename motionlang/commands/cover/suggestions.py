@@ -30,6 +30,7 @@ from typing import Any
 
 from motionlang.commands.cover import Coverage, Event, counted, coverage, ranges
 from motionlang.commands.init import ANSWERS, KEY_DELAY, LEVELS, Entry, answer_entry, branches, guessed
+from motionlang.commands.init.ending import ending, wording
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.layers import layered
@@ -227,12 +228,14 @@ def scenario_text(program: str, world: World, own: Mapping[str, object]) -> str:
     reaches = f"lines {lines}" if lines else "more"
     head = f"A world of {program}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"
     parts = ["".join(f"# {line}\n" for line in wrap(head, 98)), "\n"]
+    stop = {} if any(key.startswith("run.stop.") for key in own) else ending(world.result)
+    added |= {f"run.stop.{key}": value for key, value in stop.items()}
     parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(added.items())]
     for table in TABLES:
         entries = _changed(world.settings.get(table, []), own.get(table, []))  # type: ignore[arg-type]
         if entries:
             parts += [f"\n{table} = [\n", *(f"  {inline(each)},\n" for each in entries), "]\n"]
-    for expected in _expected(world.result):
+    for expected in _expected(world.result, bool(stop)):
         parts += ["\n[[expect]]\n", *(f"{key} = {toml_value(value)}\n" for key, value in expected.items())]
     return "".join(parts)
 
@@ -247,14 +250,22 @@ def _changed(entries: Sequence[Entry], own: Sequence[Entry]) -> list[Entry]:
     return [each for each in entries if about(each, entries) != about(each, own)]
 
 
-def _expected(result: Run) -> Iterator[Entry]:
-    """Yield what a run has done, as expectations."""
-    if result.status in ("ended", "until", "fault"):
-        yield {"status": result.status}
-    for code in dict.fromkeys(each.code for each in result.diagnostics if each.severity == "error"):
+def _expected(result: Run, stops: bool) -> Iterator[Entry]:
+    """Yield what a run has done, as expectations: no time, no figure and, of a run that `stops` itself, no error.
+
+    The positions at a time limit depend on the speed of the machine, so they are none.
+    """
+    status = "stopped" if stops else result.status
+    if status in ("ended", "until", "stopped", "fault"):
+        yield {"status": status}
+    for code in dict.fromkeys(
+        each.code for each in result.diagnostics if each.severity == "error" and not stops
+    ):
         yield {"diagnostic": code}
-    for line in list(dict.fromkeys(filter(str.strip, result.output)))[-MAX_LINES:]:
-        yield {"prints": line.strip()}
+    for text in list(dict.fromkeys(filter(None, map(wording, result.output))))[-MAX_LINES:]:
+        yield {"prints": text}
+    if stops or status in ("until", "stopped"):
+        return
     rows: Iterable[dict[str, Any]] = axes_of(result)
     for axis in rows:
         yield {"axis": axis["axis"], "position": round(axis["position"], 4), "within": WITHIN}

@@ -33,8 +33,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from math import floor, inf
+from math import inf
 
+from motionlang.commands.init.ending import asks
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.layers import layered
@@ -87,8 +88,8 @@ class Guesses:
         self.path = path
         # The questions that get no further answer, each with the choices of its menu.
         self.exhausted: dict[str, list[str]] = {}
-        # The end of the run where a question gets no further answer, s.
-        self.until: float | None = None
+        # True if the run ends where a question gets no further answer.
+        self.ends_at_question = False
         self.inputs: dict[int, Entry] = {}
         self.analogue: dict[int, Entry] = {}
         self.answers: dict[str, list[str]] = {}
@@ -114,7 +115,9 @@ class Guesses:
 
     def settings(self, until: float) -> dict[str, object]:
         """Return the settings of a machine file with all guesses."""
-        found: dict[str, object] = {"run.until": until if self.until is None else self.until}
+        found: dict[str, object] = {"run.until": until}
+        if self.ends_at_question:
+            found["run.stop.event"] = "input"
         for axis, keys in self.axes.items():
             found |= {f"axis.{axis}.{key}": value for key, value in keys.items()}
         tables: dict[str, list[Entry]] = {
@@ -373,15 +376,10 @@ def _end_at_question(guesses: Guesses, result: Run) -> bool:
 
     Returns False if that is not why it is stuck.
     """
-    scheduler = result.machine.scheduler
     question = result.machine.operator.question.strip(" ?:")
-    asks = scheduler is not None and any(
-        task.wait is not None and task.wait.cause == "operator" for task in scheduler.tasks
-    )
-    end = floor(result.time * 1e6) / 1e6
-    if result.status != "fault" or not asks or question not in guesses.exhausted or not end:
+    if not asks(result) or question not in guesses.exhausted or not result.time:
         return False
-    guesses.until = end
+    guesses.ends_at_question = True
     return True
 
 

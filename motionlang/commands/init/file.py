@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from math import ceil, floor, isclose
 
 from motionlang.commands.init import Entry, Guesses, answer_entry
+from motionlang.commands.init.ending import ending
 from motionlang.commands.quantities import quantity
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
 from motionlang.kernel.lang.dialect import Target
@@ -33,17 +34,18 @@ HEAD = """\
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
 
-{model}run.until = {until:.10g}    # {end}
-"""
-# The comment of a time limit: a given one, and the end of the operator's answers.
+{model}run.until = {until:.10g}    # {limit}
+{stop}"""
+# The comments of a time limit, and of what ends the run before it.
 LIMIT = "the run ends here if the program does not"
-LAST_ANSWER = "the program asks again, and there is no further answer"
+ASKS = "the program asks again, and there is no further answer"
+REPEATS = "the program has no end: this is what a run of it shows"
 SCENARIO = """\
 # {choices}: a path through the menus of {program}, written by motionlang init.
 # It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
 
-run.until = {until:.10g}    # {end}
-"""
+run.until = {until:.10g}    # {limit}
+{stop}"""
 INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
 # it, `value = 0` inverts an input.
@@ -88,7 +90,7 @@ def machine_text(
     fixed = guesses.fixed
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
-        HEAD.format(program=program, model=_model(target), **_end(guesses, until)),
+        HEAD.format(program=program, model=_model(target), **_end(result, until)),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
@@ -97,9 +99,9 @@ def machine_text(
     ]
     for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
         sections.append(_axis(number, guesses, result))
-    if result.status in ("ended", "until"):
+    if result.status in ("ended", "until", "stopped"):
         folder = f"{os.path.splitext(program)[0]}{FOLDER_SUFFIX}"
-        sections.append(EXPECT.format(folder=folder) + STATUS.format(status=result.status))
+        sections.append(EXPECT.format(folder=folder) + _status(result))
     else:
         sections.append(FAULT)
     return "".join(sections)
@@ -133,7 +135,7 @@ def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, b
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     keys = [] if guesses.keys == below.keys else guesses.keys
     sections = [
-        SCENARIO.format(choices=choices, program=os.path.basename(source.name), **_end(guesses, until)),
+        SCENARIO.format(choices=choices, program=os.path.basename(source.name), **_end(result, until)),
         *_table("input", "\n", [_guess(each) for each in inputs]),
         *_table("analogue", "\n", [_guess(each) for each in analogue]),
         *_table("answer", "\n", [_guess(each) for each in answers]),
@@ -142,7 +144,7 @@ def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, b
     for number, settings in sorted(guesses.axes.items()):
         if settings != below.axes.get(number):
             sections.append(f"\n[axis.{number}]\n{_switches(settings)}")
-    sections.append(STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT)
+    sections.append(_status(result))
     return "".join(sections)
 
 
@@ -152,11 +154,22 @@ def scenario_name(guesses: Guesses) -> str:
     return "-".join(["choice", *(each.replace("-", "minus") for each in choices)])
 
 
-def _end(guesses: Guesses, until: float) -> dict[str, object]:
-    """Return the time limit, and the comment that explains it."""
-    if guesses.until is None:
-        return {"until": until, "end": LIMIT}
-    return {"until": guesses.until, "end": LAST_ANSWER}
+def _end(result: Run, until: float) -> dict[str, object]:
+    """Return the time limit, and the line about what ends the run before it."""
+    stop = _stop(result)
+    text = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
+    return {"until": until, "limit": LIMIT, "stop": text}
+
+
+def _stop(result: Run) -> dict[str, object]:
+    return {"event": "input"} if result.status == "stopped" else ending(result)
+
+
+def _status(result: Run) -> str:
+    """Return the expected outcome of a run."""
+    if _stop(result):
+        return STATUS.format(status="stopped")
+    return STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT
 
 
 def _differs(channel: int, guesses: Guesses, below: Guesses) -> bool:

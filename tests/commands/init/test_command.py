@@ -176,7 +176,8 @@ def test_a_menu_is_explored_as_a_tree(cell: Cell) -> None:
 # "Choice" 3, "Service" 1: a path through the menus of old.prg, written by motionlang init.
 # It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
 
-run.until = 0.40015    # the program asks again, and there is no further answer
+run.until = 300    # the run ends here if the program does not
+run.stop = { event = "input" }    # the program asks again, and there is no further answer
 
 input = [
   { channel = 1, at = 0.0, guess = true },
@@ -188,12 +189,11 @@ answer = [
 ]
 
 [[expect]]
-status = "until"
+status = "stopped"
 """
     )
     assert cell("verify", "old.prg").out.endswith("2 of 2 scenarios match their golden files\n")
-    end = cell("run", "old.prg", "--set", "run.until=99", "--format", "none")
-    assert "error[never]: the program waits for the operator to answer INPUT" in end.err
+    assert "stopped after 0.90025 s by an INPUT without an answer" in cell("run", "old.prg").out
 
 
 def test_a_scenario_that_exists_stays(cell: Cell) -> None:

@@ -79,7 +79,7 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
     # Nobody answers the 21st question, so the run ends there.
     "a question in more than 20 cycles": (
         'LOOP\nINPUT "Parts", n\nMOVER.0 = 1 : GO.0 : PAUSE IDLE.0\nENDL\n', {},
-        {"run.until": 0.127291, **answers("Parts", *["10"] * 20)}, 20, 22,
+        {"run.stop.event": "input", **answers("Parts", *["10"] * 20)}, 20, 22,
     ),
     # The output was set before the first answer: the second question is not one of another cycle.
     "two questions": ('OUTX.1 = 1\nINPUT "Parts", n\nINPUT "Holes", m\n', {},

@@ -110,7 +110,7 @@ def test_an_unexpected_error_is_reported() -> None:
         ("", r"\[\[expect\]\] expects one thing: prints"),
         ("time = 1\nstatus = 'ended'", "expects one thing"),
         ("position = 3", "needs the axis"),
-        ("status = 'done'", "must be one of ended, until, fault"),
+        ("status = 'done'", "must be one of ended, until, stopped, fault"),
         ("event = 'limits'", "must be one of limit, soft limit"),
         ("prints = 'x'\nwithin = 1", "within of .* has no effect on prints"),
         ("pints = 'x'", "has no key pints"),
