@@ -70,6 +70,12 @@ def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
     return _refined(trace, _thinned(signals, FINE), delays[0], step)
 
 
+def find_delay_near(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
+    """Return the best delay within two steps of the recording of `delay`, s."""
+    step = min(float(np.median(np.diff(signal.times))) for signal in signals)
+    return _refined(trace, _thinned(signals, FINE), delay, step)
+
+
 def _refined(trace: Trace, signals: Sequence[Signal], delay: float, step: float) -> float:
     """Return the best delay within two grid steps of `delay`."""
     return summit(lambda each: -_misfit(trace, signals, each), delay - 2.0 * step, delay + 2.0 * step)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import Signal, find_delay, fit, lag, simulated
+from motionlang.commands.compare.alignment import Signal, find_delay, find_delay_near, fit, lag, simulated
 from motionlang.commands.compare.differences import scale_remarks, stroke_remarks
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.commands.compare.strokes import Matched, is_explained, match
@@ -81,11 +81,23 @@ def compare(
     found, remarks = _signals(run, source, mapping)
     trace = run.trace
     matches = [match(trace, signal) for signal in found]
+    known = [each for each in matches if each is not None]
+    first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin, default=None)
     fitted = find_delay(trace, found) if delay is None else delay
     if fitted is not None and all(is_explained(trace, signal, fitted) for signal in found):
-        matches = [each if each is not None and each.is_same else None for each in matches]
-    if delay is None:
-        delay = _onset(fitted, matches)
+        # The fit may be that of another repetition of the motion than the pairs.
+        matches = [each if each is not None and each.is_same_at(fitted) else None for each in matches]
+    elif delay is None and first is not None and not all(each.is_same_at(first.lag) for each in known):
+        fitted = first.lag
+    elif delay is None and first is not None and not all(each.is_same_at(fitted or 0.0) for each in known):
+        fitted = find_delay_near(trace, found, first.lag)
+    if fitted is None:
+        raise ProgramError.of(
+            "recording",
+            "cannot align in time: nothing moves in the run or in the recording",
+            hint="give the delay of the recording with --delay S",
+        )
+    delay = fitted
     compared = _Compared(run, delay, tolerances or {})
     rows: list[Row] = list(moves_of(run))
     signals = []
@@ -96,28 +108,14 @@ def compare(
             own = [row for row in rows if row["axis"] == signal.axis]
             remarks += stroke_remarks(signal.name, matched, delay, own)
     for signal, matched in zip(found, matches, strict=True):
-        known = strokes.get(signal.axis)
-        row = compared.signal(signal, matched, known.pairs[0].recorded.begin if known else None)
+        own_strokes = strokes.get(signal.axis)
+        row = compared.signal(signal, matched, own_strokes.pairs[0].recorded.begin if own_strokes else None)
         signals.append(row)
         remarks += scale_remarks(
             row, signal.quantity, matched, trace.controller.axes[signal.axis].scale.counts
         )
     moves = [row for signal in found for row in compared.moves(signal, rows)]
     return Comparison(run, delay, found, signals, moves, remarks)
-
-
-def _onset(fitted: float | None, matches: Sequence[Matched | None]) -> float:
-    """Return the delay of the recording, s: at the first stroke if strokes differ, otherwise by least squares."""
-    known = [each for each in matches if each is not None]
-    if not all(each.is_same for each in known):
-        return min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin).lag
-    if fitted is None:
-        raise ProgramError.of(
-            "recording",
-            "cannot align in time: nothing moves in the run or in the recording",
-            hint="give the delay of the recording with --delay S",
-        )
-    return fitted
 
 
 # ------------------------------------------------------------------------------------------ columns

@@ -125,6 +125,10 @@ class Matched(NamedTuple):
             or any(self.dwell_change(*each) for each in pairwise(self.pairs))
         )
 
+    def is_same_at(self, delay: float) -> bool:
+        """True if the strokes are the same, and a delay pairs them in the same way."""
+        return self.is_same and abs(self.pairs[0].lag - delay) <= self.resolution
+
     def has_other_travel(self, pair: Pair) -> bool:
         """True if the travel of a pair differs, apart from the scale."""
         return abs(pair.recorded.travel / (self.scale * pair.run.travel) - 1.0) > SAME_SHARE
