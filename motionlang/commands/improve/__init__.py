@@ -8,8 +8,9 @@ as a run allows: the text is edited, run, certified against `[axis.N.limits]`, a
 is changed after the other, on top of what was gained, until none gains more. Of these edits the fewest are chosen that
 reach the wanted gain, by trying all sets of one, of two, and so on.
 
-    must not change    the order of outputs and prints (their figures may), the moves and their ends, the final
-                       positions, the status, limits met and faults, the expectations of scenarios
+    must not change    the order of outputs and prints of each task (their figures may), the moves and where those of
+                       the work end, the final positions, the status, limits met and faults (`behaviour.py`), the
+                       expectations of scenarios
     must hold          every limit of the machine file, also that of the motor's torque if there is one
 
 Each change is found by doubling and bisection, because more of a speed is never slower, until it is not allowed. Of
@@ -22,23 +23,24 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
-from math import ceil, floor, inf, log10
+from itertools import combinations, pairwise
+from math import ceil, floor, fsum, inf, isclose, log10
 from typing import Any
 
 from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
+from motionlang.commands.improve.behaviour import SAME, Behaviour, lines_beside
 from motionlang.commands.profile.motions import MOVING
-from motionlang.commands.profile.periods import cycle_of
+from motionlang.commands.profile.periods import MAX_NAMES, cycle_of, cycles_of
 from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.sweep.job import Job, Worker
 from motionlang.commands.verify.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import Checked, checked_settings, dialect_for, run, settings_next_to
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.literals import Literal, constants, literals, number_text, replaced
-from motionlang.kernel.log.records import GRAVE
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 
@@ -55,29 +57,35 @@ MAX_FACTOR, STEPS = 16.0, 7
 UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
 # Of more edits than this not all sets are tried, but those of the best ones.
 MAX_EDITS = 8
+# A comment that keeps the numbers of its line.
+_HOLD = re.compile(r"(?:['\";!]|\brem\b).*\bimprove:\s*hold\b", re.IGNORECASE)
+# An output that is on for less than this share of a run, and for more than it in motion, is on for the motion.
+USUAL = 0.8
 # A wait that ends less than this after the motion is not too long, s.
 SHORT = 1e-3
-# Positions are equal within this, user units.
-SAME = 1e-6
-_FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
 
 @dataclass
 class Edit:
-    """Another value of a literal; `share` is the gain of the cycle in seconds, `bound` is why there is not more."""
+    """Another value of a literal; `share` is the gain of the cycle in seconds, `bound` is why there is not more.
+
+    `outputs` are those that are on just while its axes move, such as that of a glue gun: the value may be meant.
+    """
 
     literal: Literal
     value: float
     share: float = 0.0
     bound: str = ""
+    outputs: tuple[int, ...] = ()
 
 
 @dataclass
 class Improvement:
     """The edits, the source with them, and its run; `before` and `after` are the cycles, s.
 
-    `skipped` are the remarks about what could not be changed, `waits` those about waits that could go. `edits` is empty
-    if nothing can be gained.
+    `skipped` are the remarks about what could not be changed, `waits` those about waits that could go, `refused` has
+    why each other literal stays. `edits` is empty if nothing can be gained; `sets` then says what sets the cycle.
+    `trials` is the number of runs.
     """
 
     source: Source
@@ -89,6 +97,9 @@ class Improvement:
     limits: list[Limit]
     skipped: list[str] = field(default_factory=list)
     waits: list[str] = field(default_factory=list)
+    refused: list[str] = field(default_factory=list)
+    sets: str = ""
+    trials: int = 0
 
 
 @dataclass
@@ -113,7 +124,8 @@ class Improver:
 
     `others` are its scenarios. `cycle` is the name of the cycle (`periods.py`); without one it is the whole run, or the
     longest cycle of a line if the run ends at the time limit. `progress` is called with the number of runs so far.
-    `machine` is the path of the machine file, for messages.
+    `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that are
+    meant, in addition to those of the machine file and of comments.
     """
 
     def __init__(
@@ -127,6 +139,7 @@ class Improver:
         until: float | None = None,
         progress: Callable[[int], object] = lambda runs: None,
         machine: str | None = None,
+        hold: Iterable[str] = (),
     ) -> None:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
@@ -134,7 +147,12 @@ class Improver:
         named = constants(source, language)
         own = {each.offset for each in named}
         self.literals = [*named, *(each for each in literals(source, language) if each.offset not in own)]
+        named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
+        self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
         self.skipped: list[str] = []
+        self._refused: dict[str, str] = {}
+        # The axes whose speed a literal sets.
+        self._axes: dict[str, set[int]] = {}
         self._base = self._run(source, world)
         self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
         self.before = self._cost(self._base)
@@ -144,10 +162,18 @@ class Improver:
         if fails or (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
             raise NotPossible(
                 f"the program has no cycle to improve: {'it ends with an error' if fails else 'nothing repeats'}",
-                "motionlang run shows what it does; --cycle names what repeats, such as cycle(12)",
+                _cycles(self._base),
                 "option",
             )
-        self._seen = _Seen(self._base)
+        if not self.cycle and not _works(self._base):
+            raise NotPossible(
+                "the program has no cycle to improve: the run only homes its axes",
+                "the machine file lacks what lets it work: motionlang run shows where it waits",
+                "option",
+            )
+        structure = language.structure(source, world.settings)
+        self._beside = lines_beside(structure)
+        self._behaviour = Behaviour(self._base, self._beside)
         self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
         wrong = [each for each in self._limits if each.verdict == "exceeded"]
         if wrong:
@@ -155,6 +181,9 @@ class Improver:
                 f"the {wrong[0].name} of axis {wrong[0].axis} exceeds its limit already",
                 "motionlang certify lists the limits",
             )
+        # What runs the program in each world with other numbers, compiled once; the numbers as they are.
+        self._workers: list[Worker] = []
+        self._numbers: dict[str, float | str] = {}
         self._unmet = [unmet(self._run(source, each), list(each.expected)) for each in (world, *others)]
 
     # ------------------------------------------------------------------------------------------------ the answer
@@ -168,14 +197,21 @@ class Improver:
         after = self._cost(result)
         self._share(chosen)
         limits = certificate(result.controller, result.machine.settings, result.time)
-        waits = list(dict.fromkeys(_waits(result)))
+        waits = list(dict.fromkeys(_waits(result, self._beside)))
+        made = {each.literal.address for each in edits}
+        refused = [text for address, text in self._refused.items() if address not in made]
+        sets = "" if chosen or refused else _what_sets(self._base)
         return Improvement(
-            self.source, patched, self.before, after, chosen, result, limits, self.skipped, waits
-        )
+            self.source, patched, self.before, after, chosen, result, limits, self.skipped, waits, refused, sets,
+            self._runs,
+        )  # fmt: skip
 
     def _all(self) -> list[Edit]:
         """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
         candidates = self._candidates()
+        whole = [each for each in candidates if each.is_whole]
+        self._numbers = {each.address: float(each.text.replace(" ", "")) for each in whole}
+        self._workers = [self._worker(each) for each in (self.world, *self.others)]
         edits: dict[str, Edit] = {}
         best, before = self.before, inf
         while best < before:
@@ -222,6 +258,7 @@ class Improver:
             was = float(each.literal.text.replace(" ", ""))
             further = each.value * (FURTHER if abs(each.value) > abs(was) else 1.0 / FURTHER)
             cost, reason = self._judge({**values, each.literal.address: further})
+            each.outputs = tuple(_on_in_motion(self._base, self._axes.get(each.literal.address, set()), was))
             each.bound = reason or (each.bound if cost < last * (1.0 - NOTHING) else SATED)
 
     # ------------------------------------------------------------------------------------------------ candidates
@@ -272,7 +309,10 @@ class Improver:
                 if not {(axis, each) for each in (name, *MOTOR)} & bounded
             ]
             free.update(dict.fromkeys(without))
-            if mine and literal.is_write and not without:
+            self._axes[literal.address] = {axis for axis, name in needed if name == "speed"}
+            if mine and self._is_held(literal):
+                self.skipped.append(f"{literal.address} is held, as you said")
+            elif mine and literal.is_write and not without:
                 found.append(literal)
         self.skipped += [
             f"axis {axis} has no limit of its {name}{self._in}, so that stays" for axis, name in free
@@ -289,16 +329,21 @@ class Improver:
         if not was:
             return best, None
         found: tuple[float, Edit | None] = best, None
+        bounds = []
         for grows in (True, False):
-            cost, edit = self._along(literal, was, values, best, grows)
+            cost, edit, bound = self._along(literal, was, values, best, grows)
+            bounds.append(bound)
             if edit is not None and cost < found[0] * (1.0 - NOTHING):
                 found = cost, edit
+        reason = next((each for each in bounds if each not in (SATED, UNTRIED)), "")
+        if found[1] is None and reason:
+            self._refused.setdefault(literal.address, f"{literal.address} stays {literal.text}: {reason}")
         return found
 
     def _along(
         self, literal: Literal, was: float, values: Mapping[str, float], best: float, grows: bool
-    ) -> tuple[float, Edit | None]:
-        """Return the shortest cycle with a larger, or a smaller, value of a literal."""
+    ) -> tuple[float, Edit | None, str]:
+        """Return the shortest cycle with a larger, or a smaller, value of a literal, and what bounds it."""
 
         def judged(factor: float) -> tuple[float, str]:
             value = _rounded(was * factor if grows else was / factor, grows)
@@ -322,7 +367,7 @@ class Improver:
             else:
                 high, bound = middle, reason or bound
         if low == 1.0:
-            return best, None
+            return best, None, bound
         if bound in (SATED, UNTRIED):
             # It may be more than enough.
             for _ in range(STEPS):
@@ -341,29 +386,35 @@ class Improver:
             cost, _ = self._judge({**values, literal.address: round_})
         else:
             cost = made
-        return cost, Edit(literal, round_, bound=bound)
+        return cost, Edit(literal, round_, bound=bound), bound
 
-    def _patched(self, values: Mapping[str, float]) -> tuple[Source, Run]:
+    def _is_held(self, literal: Literal) -> bool:
+        """True if a number is meant: by its name, or by a comment of its line."""
+        names = {each.replace(" ", "").lower() for each in (literal.address, literal.base)}
+        return bool(names & self._hold) or _HOLD.search(self.source.line(literal.line)) is not None
+
+    def _text_with(self, values: Mapping[str, float]) -> Source:
         edits = {
             each.offset: (len(each.text), number_text(each.address, values[each.address]))
             for each in self.literals
             if each.address in values
         }
-        source = Source(self.source.name, replaced(self.source.text, edits))
+        return Source(self.source.name, replaced(self.source.text, edits))
+
+    def _patched(self, values: Mapping[str, float]) -> tuple[Source, Run]:
+        source = self._text_with(values)
         return source, self._run(source, self.world)
 
     def _judge(self, values: Mapping[str, float]) -> tuple[float, str]:
         """Return the cycle with some values, and why they are not allowed; "" if they are."""
-        source, result = self._patched(values)
+        result = self._trial(0, values)
         cost = self._cost(result)
-        reason = self._seen.difference(result) or self._beyond(result)
+        reason = self._behaviour.difference(result) or self._beyond(result)
         if reason or not 0.0 < cost < inf:
             return cost, reason or "nothing repeats any more"
-        for world, before in zip((self.world, *self.others), self._unmet, strict=True):
-            if world.expected:
-                after = unmet(
-                    result if world is self.world else self._run(source, world), list(world.expected)
-                )
+        for number, (world, before) in enumerate(zip((self.world, *self.others), self._unmet, strict=True)):
+            if world.expected or number:
+                after = unmet(self._trial(number, values) if number else result, list(world.expected))
                 new = [each for each in after if each not in before]
                 if new:
                     return cost, f"{f'scenario {world.name}: ' if world.name else ''}{new[0]}"
@@ -380,6 +431,20 @@ class Improver:
         self._runs += 1
         self._progress(self._runs)
         return run(source, dialect=self.language, machine=Checked(world.settings), until=self.until)
+
+    def _worker(self, world: World) -> Worker:
+        names = list(self._numbers)
+        return Worker(
+            Job(self.source, self.language.name, names, (), world.settings, {}, {}, self.until, False)
+        )
+
+    def _trial(self, number: int, values: Mapping[str, float]) -> Run:
+        """Return the run in a world by its number with other values of some literals."""
+        if not values.keys() <= self._numbers.keys():
+            return self._run(self._text_with(values), (self.world, *self.others)[number])
+        self._runs += 1
+        self._progress(self._runs)
+        return self._workers[number].run_given({**self._numbers, **values})
 
     def _cost(self, result: Run) -> float:
         """Return the cycle of a run, s; infinite if it has none."""
@@ -409,66 +474,61 @@ def _quantity(row: Keyword) -> str:
     return "speed" if row.unit == "uu/s" else "acceleration"
 
 
-class _Seen:
-    """The behaviour of a run that no edit may change."""
-
-    def __init__(self, run: Run) -> None:
-        self._status = run.status
-        self._happened = list(_happened(run))
-        self._moves = _moves(run)
-        self._ends = _ends(run) if run.status == "ended" else {}
-        self._grave = _grave(run)
-
-    def difference(self, run: Run) -> str:
-        """Return what another run does differently; "" if nothing that matters."""
-        if run.status != self._status:
-            errors = [each.message for each in run.diagnostics if each.severity == "error"]
-            return errors[0] if errors else f"the run {run.status}, not {self._status}"
-        if _grave(run) != self._grave:
-            return "a limit, a fault or a clamp comes or goes"
-        for was, is_ in zip(self._happened, _happened(run), strict=False):
-            if was != is_:
-                return f"the order of outputs and prints: {is_} in place of {was}"
-        others = _moves(run)
-        for axis, moves in self._moves.items():
-            for move, other in zip(moves, others.get(axis, []), strict=False):
-                if move[:2] != other[:2] or abs(move[2] - other[2]) > SAME:
-                    return f"the move of line {move[1]} no longer ends at {move[2]:.6g}"
-        if self._ends and any(abs(end - self._ends[axis]) > SAME for axis, end in _ends(run).items()):
-            return "the final positions"
-        return ""
-
-
-def _happened(run: Run) -> Iterator[str]:
-    """Yield outputs and prints in the order of time; figures that are printed do not count."""
-    log = run.machine.log
-    outputs = [(each.time, 0, f"output {each.channel} = {each.value}") for each in log.outputs]
-    prints = [(each.time, 1, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
-    yield from (text for _, _, text in sorted(outputs + prints, key=lambda each: each[:2]))
-
-
-def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
-    found: dict[int, list[tuple[str, int, float]]] = {}
-    for move in run.moves:
-        if move.ended != "end-of-run":
-            found.setdefault(move.axis, []).append((move.command, move.line, move.end))
-    return found
-
-
-def _ends(run: Run) -> dict[int, float]:
-    return {axis["axis"]: axis["position"] for axis in run.report["axes"]}
-
-
-def _grave(run: Run) -> list[str]:
-    return sorted({f"{each.kind} {each.axis}" for each in run.machine.log.events if each.kind in GRAVE})
-
-
 def _longest(run: Run) -> str:
     """Return the name of the longest cycle of a line with moves; "" if no line has one."""
     lines = dict.fromkeys(move.line for move in run.machine.log.moves)
     periods = {line: cycle_of(run, f"cycle({line})") for line in lines}
     found = {line: period for line, period in periods.items() if period}
     return f"cycle({max(found, key=lambda line: (found[line], -line))})" if found else ""
+
+
+def _on_in_motion(run: Run, axes: set[int], speed: float) -> Iterator[int]:
+    """Yield the outputs that are on for some of a run, and then mostly while one of some axes moves at a speed."""
+    spans = [
+        (move.start_time, move.start_time + min(move.profile.duration, run.time - move.start_time))
+        for move in run.machine.log.moves
+        if move.axis in axes and move.profile is not None
+        if isclose((move.commanded_speed or 0.0) / abs(move.scale or 1.0), abs(speed), rel_tol=SAME)
+    ]
+    changes: dict[int, list[tuple[float, float]]] = {}
+    for each in run.machine.log.outputs:
+        changes.setdefault(each.channel, []).append((each.time, each.value))
+    for channel, switched in sorted(changes.items()):
+        on = [(time, end) for (time, value), (end, _) in pairwise(switched) if value]
+        length = fsum(end - begin for begin, end in on)
+        moved = fsum(max(0.0, min(end, b) - max(begin, a)) for begin, end in on for a, b in spans)
+        if 0.0 < length < USUAL * run.time and moved > USUAL * length:
+            yield channel
+
+
+def _cycles(run: Run) -> str:
+    """Return a hint with the cycles that a run has."""
+    found = cycles_of(run)
+    named = f"--cycle names what repeats: {', '.join(found[:MAX_NAMES])}"
+    return f"motionlang run shows what it does; {named if found else 'no line, output or text repeats'}"
+
+
+def _works(run: Run) -> bool:
+    """True if a run does more than home its axes."""
+    table = run.dialect.table()
+    rows = [table.get(move.command) for move in run.machine.log.moves]
+    return not rows or any(row is None or row.topic != "home" for row in rows)
+
+
+def _what_sets(run: Run) -> str:
+    """Return the line that takes the most of the critical path, in words."""
+    share = next((each for each in TimeProfile(run).lines() if each.line), None)
+    if share is None:
+        return ""
+    moves = [move for move in run.machine.log.moves if move.line == share.line and move.profile is not None]
+    longest = max(moves, key=lambda move: move.profile.duration, default=None)  # type: ignore[union-attr]
+    if longest is None or longest.profile is None:
+        how = max(share.causes, key=lambda each: share.causes[each])
+    else:
+        k, profile = abs(longest.scale or 1.0), longest.profile
+        distance, peak = abs(profile.distance) / k, profile.peak_speed / k
+        how = f"{longest.command} of axis {longest.axis}, {distance:.6g} uu at {peak:.6g} uu/s"
+    return f"line {share.line} sets the cycle: it takes {share.seconds:.6g} s of {run.time:.6g} s, {how}"
 
 
 def _roundest(one: float, other: float) -> float:
@@ -491,8 +551,8 @@ def _rounded(value: float, grows: bool) -> float:
     return float(f"{whole * size:.3g}")
 
 
-def _waits(run: Run) -> Iterator[str]:
-    """Yield a remark on each fixed wait that is longer than the motion that goes on during it."""
+def _waits(run: Run, beside: Mapping[int, str]) -> Iterator[str]:
+    """Yield a remark on each fixed wait of the work that is longer than the motion that goes on during it."""
     found: dict[int, tuple[float, float, int]] = {}
     for wait in run.machine.log.waits:
         ends = [
@@ -503,6 +563,8 @@ def _waits(run: Run) -> Iterator[str]:
         if wait.cause == "time" and ends and wait.until - max(ends)[0] > SHORT:
             end, axis = max(ends)
             line = run.dialect.locate(run.source, wait.at)[0]
+            if line in beside:
+                continue
             left = min(wait.until - end, found.get(line, (inf,))[0])
             found[line] = left, wait.until - wait.since, axis
     for line, (left, length, axis) in sorted(found.items()):

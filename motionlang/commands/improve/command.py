@@ -71,6 +71,12 @@ examples:
         "what repeats: cycle(12), cycle(output 3) …; default: the run, or the longest cycle of a line",
         read=cycle,
     )
+    hold: tuple[str, ...] = option(
+        "NAME,...",
+        "keep these numbers: SPEED[0]@9, or the name of a constant",
+        default=(),
+        read=lambda text: tuple(each.strip() for each in text.split(",") if each.strip()),
+    )
     patch: str | None = option("FILE", "also write the difference of the program")
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
 
@@ -105,6 +111,7 @@ examples:
                 until=self.until,
                 progress=lambda runs: progress(min(runs / RUNS, 1.0)),
                 machine=self.machine_path(),
+                hold=self.hold,
             )
             found = improver.improved(self.by or 0.0, self.edits or 0)
         except NotPossible as error:
@@ -127,9 +134,27 @@ examples:
         if path is None or not found.edits:
             return 0 if found.edits else 1
         text = "".join(difference(found, self.file))
-        return written(path, lambda: _write(path, text))
+        return written(path, lambda: _write(path, _as_in(self.file, text)))
 
 
-def _write(path: str, text: str) -> None:
+def _as_in(program: str, text: str) -> bytes:
+    """Return a difference with the line endings and the encoding of its program, as `patch` needs them."""
+    if program == STDIN:
+        return text.encode()
+    with open(program, "rb") as file:
+        data = file.read()
+    try:
+        data.decode("utf-8")
+        encoding = "utf-8"
+    except UnicodeDecodeError:
+        encoding = "latin-1"
+    lines = text.splitlines(keepends=True)
+    if b"\r\n" in data:
+        head = ("---", "+++", "@@")
+        lines = [each if each.startswith(head) else each.replace("\n", "\r\n") for each in lines]
+    return "".join(lines).encode(encoding)
+
+
+def _write(path: str, data: bytes) -> None:
     with replacing(path) as file:
-        file.write(text.encode())
+        file.write(data)

@@ -14,8 +14,14 @@ from motionlang.views.terminal import styled
 
 def improvement_document(found: Improvement, file: str) -> Document:
     """Return an improvement as data; `diff` is that of the program."""
-    remarks = Table("remarks", (Column("text"),), [{"text": each} for each in (*found.skipped, *found.waits)])
-    values = {"before": found.before, "after": found.after, "diff": "".join(difference(found, file))}
+    texts = (*found.skipped, *found.refused, *([found.sets] if found.sets else []), *found.waits)
+    remarks = Table("remarks", (Column("text"),), [{"text": each} for each in texts])
+    values = {
+        "before": found.before,
+        "after": found.after,
+        "trials": found.trials,
+        "diff": "".join(difference(found, file)),
+    }
     return Document([edits_table(found), limits_table(found.limits), remarks], values)
 
 
@@ -29,6 +35,7 @@ def edits_table(found: Improvement) -> Table:
             "new": each.value,
             "gain": each.share,
             "bound": each.bound,
+            "outputs": ", ".join(map(str, each.outputs)) or None,
         }
         for each in found.edits
     ]
@@ -39,8 +46,11 @@ def edits_table(found: Improvement) -> Table:
         Column("new", "to"),
         Column("gain", unit="s", text="{:.4f}".format),
         Column("bound", "bounded by", left=True),
+        Column("outputs", "used while output is on", left=True, drop=1),
     )
-    return Table("edits", columns, rows, empty="no edit gains anything")
+    return Table(
+        "edits", columns, rows, empty="no edit gains anything", notes=[count_of(found.trials, "trial")]
+    )
 
 
 def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool) -> list[str]:
@@ -50,7 +60,8 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
     head = f"{file}: {found.before:.6g} s → {found.after:.6g} s, {share:.1f} % with {edits}"
     lines = [styled(head, "bold", colour), "", *edits_table(found).lines(width, colour=colour)]
     note = styled("note:", "note", colour)
-    remarks = [f"{note} {each}" for each in (*found.skipped, *found.waits)]
+    sets = [found.sets] if found.sets else []
+    remarks = [f"{note} {each}" for each in (*found.skipped, *found.refused, *sets, *found.waits)]
     lines += ["", *remarks] if remarks else []
     if found.edits:
         lines += ["", *limits_table(found.limits).lines(width, colour=colour)]

@@ -110,6 +110,11 @@ class Worker:
     def run(self, values: Sequence[Value]) -> Run:
         """Return the run of a variant."""
         settings, given = self.job.of(values)
+        return self.run_given(given, settings)
+
+    def run_given(self, given: dict[str, float | str], settings: dict[str, object] | None = None) -> Run:
+        """Return the run with values of literals and names, in the settings of the job or others."""
+        settings = self.job.settings if settings is None else settings
         found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
         if found is None:
             program = self._program(self.source, settings, given)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from itertools import product
 from math import sqrt
 
@@ -51,6 +52,7 @@ edit        line  from    to    gain  bounded by
 SPEED[0]@1     1   100   200  0.1351  speed of axis 0: 200 uu/s
 ACCEL[0]@1     1   500  1000  0.1695  acceleration of axis 0: 1000 uu/s²
 DECEL[0]@1     1   500  1000  0.1954  acceleration of axis 0: 1000 uu/s²
+167 trials
 
 axis  limit                allowed  reached        at  line  margin
                                                     s
@@ -159,3 +161,118 @@ def test_the_patched_program_is_run_and_certified() -> None:
     assert again.time == found.after
     assert [each.verdict for each in found.limits] == ["within", "within"]
     assert [move.end for move in again.moves] == [move.end for move in run(Source("a.mnt", SHUTTLE)).moves]
+
+
+LAMP = """\
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+Run blink
+For k = 1 To 3
+  MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
+  OUTX(1) = 1
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+  OUTX(1) = 0
+Next
+End
+Task blink
+  Loop
+    OUTX(5) = 1 : Wait = 200
+    OUTX(5) = 0 : Wait = 200
+  End Loop
+End Task
+"""
+
+
+def test_a_task_that_blinks_a_lamp_runs_beside_the_work(cell: Cell) -> None:
+    """Six moves take 0.45 s in place of 0.7 s; the waits of the lamp are no waits of the work."""
+    cell.write("lamp.mnt", LAMP)
+    cell.write("lamp.machine.toml", LIMITS)
+    out = cell("improve", "lamp.mnt").out
+    assert out.splitlines()[0] == "lamp.mnt: 4.20026 s → 2.70026 s, -35.7 % with 3 edits"
+    assert "waits 0.2 s" not in out
+    cell.write("read.mnt", LAMP.replace("Next", "  If OUTX(5) Then Print k\nNext"))
+    cell.write("read.machine.toml", LIMITS)
+    assert "the order of outputs and prints" in cell("improve", "read.mnt").out
+
+
+def test_a_homing_search_may_overshoot_less(cell: Cell) -> None:
+    """With DECEL 1000 in place of 50 the search at 50 overshoots its switch by 1.25 in place of 25."""
+    cell.write(
+        "home.mnt",
+        "HOMESPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 50 : SPEED(0) = 100\nHOME(0) = 0 : PAUSE IDLE(0)\n"
+        "MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)\n",
+    )
+    cell.write("home.machine.toml", f"axis.0.home_switch = [-200.0, -80.0]\n{LIMITS}")
+    out = cell("improve", "home.mnt").out
+    assert "DECEL[0]@1     1    50  1000" in out
+    cell.write("only.mnt", "HOME(0) = 0 : PAUSE IDLE(0)\n")
+    cell.write("only.machine.toml", f"axis.0.home_switch = [-200.0, -80.0]\n{LIMITS}")
+    ran = cell("improve", "only.mnt")
+    assert ran.status == 1
+    assert ran.err.startswith(
+        "error[option]: the program has no cycle to improve: the run only homes its axes\n"
+    )
+
+
+HELD = """\
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
+SPEED(0) = 20{}
+MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+"""
+
+
+@cases("comment, setting, words", [
+    ("    ' improve: hold", "", ()),
+    ("    REM the glue, improve: hold", "", ()),
+    ("", 'improve.hold = ["SPEED[0]@3"]\n', ()),
+    ("", "", ("--hold", "SPEED[0]@3")),
+])  # fmt: skip
+def test_a_number_that_is_meant_stays(cell: Cell, comment: str, setting: str, words: tuple[str, ...]) -> None:
+    cell.write("held.mnt", HELD.format(comment))
+    cell.write("held.machine.toml", f"{setting}{LIMITS}")
+    out = cell("improve", "held.mnt", *words).out
+    assert "note: SPEED[0]@3 is held, as you said" in out
+    assert "+SPEED(0) = 200 : ACCEL" in out
+    assert "\n+SPEED(0) = 20\n" not in out
+
+
+def test_a_speed_that_is_used_while_an_output_is_on_is_marked(cell: Cell) -> None:
+    cell.write(
+        "glue.mnt",
+        "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nOUTX(3) = 1\nMOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
+        "OUTX(3) = 0\nSPEED(0) = 80\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n",
+    )
+    cell.write("glue.machine.toml", LIMITS)
+    rows = [
+        line.split() for line in cell("improve", "glue.mnt").out.splitlines() if line.startswith("SPEED[")
+    ]
+    assert [(row[0], row[-1]) for row in rows] == [("SPEED[0]@1", "3"), ("SPEED[0]@5", "uu/s")]
+
+
+def test_an_edit_that_was_refused_is_named_with_the_reason(cell: Cell) -> None:
+    cell.write(
+        "at.mnt", "SPEED(0) = 200 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVEA(0) = 500 : GO(0) : PAUSE IDLE(0)\n"
+    )
+    cell.write("at.machine.toml", LIMITS)
+    assert "note: SPEED[0]@1 stays 200: speed of axis 0: 200 uu/s\n" in cell("improve", "at.mnt").out
+
+
+def test_without_an_edit_it_says_what_sets_the_cycle(cell: Cell) -> None:
+    cell.write(
+        "top.mnt",
+        "SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)\n",
+    )
+    cell.write("top.machine.toml", f'improve.hold = ["SPEED[0]@1", "ACCEL[0]@1", "DECEL[0]@1"]\n{LIMITS}')
+    ran = cell("improve", "top.mnt")
+    assert ran.status == 1
+    assert "sets the cycle: it takes 0.45001 s of 0.45005 s, MOVEA of axis 0, 50 uu at 200 uu/s\n" in ran.out
+
+
+def test_a_patch_has_the_line_endings_and_the_encoding_of_the_program(cell: Cell) -> None:
+    path = cell.folder / "old.mnt"
+    path.write_bytes(HELD.format("    ' gr\xf6\xdfe").replace("\n", "\r\n").encode("latin-1"))
+    cell.write("old.machine.toml", LIMITS)
+    cell("improve", "old.mnt", "--patch", "faster.diff")
+    subprocess.run(["patch", "-p0", "-s", "-i", "faster.diff"], cwd=cell.folder, check=True)
+    assert b"' gr\xf6\xdfe\r\n" in path.read_bytes()
+    assert path.read_bytes().startswith(b"SPEED(0) = 200 : ACCEL(0) = 1000")

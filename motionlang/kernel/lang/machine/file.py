@@ -339,6 +339,10 @@ def _kind_problem(kind: str, value: object) -> str | None:
     whole = number and isinstance(value, int)
     tests = {
         "text": (isinstance(value, str), "must be a text"),
+        "names": (
+            isinstance(value, list) and all(isinstance(each, str) for each in value),
+            'must be a list of texts, such as ["SPEED[0]@9"]',
+        ),
         "flag": (isinstance(value, bool), "must be true or false"),
         "count": (whole, "must be a whole number"),
         "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]

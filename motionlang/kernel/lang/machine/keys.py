@@ -29,6 +29,10 @@ KEYS: dict[str, tuple[str, str]] = {
     ),
     "run.stop.times": ("times", "The number of times after which it ends; 1 by default."),
     "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
+    "improve.hold": (
+        "names",
+        "Numbers that `motionlang improve` keeps: SPEED[0]@9, or the name of a constant.",
+    ),
     "budget.time": ("positive", "The longest duration of the run allowed, in seconds; more is an error."),
     "budget.motion": ("positive", "The most motion on the critical path of the run, in seconds."),
     "budget.dwell": ("positive", "The most time in dwells such as WAIT on that path, in seconds."),
