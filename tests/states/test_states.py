@@ -8,18 +8,16 @@ import pytest
 
 from tests.states.table import Table
 
-FOLDER = Path(__file__).parent
+TABLES = [Table.read(Path(__file__).with_name(name)) for name in ("mint.txt", "mccl.txt")]
+ROWS = [(table, command) for table in TABLES for command in table.commands]
 
 
-@pytest.mark.parametrize("language", ["mint", "mccl"])
-def test_each_command_does_in_each_state_what_the_table_says(
-    language: str, pytestconfig: pytest.Config
+@pytest.mark.parametrize(("table", "command"), ROWS, ids=[command for _, command in ROWS])
+def test_a_command_does_in_each_state_what_the_table_says(
+    table: Table, command: str, pytestconfig: pytest.Config
 ) -> None:
-    table = Table.read(FOLDER / f"{language}.txt")
-    found = table.found()
+    found = table.found(command)
     if pytestconfig.getoption("update"):
-        table.path.write_text(table.text(found), encoding="utf-8")
-        table = Table.read(table.path)
-    assert {
-        cell: (table.cells.get(cell), found[cell]) for cell in found if table.cells.get(cell) != found[cell]
-    } == {}
+        table.cells |= found
+        table.path.write_text(table.text(table.cells), encoding="utf-8")
+    assert {cell: table.cells.get(cell) for cell in found} == found
