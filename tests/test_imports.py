@@ -29,8 +29,8 @@ LAZY = {
     "kernel/controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
     "moves.entries triggers.limit",
     "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
-    "kernel/mint/__init__.py": "keywords keywords.machine_readings keywords.switchable models resolve.aliases "
-    "resolve.chosen_rates runtime.wait_sources",
+    "kernel/mint/__init__.py": "keywords keywords.latches keywords.machine_readings keywords.switchable models "
+    "resolve.aliases resolve.chosen_rates runtime.task runtime.wait_sources",
     "kernel/mccl/keywords/__init__.py": "keywords.index",
     "kernel/mint/keywords/__init__.py": "keywords.index",
     "kernel/mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",

@@ -193,6 +193,24 @@ def _running(run: Run) -> dict[int, float | None]:
 _RAMPS = ("accel", "slew", "decel", "stop")
 
 
+def _phases(profile: Profile, scale: float) -> list[Row]:
+    return [
+        {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
+        for phase in profile.phases
+    ]
+
+
+def _standing(profile: Profile) -> list[Row]:
+    """Return the phases of an axis that does not move: its ramps are one hold."""
+    merged: list[tuple[str, float]] = []
+    for phase in profile.phases:
+        name, duration = "hold" if phase.name in _RAMPS else phase.name, phase.duration
+        if merged and name == merged[-1][0] == "hold":
+            duration += merged.pop()[1]
+        merged.append((name, duration))
+    return [{"name": name, "duration": duration, "distance": 0.0} for name, duration in merged]
+
+
 def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
     start, scale, zero = move.start_time, move.scale or 1.0, move.zero
     profile, ended = _until_end(run, move, running)
@@ -209,11 +227,7 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "distance": (profile.end - profile.start) / scale,
         "peak_speed": peak / size,
         **({} if move.commanded_speed is None else {"commanded_speed": move.commanded_speed / size}),
-        "phases": [
-            {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
-            for phase in profile.phases
-            if peak or phase.name not in _RAMPS
-        ],
+        "phases": _phases(profile, scale) if peak else _standing(profile),
     }
     if ended:
         row["ended"] = ended

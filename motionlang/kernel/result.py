@@ -292,7 +292,7 @@ def report_guesses(result: Run) -> None:
 def report_stop(result: Run) -> None:
     """Report a `run.stop` by a line of which nothing is in the log."""
     stop = result.machine.stop
-    if stop is None or stop.line is None or stop.counts.total():
+    if stop is None or not stop.line or stop.counts.total():
         return
     log = result.machine.log
     at = {each.at for stream in (log.waits, log.outputs, log.analogue_outputs, log.prints) for each in stream}
@@ -300,7 +300,7 @@ def report_stop(result: Run) -> None:
     named = ", ".join(map(str, sorted(lines - {0})[:MAX_NAMED_LINES]))
     message = f"line {stop.line} cannot end the run: it moved, switched and printed nothing, and no wait of it ended"
     hint = f"run.stop.line can be {named}" if named else "end the run by run.until"
-    result.diagnostics.append(Diagnostic("machine-file", message, hint=hint))
+    result.diagnostics.append(Diagnostic("machine-file", message, stop.line, hint=hint))
 
 
 def report_unasked(result: Run) -> None:

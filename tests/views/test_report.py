@@ -163,8 +163,18 @@ def test_a_report_has_dropped_moves_and_events() -> None:
     report = build(run(Source("a.mnt", CUT)))
     assert report["dropped"] == [{"axis": 0, "command": "MOVER", "line": 2, "reason": "cancel"}] * 2
     peak = {"time": pytest.approx(4e-5), "axis": 0, "value": pytest.approx(3.0), "line": 2, "commanded_by": 1}
+    dropped = {
+        "time": peak["time"],
+        "kind": "dropped",
+        "axis": 0,
+        "line": 2,
+        "commanded_by": 2,
+        "text": "MOVER",
+    }
     assert report["events"] == [
         peak | {"kind": "cancel"},
+        dropped,
+        dropped,
         peak | {"kind": "velocity jump", "limit": 0.0, "text": "cancel, an infinite acceleration"},
     ]
 

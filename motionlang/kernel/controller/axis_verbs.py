@@ -97,6 +97,10 @@ class AxisVerbs(Core):
         self.axes[axis].scale.set(counts, rate, zero)
         self.notify("scale", axis)
 
+    def set_wrap(self, axis: int, wrap: float) -> None:
+        """Set the range in which the language counts positions, user units; 0 for none."""
+        self.axes[axis].scale.wrap = wrap
+
     def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
         """Set the units of speed and of acceleration, each as a number of counts.
 

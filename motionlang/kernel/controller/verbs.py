@@ -24,6 +24,7 @@ VERBS: dict[str, str] = {
     "writer": "A function that sets one setting of an axis, for repeated calls.",
     "set_units": "Set the units of speeds and of accelerations of an axis.",
     "set_time_unit": "Set the seconds in the unit of time of an axis.",
+    "set_wrap": "Set the range in which positions of an axis are counted.",
     "set_scale": "Set the counts per user unit (and the time base) of an axis.",
     "enable": "Switch an axis on, at its present position.",
     "disable": "Switch an axis off: motion ends at once, the buffer is emptied.",

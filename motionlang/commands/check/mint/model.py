@@ -51,8 +51,8 @@ _MT_TOKENS = {
     "RUN": ("Run", "v4 has one task"),
     "AS": ("As", "v4 has numbers only, without declaration"),
 }
-# Keywords that v4 has with round brackets, too.
-_WITH_BRACKETS = frozenset(("LOCATE", "LINE", "BINARY"))
+# Groups of keywords that v4 has with round brackets, too.
+_OF_BOTH = frozenset(("terminal", "without an effect"))
 _END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
 
 
@@ -128,7 +128,7 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
     for name in names_of(module):
         row = table.get(name.name)
         brackets = name.args is not None and not name.axes
-        if row is None or row.name in _WITH_BRACKETS:
+        if row is None or row.group in _OF_BOTH:
             continue
         if brackets and row.kind not in ("function", "constant", "statement"):
             shown = ", ".join(_shown(each) for each in name.args or ())

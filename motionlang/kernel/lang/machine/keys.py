@@ -18,6 +18,7 @@ KEYS: dict[str, tuple[str, str]] = {
         "time",
         "The time limit of the run, in seconds of machine time; the scenario ends there too.",
     ),
+    "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
     "run.stop.event": (
         "stop event",
         "End the run at an event of this kind, or at an INPUT for which no answer is left: input.",
@@ -28,11 +29,6 @@ KEYS: dict[str, tuple[str, str]] = {
         "End the run when this line of the program has moved, waited, switched or printed.",
     ),
     "run.stop.times": ("times", "The number of times after which it ends; 1 by default."),
-    "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
-    "improve.hold": (
-        "names",
-        "Numbers that `motionlang improve` keeps: SPEED[0]@9, or the name of a constant.",
-    ),
     "budget.time": ("positive", "The longest duration of the run allowed, in seconds; more is an error."),
     "budget.motion": ("positive", "The most motion on the critical path of the run, in seconds."),
     "budget.dwell": ("positive", "The most time in dwells such as WAIT on that path, in seconds."),
@@ -45,6 +41,10 @@ KEYS: dict[str, tuple[str, str]] = {
         "The most time spent waiting for inputs, tasks and people on that path, in seconds.",
     ),
     "budget.computing": ("positive", "The most time spent computing on that path, in seconds."),
+    "improve.hold": (
+        "names",
+        "Numbers that `motionlang improve` keeps: SPEED[0]@9, or the name of a constant.",
+    ),
     "axis.N.travel": ("pair", "The positions of the two limit switches, in user units."),
     "axis.N.forward_input": ("channel", "The input that shows the forward limit switch."),
     "axis.N.reverse_input": ("channel", "The input that shows the reverse limit switch."),

@@ -24,7 +24,8 @@ class Stop:
 
     def __init__(self, settings: Mapping[str, object], clock: Clock, log: Log) -> None:
         self.event, self.text = settings.get("run.stop.event"), settings.get("run.stop.prints")
-        self.line, self.times = settings.get("run.stop.line"), settings.get("run.stop.times", 1)
+        self.line: int = settings.get("run.stop.line", 0)  # type: ignore[assignment]
+        self.times = settings.get("run.stop.times", 1)
         # How often it has occurred, by kind.
         self.counts: Counter[str] = Counter()
         self.end: Callable[[], object] = _nothing
@@ -33,7 +34,7 @@ class Stop:
         self._clock = clock
         if self.text is not None:
             log.prints.heard = lambda row: self._occurs(str(self.text) in row[1])
-        elif self.line is not None:
+        elif self.line:
             log.moves.heard = lambda move: self._occurs(move.line == self.line, "moves")
             log.waits.heard = self._listener(log.waits, "waits")
             log.outputs.heard = self._listener(log.outputs, "outputs")
@@ -51,7 +52,7 @@ class Stop:
         often = f", {self.times} times" if self.times != 1 else ""
         if self.text is not None:
             return f"the printed text {self.text!r}{often}"
-        if self.line is not None:
+        if self.line:
             return f"line {self.line}{often}"
         return "an INPUT without an answer" if self.event == ASKS else f"the event {self.event}{often}"
 

@@ -278,7 +278,7 @@ def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) 
 
 def write_wrap(environment: Environment, axis: int, value: float) -> None:
     """POSWRAP: set the range in which POS counts."""
-    scale_of(environment, axis).wrap = value
+    environment.controller.set_wrap(axis, value)
 
 
 def read_wraps(environment: Environment, axis: int) -> int:

@@ -55,7 +55,7 @@ KINDS: dict[str, tuple[str, str, str]] = {
         "must be one of operational, passive, off, receive-overrun, transmit-overrun",
     ),
     "view": ('"integer"', '"word"', "must be one of integer, float"),
-    "outcome": ('"until"', '"over"', "must be one of ended, until, fault"),
+    "outcome": ('"until"', '"over"', "must be one of ended, until, stopped, fault"),
     "motor": ('"servo" "stepper"', '"linear"', "must be servo or stepper"),
     "fault": (
         '"drive"',
@@ -107,15 +107,15 @@ def test_the_values_of_a_kind(kind: str) -> None:
             "run.zzz = 5",
             (
                 *(1, 1, 7, "there is no key run.zzz"),
-                "a key of run is run.until, run.log …; docs/machine-file.md lists all",
+                "a key of run is run.until, run.log, run.stop.event …; docs/machine-file.md lists all",
             ),
         ),
         (
             "zzz = 5",
             (
                 *(1, 1, 3, "there is no key zzz"),
-                "a key begins with controller, run, budget, axis, mccl, mint, assumptions; docs/machine-file.md "
-                "lists all",
+                "a key begins with controller, run, budget, improve, axis, mccl, mint, assumptions; "
+                "docs/machine-file.md lists all",
             ),
         ),
         ("a = [1, 2", (1, 10, 1, "unclosed array", "the machine file must be TOML")),
