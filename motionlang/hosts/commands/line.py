@@ -93,7 +93,7 @@ class ServedLine(ServedMemory):
 
         questions = InTurn(lines.wake, entered)
         questions.start(console.machine)
-        lines.in_turn.append(questions.answer_all)
+        lines.in_turn.append(questions.answer_next)
         server = self.modbus_server(questions, model, warn)
         server.start()
         return _Modbus(server, questions)

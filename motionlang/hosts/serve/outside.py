@@ -95,9 +95,9 @@ class Outside:
 
 
 class InTurn(Outside):
-    """Questions that a server of hosts answers in its iterations.
+    """Questions that a server of hosts answers, one in each of its iterations.
 
-    `wake` starts an iteration. Add `answer_all` to the server's calls; `entered` is called for each question.
+    `wake` starts an iteration. Add `answer_next` to the server's calls; `entered` is called for each question.
     """
 
     def __init__(self, wake: Callable[[], None], entered: Callable[[], None]) -> None:
@@ -109,10 +109,12 @@ class InTurn(Outside):
         self._wake()
         return future
 
-    def answer_all(self) -> None:
-        """Answer all waiting questions."""
-        while self._answer():
+    def answer_next(self) -> None:
+        """Answer the oldest question; the next one waits until this one has had its machine time."""
+        if self._answer():
             self._entered()
+        if self._waiting:
+            self._wake()
 
 
 class RealTime(Outside):

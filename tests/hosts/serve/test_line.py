@@ -135,6 +135,21 @@ def test_modbus_and_the_line_at_once(tmp_path: Path) -> None:
         assert read(wire, 10) == 2.0
 
 
+def test_in_lock_step_a_write_has_had_its_effect_when_the_next_read_is_answered(tmp_path: Path) -> None:
+    echo = "Loop : Wait = 1000 : End Loop\nEvent COMMS1 : COMMS(2) = COMMS(1) : End Event\n"
+    options = ("--tcp", "0", "--modbus", "0", "--clock", "lockstep")
+    with running(tmp_path, echo, *options) as process:
+        line_with(process, "listening on ")
+        port = int(line_with(process, "listening on ").split()[0].rpartition(":")[2])
+        old = []
+        with ModbusTcpClient("127.0.0.1", port=port, timeout=MAX_SECONDS) as client:
+            for high in range(300):
+                client.write_registers(2, [0, high])
+                if client.read_holding_registers(4, count=2).registers != [0, high]:
+                    old.append(high)
+    assert old == []
+
+
 def test_output_of_a_program_that_no_host_reads_holds_up_no_one(tmp_path: Path) -> None:
     chatter = 'Loop\n  COMMS(3) = COMMS(3) + 1\n  Print "{}"\n  Wait = 1\nEnd Loop'.format("x" * 99)
     options = ("--tcp", "0", "--tcp", "0", "--factor", "100")

@@ -147,14 +147,19 @@ def test_a_thread_sleeps_half_a_second_at_most_and_not_if_a_question_waits(
     assert found == waited
 
 
-def test_a_server_that_answers_in_turn_wakes_up_for_each_question() -> None:
-    """`answer_all` answers all that wait, and reports each of them as a line."""
+def test_a_server_answers_one_question_in_each_iteration() -> None:
+    """A question that is left over wakes the server, and time passes before its answer."""
     calls: list[str] = []
     outside = InTurn(lambda: calls.append("wake"), lambda: calls.append("entered"))
     times = started(outside)
     for _ in range(2):
         ask(outside, times)
     assert (calls, times) == (["wake", "wake"], [])
-    outside.answer_all()
-    outside.answer_all()
-    assert (calls, times) == (["wake", "wake", "entered", "entered"], [0.0, 0.0])
+    calls.clear()
+    outside.answer_next()
+    assert (calls, times) == (["entered", "wake"], [0.0])
+    outside.clock.advance(0.01)
+    calls.clear()
+    outside.answer_next()
+    outside.answer_next()
+    assert (calls, times) == (["entered"], [0.0, 0.01])
