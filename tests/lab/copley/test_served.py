@@ -6,7 +6,11 @@ The tests set the time of the drives, except those with `BaseNode402`, which use
 from __future__ import annotations
 
 import json
+import re
+import shutil
 import socket
+import subprocess
+import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
@@ -77,6 +81,11 @@ class Bus:
         self.send(0x600 + node, *request, *bytes(8 - len(request)))
         (answer,) = [data for can_id, data in self.frames() if can_id == 0x580 + node]
         return answer
+
+
+def emergencies(frames: list[tuple[int, bytes]]) -> list[bytes]:
+    """Return the codes of the EMCY messages of drive 1, low byte first."""
+    return [data[:2] for can_id, data in frames if can_id == 0x81]
 
 
 @pytest.fixture
@@ -185,6 +194,44 @@ def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
     assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
     bus.send(0x201, 0x80, 0)
     assert dict(bus.until(0.7))[0x81] == bytes(8)
+
+
+def test_a_fault_reset_clears_the_error_of_a_homing(bus: Bus) -> None:
+    """Method 0 is none. Bit 7 of the control word acknowledges the error."""
+    bus.send(0, 1, 1)
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 6)
+    bus.ask(1, 0x2F, 0x98, 0x60, 0, 0)
+    for word in (0x06, 0x07, 0x0F):
+        bus.send(0x201, word, 0)
+    assert 0x81 not in dict(bus.until(0.01))
+    bus.send(0x201, 0x1F, 0)
+    assert emergencies(bus.until(0.02)) == [b"\x02\xff"]
+    assert bus.ask(1, 0x40, 0x01, 0x10)[4] & 1 == 1
+    bus.send(0x201, 0x8F, 0)
+    assert emergencies(bus.until(0.03)) == [b"\0\0"]
+    assert (bus.ask(1, 0x40, 0x01, 0x10)[4], bus.ask(1, 0x40, 0x3F, 0x60)[4:6]) == (0, b"\0\0")
+    assert bus.complaints.pop() == "drive 1: homing failed: 0x6098 is 0, which selects no method"
+
+
+def test_the_error_of_a_limit_is_cleared_when_the_axis_leaves_it() -> None:
+    """The axis moves to 5000, is stopped at 1000, and moves to 0."""
+    bus = Bus(switches=[Switches(positive=1000.0)])
+    bus.send(0, 1, 1)
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 1)
+    bus.ask(1, 0x23, 0x7A, 0x60, 0, *(5000).to_bytes(4, "little"))
+    for word in (0x06, 0x07, 0x0F, 0x1F):
+        bus.send(0x201, word, 0)
+    assert emergencies(bus.until(1.0)) == [b"\x12\x86"]
+    bus.send(0x201, 0x8F, 0)  # the cause is still there
+    assert emergencies(bus.until(1.1)) == []
+    assert bus.ask(1, 0x40, 0x01, 0x10)[4] & 1 == 1
+    bus.ask(1, 0x23, 0x7A, 0x60)
+    bus.send(0x201, 0x0F, 0)
+    bus.send(0x201, 0x1F, 0)
+    assert emergencies(bus.until(1.2)) == [b"\0\0"]
+    assert (bus.ask(1, 0x40, 0x01, 0x10)[4], bus.ask(1, 0x40, 0x3F, 0x60)[4:6]) == (0, b"\0\0")
+    bus.close()
+    assert bus.complaints == ["drive 1: the positive limit switch has stopped the axis"]
 
 
 def test_the_mapping_of_a_pdo_is_checked(bus: Bus) -> None:
@@ -488,11 +535,36 @@ def test_frames_without_sense_change_nothing(bus: Bus) -> None:
 # ---------------------------------------------------------------------------------------------------- BaseNode402
 
 
+ISOLATED = 'ip link set lo up && ip route add 239.0.0.0/8 dev lo && exec "$@"'
+
+
+def is_isolated() -> bool:
+    """True in a network namespace whose only routes are those of loopback."""
+    routes = Path("/proc/net/route")
+    lines = routes.read_text(encoding="ascii").splitlines()[1:] if routes.exists() else []
+    return {line.split()[0] for line in lines} == {"lo"}
+
+
+@pytest.mark.slow
+def test_masters_on_udp_multicast() -> None:
+    """Run the tests of this file on `udp_multicast` in a network namespace of their own."""
+    isolated = ["unshare", "-rn", "sh", "-c", ISOLATED, "sh"]
+    if shutil.which("unshare") is None or subprocess.call([*isolated, "true"], stderr=subprocess.DEVNULL):
+        pytest.skip("no network namespaces here")
+    tests = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--slow"]
+    command = [*isolated, *tests, "-k", "udp_multicast]", __file__]
+    ran = subprocess.run(command, check=False, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert re.match(r"\.+ ", ran.stdout), ran.stdout  # none is skipped
+
+
 def channel_of(interface: str, monkeypatch: pytest.MonkeyPatch) -> str:
-    """Return a channel of the interface that no other test uses."""
+    """Return a channel of the interface that no other test uses; skip one on a network that others share."""
     if interface == "virtual":
         return f"served-{next(_CHANNELS)}"
     pytest.importorskip("msgpack")
+    if not is_isolated():
+        pytest.skip("udp_multicast needs a network namespace whose one route is loopback")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("", 0))
         monkeypatch.setenv("CAN_CONFIG", json.dumps({"port": free.getsockname()[1]}))
