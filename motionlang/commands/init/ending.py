@@ -9,6 +9,8 @@ from motionlang.kernel.result import Run
 
 # A run that repeats ends after so many cycles.
 MAX_CYCLES = 10
+# The command that makes several moves by itself.
+HOMING = "HOME"
 _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
 _FIGURE = re.compile(r"[-+]?\d")
 
@@ -35,7 +37,7 @@ def ending(run: Run) -> dict[str, object]:
     """Return the settings below `run.stop` that end such a run by what it does; empty if nothing repeats.
 
     An endless program ends after some of its cycles: by a text that it prints again and again, or else by a line that
-    moves.
+    moves, one of those outside the inner loops, which move least often.
     """
     if asks(run):
         return {"event": "input"}
@@ -46,6 +48,7 @@ def ending(run: Run) -> dict[str, object]:
         count = sum(text in each for each in lines)
         if len(text) > 1 and count > 1:
             return {"prints": text, "times": min(count, MAX_CYCLES)}
-    moves = Counter(move.line for move in run.machine.log.moves if move.line)
-    last = next((move.line for move in reversed(run.machine.log.moves) if moves[move.line] > 1), 0)
-    return {"line": last, "times": min(moves[last], MAX_CYCLES)} if last else {}
+    moves = Counter(move.line for move in run.machine.log.moves if move.line and move.command != HOMING)
+    fewest = min((times for times in moves.values() if times > 1), default=0)
+    last = next((move.line for move in reversed(run.machine.log.moves) if moves.get(move.line) == fewest), 0)
+    return {"line": last, "times": min(fewest, MAX_CYCLES)} if fewest else {}

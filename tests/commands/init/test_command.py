@@ -196,6 +196,14 @@ status = "stopped"
     assert "stopped after 0.90025 s by an INPUT without an answer" in cell("run", "old.prg").out
 
 
+def test_an_endless_run_ends_after_whole_cycles(cell: Cell) -> None:
+    """The moves of the inner loop, and those of the homing, are no cycles."""
+    pecks = "FOR s = 1 TO 3\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\nNEXT\n"
+    text = f"HOME.0 = 0 : PAUSE IDLE.0\nLOOP\n{pecks}MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0\nWAIT = 40000\nENDL\n"
+    found = guesses(cell, text)
+    assert (found["run.stop.line"], found["run.stop.times"]) == (6, 8)
+
+
 def test_a_scenario_that_exists_stays(cell: Cell) -> None:
     (cell.folder / "old.scenarios").mkdir()
     mine = cell.write("old.scenarios/choice-1.toml", "run.until = 1\n")
