@@ -119,6 +119,7 @@ CASES = {
     "pickplace.mccl": (
         [
             ("# { channel = 2, at = 0.0 }", "{ channel = 2, output = 33, delay = 0.1 }"),
+            ("# { channel = 4, at = 0.0 }", "{ channel = 4 }"),
             (
                 "{ channel = 5, at = 1.0, for = 1.0, every = 2.0, guess = true }",
                 "{ channel = 5 }",
@@ -130,6 +131,7 @@ CASES = {
     "table.mccl": (
         [
             ("# { channel = 4, at = 0.0 }", "{ channel = 4 }"),
+            ("# { channel = 5, at = 0.0 }", "{ channel = 5 }"),
             ("# { channel = 6, at = 0.0 }", "{ channel = 6 }"),
         ],
         "cycle",

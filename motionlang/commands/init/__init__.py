@@ -16,6 +16,8 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
     a key               the keys that the program compares with, one after the other
     nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on, and
                         one that it waits for and a handler tests for 0
+    a polling loop      the inputs, analogue inputs and keys that its conditions read, each by itself, if no axis has
+                        moved for 10 s; the one with which most lines of the program move stays, if more than before
     homing              a switch one second ahead of the axis, then index marks
 
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
@@ -25,14 +27,21 @@ If a program asks again after all answers of a menu, or after 20 equal answers, 
 `branches` explores the menus as a tree: a path has one choice for each menu, and ends where the program ends or asks a
 question of the path again.
 
-Cost: a run for each guess; those before the last end where the program is stuck. The program is compiled once, as no
-guess is a setting that compiled code depends on (`Dialect.compiled_in`).
+An input for which no run waits gets no guess: it may be the button of a fault routine, and held on, it hides the fault.
+
+Cost: a run for each guess, at most `MAX_ROUNDS`; those before the last end where the program is stuck. The program is
+compiled once, as no guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator
+from copy import deepcopy
+from dataclasses import dataclass
+from functools import partial
+from itertools import count
 from math import inf
 
 from motionlang.commands.init.ending import asks
@@ -69,7 +78,8 @@ LEVELS = (50.0, 100.0, 0.0, 25.0, 75.0)
 MAX_ROUNDS = 100
 # The number of branches of all menus that are explored.
 MAX_BRANCHES = 30
-# A program that has done nothing for so many seconds waits for a key, if it looks for one.
+# A program that has done nothing for so many seconds waits for a key, if it looks for one. If no axis has moved for so
+# long, it waits for a value that the conditions of its loops read.
 QUIET = 10.0
 _RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
 
@@ -185,21 +195,6 @@ class Guesses:
 
     def _pulses(self, channel: int) -> Entry:
         return {"channel": channel, **PULSES, "at": PERIOD if channel in self._late else PULSES["at"]}
-
-    def complete(self, reads: list[InputRead]) -> bool:
-        """Guess inputs for the waits that the program has not reached.
-
-        Returns False if there are no such waits.
-        """
-        levels: dict[int, set[int | None]] = {}
-        for read in reads:
-            if read.kind in ("wait", "poll") and read.channel is not None and not self.is_fixed(read.channel):
-                levels.setdefault(read.channel, set()).add(read.level)
-        left = [channel for channel in levels if channel not in self.inputs and levels[channel] != {0}]
-        for channel in left:
-            steady: Entry = {"channel": channel, "at": 0.0}
-            self.inputs[channel] = steady if levels[channel] == {1} else self._pulses(channel)
-        return bool(left)
 
     def is_fixed(self, channel: int) -> bool:
         """True if a person has given entries for an input."""
@@ -328,23 +323,54 @@ def guessed(
     `reads` are the program's `input_reads`, `fixed` the settings that no guess changes, `path` a path through its
     menus.
     """
-    guesses = Guesses(fixed, path)
     reads = language.input_reads(source) if reads is None else reads
+    guesses = Guesses(fixed, path)
     guesses.alternate(reads)
     guesses.guard(reads)
-    compiled: Program | None = None
-    for _ in range(MAX_ROUNDS):
-        result = run(source, dialect=language, machine=guesses.settings(until), compiled=compiled)
-        if result.status == "fault" and not result.machine.scheduler:
-            break
-        if result.status == "interrupted":
-            break
-        compiled = result.program
-        if not (
-            _improve(guesses, result, reads) or guesses.complete(reads) or _end_at_question(guesses, result)
-        ):
-            break
+    search = _Search(source, language, until, reads)
+    result = search.settled(guesses)
+    while (better := search.better(guesses, result)) is not None:
+        guesses, result = better
     return guesses, result
+
+
+@dataclass
+class _Search:
+    """The runs of one program, of which `left` are allowed."""
+
+    source: Source
+    language: Dialect
+    until: float
+    reads: list[InputRead]
+    compiled: Program | None = None
+    left: int = MAX_ROUNDS
+
+    def settled(self, guesses: Guesses) -> Run:
+        """Improve guesses until the program is stuck nowhere, and return the run with them."""
+        while True:
+            self.left -= 1
+            settings = guesses.settings(self.until)
+            result = run(self.source, dialect=self.language, machine=settings, compiled=self.compiled)
+            failed = result.status == "fault" and not result.machine.scheduler
+            if failed or result.status == "interrupted" or self.left <= 0:
+                return result
+            self.compiled = result.program
+            if not (_improve(guesses, result, self.reads) or _end_at_question(guesses, result)):
+                return result
+
+    def better(self, guesses: Guesses, result: Run) -> tuple[Guesses, Run] | None:
+        """Change the polled value that lets a program at rest move most; None if none does."""
+        found, most = None, _work(result)
+        for change in _polled(result, self.reads):
+            for times in count(1):
+                trial = deepcopy(guesses)
+                if self.left <= 0 or not all(change(trial) for _ in range(times)):
+                    break
+                ran = self.settled(trial)
+                if _work(ran) > most:
+                    found, most = (trial, ran), _work(ran)
+                    break
+        return found
 
 
 def branches(
@@ -401,7 +427,7 @@ def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
     if _improve_polls(guesses, result, reads, tasks):
         return True
     quiet = result.status == "until" and result.time - _last_act(result) > QUIET
-    return quiet and any(task.wait is None for task in tasks) and _press(guesses, result, reads)
+    return quiet and any(task.wait is None for task in tasks) and _press(guesses, _last_act(result), reads)
 
 
 def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: Task) -> bool:
@@ -417,12 +443,13 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
         menu = [str(each.channel) for each in reads if each.kind == "answer" and each.last == line]
         return guesses.answer(question, menu, result)
     line = guesses.line(result, task.at)
+    changed: list[bool] = []
     for key in result.dialect.driven_by(wait.why):
         if key.startswith("axis."):
             _, axis, setting = key.split(".")
             return guesses.home(int(axis), result, (setting,) if setting in SWITCHES else SWITCHES)
         if key == "key":
-            return _press(guesses, result, reads)
+            return _press(guesses, _last_act(result), reads)
         if key == "analogue":
             dependencies = result.dialect.loop_dependencies(result.source)(task.at)
             analogue = (
@@ -430,24 +457,23 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
                 if dependencies
                 else []
             )
-            raised = [guesses.level(channel, wait.since) for channel in analogue]
-            return any(raised)
+            changed += [guesses.level(channel, wait.since) for channel in analogue]
     channels = list(wait.what) if wait.cause == "input" else []
     levels = result.controller.inputs
     for read in () if channels else reads:
         if read.kind == "wait" and read.line == line and read.channel is not None:
             channels += [read.channel] if read.level is None or read.level != levels[read.channel] else []
-    changed = [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(channels)]
+    changed += [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(channels)]
     return any(changed)
 
 
-def _press(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
-    """Press the next key that the program compares with."""
+def _press(guesses: Guesses, since: float, reads: list[InputRead]) -> bool:
+    """Press the next key that the program compares with, after `since`."""
     codes = list(dict.fromkeys(chr(each.channel) for each in reads if each.kind == "key" and each.channel))
     left = codes[len(guesses.keys) :]
     if not left or guesses.fixed.get("key"):
         return False
-    guesses.keys.append({"at": round(_last_act(result) + KEY_DELAY, 1), "text": left[0]})
+    guesses.keys.append({"at": round(since + KEY_DELAY, 1), "text": left[0]})
     return True
 
 
@@ -473,14 +499,38 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
     return False
 
 
+def _polled(result: Run, reads: list[InputRead]) -> Iterator[Callable[[Guesses], bool]]:
+    """Yield a change of each value that the loops of a program at rest read, in the order of the lines."""
+    since = _last_motion(result)
+    scheduler = result.machine.scheduler
+    if scheduler is None or result.status != "until" or result.time - since <= QUIET:
+        return
+    depends = result.dialect.loop_dependencies(result.source)
+    loops = [depends(at) for task in scheduler.tasks if not task.done for at, _, _ in task.loops]
+    polled = {read for loop in loops if loop is not None for read in loop.within}
+    order = [("input", each.channel) for each in reads if each.is_input]
+    for kind, number in [*dict.fromkeys(order), *sorted(polled - set(order), key=repr)]:
+        if (kind, number) not in polled:
+            continue
+        if kind == "input" and number is not None:
+            yield partial(Guesses.flip, channel=number, since=since, result=result)
+        elif kind == "analogue" and number is not None:
+            yield partial(Guesses.level, channel=number, since=since)
+        elif kind == "operator":
+            yield partial(_press, since=since, reads=reads)
+
+
 def _cause(since: float, result: Run) -> tuple[int, int] | None:
     """Return the output that was set last before `since`, and its level.
 
-    Returns None if the program did anything else in between.
+    An output that blinks afterwards is a lamp. Returns None if the program did anything else in between.
     """
     log = result.machine.log
+    later = Counter(each.channel for each in log.outputs if each.time > since)
     outputs = [
-        each for each in log.outputs if since - MAX_LEAD <= each.time <= since and each.channel <= LAST_OUTPUT
+        each
+        for each in log.outputs
+        if since - MAX_LEAD <= each.time <= since and each.channel <= LAST_OUTPUT and later[each.channel] < 2
     ]
     if not outputs:
         return None
@@ -506,10 +556,22 @@ def _entered(guesses: Guesses, result: Run, loop: InputRead) -> float:
 def _last_act(result: Run) -> float:
     """Return when the program last moved, set an output, printed or read an input."""
     log = result.machine.log
+    acts = [each.time for each in log.outputs] + [each.time for each in log.prints]
+    return max([_last_motion(result), *(time for time in acts if time <= result.time)])
+
+
+def _last_motion(result: Run) -> float:
+    """Return when the program last moved, or a wait for an input or an answer ended."""
+    log = result.machine.log
     ends = [move.start_time + move.profile.duration for move in log.moves if move.profile is not None]
-    ends += [each.time for each in log.outputs] + [each.time for each in log.prints]
     ends += [each.until for each in log.waits.written() if each.cause in ("input", "operator")]
     return max((time for time in ends if time <= result.time), default=0.0)
+
+
+def _work(result: Run) -> tuple[int, int]:
+    """Return how many lines of the program move an axis, and the number of their moves."""
+    lines = [move.line for move in result.machine.log.moves]
+    return len(set(lines)), len(lines)
 
 
 def _answered_at(result: Run) -> float:

@@ -61,6 +61,7 @@ KEYS = "#key\nK = INKEY\nIF K <> 82 THEN GOTO key\n"
 GUARD = "IF INX.2 = 0 THEN GOTO bad\n"
 FAULT = "END\n#bad\n? 2\n"
 FAR = [1e9, 2e9]
+STROKE = "MOVER.0 = 10 : GO.0 : PAUSE IDLE.0\n"
 # The program, the settings that a person gave, all settings of the guessed machine file, the number of guesses,
 # and how often the program runs. It runs up to 20 s, and once more than it gets guesses that it needs in turn.
 DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = {
@@ -94,7 +95,7 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
     "any key": ("#key\nK = INKEY\nIF K = 0 THEN GOTO key\n", {}, {}, 0, 1),
     # It waits for a key if it has been quiet for more than 10 of the 20 s.
     "a key after 9.9 s": (f"WAIT = 9900\nOUTX.1 = 1\n{KEYS}", {}, {"key": [{"at": 10.4, "text": "R"}]}, 1, 2),
-    "a key after 10.1 s": (f"WAIT = 10100\nOUTX.1 = 1\n{KEYS}", {}, {}, 0, 1),
+    "a key after 10.1 s": (f"WAIT = 10100\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\n{KEYS}", {}, {}, 0, 1),
     # Homing at 4000 counts/s: the switch is a second ahead and a tenth long, the marks are a fifth apart.
     "a home switch": ("HOME.0 = 0\nPAUSE IDLE.0\n", {}, {"axis.0.home_switch": [-4400.0, -4000.0]}, 1, 2),
     "a home switch and an index mark": ("HOME.1 = 4\nPAUSE IDLE.1\n", {}, {
@@ -125,11 +126,33 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
     "two inputs after an output": ("OUTX.4 = 1\nPAUSE INX.1\nPAUSE INX.2\n", {},
                                    {"input": [follows(1, 4), follows(2, 4)]}, 2, 3),
     "two inputs at once": ("PAUSE INX.1 AND INX.2\n", {}, {"input": [on(1, 0.3), on(2, 0.3)]}, 2, 2),
-    # The run ends at 20 s. What follows gets a level for each wait: on, off, or both in turn.
-    "inputs that are not reached": (
-        "PAUSE INX.1\nWAIT = 30000\nPAUSE INX.2\nPAUSE INX.3 = 0\nPAUSE INX.4\nPAUSE INX.4 = 0\n", {},
-        {"input": [on(1, 0.3), on(2, 0.0), pulses(4)]}, 3, 3,
-    ),
+    # The run ends at 20 s.
+    "inputs that are not reached": ("PAUSE INX.1\nWAIT = 30000\nPAUSE INX.2\n", {}, {"input": [on(1, 0.3)]}, 1, 2),
+    "a level and an input at once": ("PAUSE ADC.2 > 60 AND INX.1\n", {}, {
+        "input": [on(1, 0.3)], "analogue": [{"channel": 2, "value": 100.0, "at": 0.3}]}, 2, 3),
+    "an input that a loop polls": (
+        f"n = 0\nLOOP\nIF INX.1 DO\n{STROKE}n = n + 1\nENDIF\nIF n = 3 THEN EXIT\nENDL\n", {},
+        {"input": [on(1, 0.3)]}, 1, 2),
+    # The stroke takes an edge, so the input that is on at 0.3 s does not repeat it.
+    "an edge that a loop polls": (
+        f"n = 0 : b = 0\nLOOP\na = INX.1\nIF a > b THEN {STROKE[:-1]} : n = n + 1\nb = a\nIF n = 3 THEN EXIT\nENDL\n",
+        {}, {"input": [pulses(1)]}, 1, 3),
+    # Input 4 calls the fault routine, which moves on one line; the cycle moves on two.
+    "a start button beside a fault": (
+        f"#MAIN\nIF INX.4 THEN GOSUB FAULT\nIF INX.1 THEN GOSUB CYCLE\nWAIT = 20\nGOTO MAIN\n"
+        f"#CYCLE\n{STROKE}{STROKE}RETURN\n#FAULT\n{STROKE}PAUSE INX.7\nRETURN\n", {},
+        {"input": [on(1, 0.3)]}, 1, 4),
+    # A lamp that blinks is no work: the program waits for the start button all the same.
+    "a loop that blinks": (f"LOOP\nOUTX.3 = 1 - OUTX.3\nWAIT = 500\nIF INX.1 THEN {STROKE}ENDL\n", {},
+                           {"input": [on(1, 0.3)]}, 1, 2),
+    "a level that a loop polls": (f"LOOP\nv = ADC.2\nIF v > 60 THEN {STROKE}ENDL\n", {},
+                                  {"analogue": [{"channel": 2, "value": 100.0, "at": 0.3}]}, 1, 3),
+    "a key that a loop polls": (f"LOOP\n? \"PRESS G\"\nWAIT = 500\nK = INKEY\nIF K = 71 THEN {STROKE}ENDL\n", {},
+                                {"key": [{"at": 0.5, "text": "G"}]}, 1, 2),
+    # The axis moves without it.
+    "a jam that never comes": (
+        f"LOOP\n{STROKE}IF INX.2 THEN GOSUB JAM\nWAIT = 500\nENDL\n#JAM\nOUTX.1 = 1\nPAUSE INX.7\nOUTX.1 = 0\nRETURN\n",
+        {}, {}, 0, 1),
     # All five levels are tried.
     "a level out of reach": ("PAUSE ADC.2 > 101\n", {},
                              {"analogue": [{"channel": 2, "value": 75.0, "at": 0.3}]}, 1, 6),
