@@ -18,6 +18,7 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
                         one that it waits for and a handler tests for 0
     a polling loop      the inputs, analogue inputs and keys that its conditions read, each by itself, if no axis has
                         moved for 10 s; the one with which most lines of the program move stays, if more than before
+    a loop of work      an input that ends it, in the same way
     homing              a switch one second ahead of the axis, then index marks
 
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
@@ -359,16 +360,17 @@ class _Search:
                 return result
 
     def better(self, guesses: Guesses, result: Run) -> tuple[Guesses, Run] | None:
-        """Change the polled value that lets a program at rest move most; None if none does."""
-        found, most = None, _work(result)
-        for change in _polled(result, self.reads):
+        """Change the polled value with which a program does most; None if it does no more with any."""
+        at_rest = result.time - _last_motion(result) > QUIET
+        found, most = None, _work(result, at_rest)
+        for change in _polled(result, self.reads, at_rest) if result.status == "until" else ():
             for times in count(1):
                 trial = deepcopy(guesses)
                 if self.left <= 0 or not all(change(trial) for _ in range(times)):
                     break
                 ran = self.settled(trial)
-                if _work(ran) > most:
-                    found, most = (trial, ran), _work(ran)
+                if _work(ran, at_rest) > most:
+                    found, most = (trial, ran), _work(ran, at_rest)
                     break
         return found
 
@@ -461,9 +463,15 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     channels = list(wait.what) if wait.cause == "input" else []
     levels = result.controller.inputs
     for read in () if channels else reads:
-        if read.kind == "wait" and read.line == line and read.channel is not None:
+        if read.kind in ("wait", "either") and read.line == line and read.channel is not None:
             channels += [read.channel] if read.level is None or read.level != levels[read.channel] else []
-    changed += [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(channels)]
+    leaving = {
+        each.channel
+        for each in reads
+        if each.kind == "guard" and each.channel is not None and each.level == levels[each.channel]
+    }
+    wanted = [channel for channel in channels if channel not in leaving] or channels
+    changed += [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(wanted)]
     return any(changed)
 
 
@@ -499,15 +507,22 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
     return False
 
 
-def _polled(result: Run, reads: list[InputRead]) -> Iterator[Callable[[Guesses], bool]]:
-    """Yield a change of each value that the loops of a program at rest read, in the order of the lines."""
-    since = _last_motion(result)
+def _polled(result: Run, reads: list[InputRead], at_rest: bool) -> Iterator[Callable[[Guesses], bool]]:
+    """Yield a change of each value that the loops of a program poll, in the order of the lines.
+
+    These are all values of their conditions if the program is at rest, and else the inputs that end a loop of work,
+    such as steps towards a sensor.
+    """
     scheduler = result.machine.scheduler
-    if scheduler is None or result.status != "until" or result.time - since <= QUIET:
-        return
+    since = _last_motion(result) if at_rest else 0.0
     depends = result.dialect.loop_dependencies(result.source)
-    loops = [depends(at) for task in scheduler.tasks if not task.done for at, _, _ in task.loops]
-    polled = {read for loop in loops if loop is not None for read in loop.within}
+    tasks = scheduler.tasks if scheduler is not None else ()
+    loops = [depends(at) for task in tasks if not task.done for at, _, _ in task.loops]
+    polled = {
+        read for loop in loops if loop is not None for read in (loop.within if at_rest else loop.leaves)
+    }
+    if not at_rest:
+        polled &= {("input", each.channel) for each in reads if each.kind == "work"}
     order = [("input", each.channel) for each in reads if each.is_input]
     for kind, number in [*dict.fromkeys(order), *sorted(polled - set(order), key=repr)]:
         if (kind, number) not in polled:
@@ -568,10 +583,10 @@ def _last_motion(result: Run) -> float:
     return max((time for time in ends if time <= result.time), default=0.0)
 
 
-def _work(result: Run) -> tuple[int, int]:
-    """Return how many lines of the program move an axis, and the number of their moves."""
+def _work(result: Run, counts: bool) -> tuple[int, int]:
+    """Return how many lines of the program move an axis and, if it `counts`, the number of their moves."""
     lines = [move.line for move in result.machine.log.moves]
-    return len(set(lines)), len(lines)
+    return len(set(lines)), len(lines) if counts else 0
 
 
 def _answered_at(result: Run) -> float:

@@ -47,9 +47,11 @@ class LoopDependencies:
 class InputRead:
     """A position at which a program depends on the world around it.
 
-    `kind`    "wait" (the program stops here until the level comes), "poll" (the condition of a loop), "guard" (an If
-              that jumps away at the other level), "test" (any other reading), "event" (a handler), "key" (a key
-              that the program compares with) or "answer" (a number that it compares an answer with)
+    `kind`    "wait" (the program stops here until the level comes), "either" (or until something else comes), "poll"
+              (the condition of a loop that waits), "work" (the condition that ends a loop with moves), "guard" (an If
+              that jumps away at the other level, or a loop with moves that ends there), "test" (any other reading),
+              "event" (a handler), "key" (a key that the program compares with) or "answer" (a number that it compares
+              an answer with)
     `channel` the number of the input, the code of the key, or the number; None if it is only known at run time
     `level`   the level that lets the program continue, or makes a test true; None if that is unknown
     `line`    the line; `last` is the last line of a loop, or the line that asks for the answer

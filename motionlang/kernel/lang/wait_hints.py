@@ -82,7 +82,7 @@ def _channels_of_bank(dialect: Dialect, source: Source, machine: Machine, task: 
     found = {
         each.channel
         for each in dialect.input_reads(source)
-        if each.kind in ("wait", "poll") and each.line == line and each.channel is not None
+        if each.kind in ("wait", "either", "poll") and each.line == line and each.channel is not None
         if each.level is not None and each.level != levels[each.channel]
     }
     return sorted(found) if len(found) <= MAX_NAMED else []

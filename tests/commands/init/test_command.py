@@ -127,6 +127,21 @@ def test_mccl(cell: Cell) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        # Off, input 2 leaves the work for another macro; on, input 4 does.
+        ("MD1,IF2,MJ9,NO,IN4,MJ9,NO,1MR10,1WS.1,RP\nMD9,CN33\n1MN\nMC1\n", [{"channel": 2, "at": 0.0}]),
+        # The macro begins again while input 2 is off.
+        ("MD1,IF2,MJ1,NO,1MR10,1WS.1\n1MN\nMC1\n", [{"channel": 2, "at": 0.3}]),
+    ],
+)
+def test_a_jump_to_another_macro_leaves_the_work(
+    cell: Cell, text: str, found: list[dict[str, object]]
+) -> None:
+    assert inputs(cell, text, "old.mccl") == found
+
+
+@pytest.mark.parametrize(
     ("text", "answers"),
     [
         ('INPUT "Speed ", v', [("Speed", "10")]),

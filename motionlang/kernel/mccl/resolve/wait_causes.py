@@ -79,10 +79,15 @@ def input_reads(source: Source) -> list[InputRead]:
         if not isinstance(line, Line):
             continue
         verbs = [command.verb for command in line.commands]
+        macro = line.commands[0].number if verbs[0] == "define_macro" else None
         for here, command in enumerate(line.commands):
             if command.verb in _KINDS:
                 kind, level = _KINDS[command.verb]
                 polls = verbs[here + 1 : here + 2] == ["leave"] and "repeat" in verbs[here:]
                 kind = "poll" if polls else kind
+                if kind == "test" and verbs[here + 1 : here + 2] == ["jump_macro"]:
+                    # A jump back to its own macro polls, one to another macro leaves at this level.
+                    again = line.commands[here + 1].number == macro
+                    kind, level = "poll" if again else "guard", 1 - level
                 found.append(InputRead(kind, command.number, level, line.number, line.number))
     return found

@@ -6,13 +6,17 @@ the loop waits for these tasks. A call of a function counts as the readings in t
 
 `input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
 input it waits for: `PAUSE Not INX(3)` waits for 0. Of a bank it lists the channels whose bits the program compares or
-masks: `PAUSE IN(0) & 4 = 4` waits for input 2. Keys are the numbers that the program compares with the result of
-INKEY. Numbers that it compares with the variable of an INPUT are the choices of a menu.
+masks: `PAUSE IN(0) & 4 = 4` waits for input 2. Keys are the numbers that the program compares with the result of INKEY.
+Numbers that it compares with the variable of an INPUT are the choices of a menu.
+
+A loop that moves an axis is work: `While INX(2) = 1` is a run switch, which is on while the program works, and
+`While INX(2) = 0` ends the work by a stop button, or steps towards a sensor.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from math import inf
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -49,6 +53,8 @@ DRIVEN = {
     "remote": "host",
 }
 
+# The roles of keywords that move an axis.
+MOTION = ("move", "course", "path", "go", "act")
 COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
 
 # The codes of keys that a person presses, from the space on.
@@ -338,10 +344,18 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: b
 
     for node in body:
         if isinstance(node, nodes.Pause):
-            yield from reads("wait", node.condition, True)
+            optional = _ends_without_inputs(node.condition, True)
+            yield from reads("either" if optional else "wait", node.condition, True)
         elif isinstance(node, (nodes.While, nodes.Repeat)):
             last = max((module.line(each.start) for each in walk([node])), default=0)
-            yield from reads("poll", node.condition, isinstance(node, nodes.Repeat), last)
+            until = isinstance(node, nodes.Repeat)
+            if any(_works(each) for each in walk(node.body)):
+                for read in reads("guard", node.condition, not until, last):
+                    ends = 1 if read.level == 0 else None
+                    yield read if read.level else replace(read, kind="work", level=ends)
+            else:
+                optional = _ends_without_inputs(node.condition, until)
+                yield from reads("test" if optional else "poll", node.condition, until, last)
         elif isinstance(node, nodes.If):
             leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
             yield from reads("guard" if leaves else "test", node.condition, not leaves)
@@ -355,6 +369,29 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: b
 def _leaves(node: nodes.Node) -> bool:
     """True for a statement that leaves the normal flow, such as `GoTo Fault`."""
     return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
+
+
+def _works(node: nodes.Node) -> bool:
+    """True for a statement that moves an axis, or calls a subroutine that may do so."""
+    if isinstance(node, nodes.Jump):
+        return node.kind == "gosub"
+    if not isinstance(node, nodes.Name):
+        return False
+    is_sub = node.symbol is not None and node.symbol.kind == "sub"
+    return is_sub or (node.row is not None and node.row.role in MOTION)
+
+
+def _ends_without_inputs(node: nodes.Expr, wanted: bool) -> bool:
+    """True if a condition may become `wanted` while all its inputs stay as they are."""
+    node = meant(node)
+    if isinstance(node, nodes.Unary) and node.op == "Not":
+        return _ends_without_inputs(node.operand, not wanted)
+    if isinstance(node, nodes.Binary) and node.op in ("And", "Or"):
+        sides = [_ends_without_inputs(each, wanted) for each in (node.left, node.right)]
+        return any(sides) if (node.op == "Or") is wanted else all(sides)
+    return not any(
+        isinstance(each, nodes.Name) and (_is_input(each) or _is_bank(each)) for each in walk([node])
+    )
 
 
 def _levels(node: nodes.Expr, wanted: bool, banks: _Banks) -> Levels:

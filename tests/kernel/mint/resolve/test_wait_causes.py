@@ -117,7 +117,12 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
     ("PAUSE INX(3) & 1", [("wait", 3, None, 1, 1)]),
     ("PAUSE -INX(3)", [("test", 3, None, 1, 1)]),
     ("While 1\nPRINT INX(2)\nWend", [("test", 2, None, 2, 2)]),
-    ("PAUSE INX(3) And Not INX(4) Or IDLE(0)", [("wait", 3, 1, 1, 1), ("wait", 4, 0, 1, 1)]),
+    ("PAUSE INX(3) And Not INX(4) Or IDLE(0)", [("either", 3, 1, 1, 1), ("either", 4, 0, 1, 1)]),
+    ("PAUSE INX(3) And (IDLE(0) Or INX(4))", [("wait", 3, 1, 1, 1), ("wait", 4, 1, 1, 1)]),
+    ("PAUSE Not (INX(3) = 0 And POS(0) < 5)", [("either", 3, 1, 1, 1)]),
+    ("While INX(2)\nJOG(0) = 5\nWend", [("guard", 2, 1, 1, 2)]),
+    ("While Not INX(2)\nJOG(0) = 5\nWend", [("work", 2, 1, 1, 2)]),
+    ("Repeat\nJOG(0) = 5\nUntil INX(2) = 1", [("work", 2, 1, 3, 3)]),
     ("Const DOOR = 7\nPAUSE INX(DOOR)", [("wait", 7, 1, 2, 2)]),
     ("Dim n\nn = 4\nPAUSE INX(n)", [("wait", None, 1, 3, 3)]),
     # A bank: the channels whose bits the program compares or masks, the first one if there are none.
