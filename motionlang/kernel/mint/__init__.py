@@ -109,7 +109,7 @@ class Mint(Dialect):
         return age(name) is not None
 
     def written_for(self, source: Source) -> Target:
-        from motionlang.commands.check.mint.model import written_for
+        from motionlang.kernel.mint.check.model import written_for
 
         return written_for(source)
 

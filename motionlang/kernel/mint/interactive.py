@@ -12,6 +12,7 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import check_line
 from motionlang.kernel.mint.check.error_recovery import parsed
+from motionlang.kernel.mint.check.model import written_for
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import Session
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -67,9 +68,11 @@ class MintInteractive(Interactive):
     def program(self, source: Source, strict: bool = False) -> Task:
         """Return the task of a whole program, whose lines may trigger faults of the machine file.
 
-        Raises ProgramError for errors; if `strict`, also if `--set` names an unknown name.
+        A machine without a model has that of the program from then on. Raises ProgramError for errors; if `strict`,
+        also if `--set` names an unknown name.
         """
         module = parse(source)
+        self.machine.model = self.machine.model or written_for(source).model
         (override if strict else override_if_there)(module, self.machine.overrides)
         self.environment.timer = [self.environment.clock.now]
         return self._task_of(module, source, of_program=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.machine import Machine
@@ -10,6 +11,7 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import Checked, check_module
 from motionlang.kernel.mint.check.error_recovery import parsed
+from motionlang.kernel.mint.check.model import written_for
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.overrides import override
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -58,11 +60,16 @@ class MintProgram(Program):
     def offsets(self) -> Sequence[int]:
         return stops(self.checked.names) if self.is_debug else ()
 
+    @cached_property
+    def _model(self) -> str:
+        return written_for(self.source).model
+
     def start(self, machine: Machine) -> Task:
-        """Return the parent task, bound to `machine`.
+        """Return the parent task, bound to `machine`, which has the model of the program if it has none.
 
         Raises ProgramError if an override names no name of the program.
         """
+        machine.model = machine.model or self._model
         overrides = machine.overrides
         values = {
             name: overrides[name]

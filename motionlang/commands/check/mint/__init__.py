@@ -14,13 +14,13 @@ from motionlang.commands.check.mint.busy_loops import check_busy_loops
 from motionlang.commands.check.mint.effects import Facts
 from motionlang.commands.check.mint.findings import Findings
 from motionlang.commands.check.mint.functions import FunctionChecks
-from motionlang.commands.check.mint.model import check_model
 from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.check.check import check_module
 from motionlang.kernel.mint.check.error_recovery import with_other_lines
+from motionlang.kernel.mint.check.model import check_model
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems

@@ -11,7 +11,10 @@ from motionlang.kernel.log.records import EVENTS
 MAX_AXES = 64
 # key -> (kind, help). A pair is two numbers, the first not above the second.
 KEYS: dict[str, tuple[str, str]] = {
-    "controller.model": ("text", "The controller model to simulate; empty for the default of the language."),
+    "controller.model": (
+        "text",
+        "The controller model to simulate; empty for the one that the program implies.",
+    ),
     "controller.axes": ("count", f"The number of axes, 1 to {MAX_AXES}."),
     "controller.instruction_time": ("time", "The machine time that one statement takes, 1e-9 to 1 second."),
     "run.until": (

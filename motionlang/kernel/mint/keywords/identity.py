@@ -12,6 +12,7 @@ from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.kernel.lang.run_errors import NotSimulated
 from motionlang.kernel.mint.keywords.no_effect import StoredValues
+from motionlang.kernel.mint.models import named
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of
 from motionlang.kernel.mint.runtime.changes import always
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -150,7 +151,7 @@ def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) 
 
 ROWS = (
     _word("PLATFORMNAME", "", "R", "none", "text",
-          Actions(read=answers(lambda environment: environment.machine.model or VIRTUAL)),
+          Actions(read=answers(lambda environment: named(environment.machine.model) or VIRTUAL)),
           "The controller: controller.model of the machine file, or Virtual Controller."),
     _word("FIRMWAREVERSION", "", "R", "none", "text", Actions(read=answers(version)), "The version of this program."),
     _word("NUMBEROF", "no", "RW", "item", "integer", Actions(read=answers(count), write=_NOTHING_WRONG.write),

@@ -25,8 +25,8 @@ PACKAGE = Path(__file__).parents[4] / "motionlang" / "kernel" / "mint"
 # for the row of what raises an event.
 LOOK_UPS = {
     "check/labels.py": 1,
+    "check/model.py": 4,
     "check/unknown_words.py": 1,
-    "../../commands/check/mint/model.py": 4,
     "steps/program_graph.py": 1,
 }
 
