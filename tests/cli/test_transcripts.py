@@ -119,6 +119,7 @@ FILES = {
     "waits.mnt": "PAUSE INX(3)\nPRINT TIME\n",
     "idle.mnt": "GO3\nPRINT 1\n",
     "one.mnt": "Print “x”\n",
+    "v4.mnt": "AUTO\nn = 8\nSPEED.0 = 10\n? n\n",
     "tiny.mnt": "Const size = 2\nDim n\nn = size\n",
     "spare.mnt": "Dim spare\nDim other\n",
     "macros.mcl": "1MN,1SV100,1SA1000,1DS1000\n1MR100,1WS\n",

@@ -21,6 +21,12 @@ def test_print_goes_out_with_cr_and_lf_and_the_prompt_follows_the_end() -> None:
     assert line.port.take() == b"one\r\ntwo\r\nP>"
 
 
+def test_a_controller_without_a_model_has_the_one_of_its_program() -> None:
+    line = Line("AUTO\nSPEED.0 = 8\n? SPEED.0", model="")
+    line.run(0.1)
+    assert line.received() == "8\nP>"
+
+
 def test_ctrl_e_breaks_with_the_line_and_typed_lines_know_the_variables() -> None:
     line = Line(COUNTER)
     line.run(0.45)  # n is 1 at once, and one more after each 0.1 s
