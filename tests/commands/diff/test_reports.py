@@ -77,10 +77,10 @@ def test_a_changed_rate_is_reported_once_a_line_with_all_its_moves() -> None:
 def test_a_path_segment_is_reported_once_with_its_axes_and_the_difference_of_one() -> None:
     path = "SPEED(0) = 50 : ACCEL(0) = {} : DECEL(0) = 500\nVECTORR(0, 1) = 30, 40 : VECTORR(0, 1) = 0, 10\nGO(0)\n"
     found = difference(build(ran(path.format(500))), build(ran(path.format(400))))
-    # By hand: 50/500 = 0.1 s becomes 50/400 = 0.125 s: half of that is added to each segment. Axis 0 rests on the last.
+    # By hand: 50/500 = 0.1 s becomes 50/400 = 0.125 s: half of that is added to each segment. Axis 0 holds on the last.
     assert [line for line in diff_lines(found) if line.startswith("line")] == [
         "line 2: VECTORR of axes 0, 1, 2 moves each: duration 1.1 → 1.1125 s, accel 0.1 → 0.125 s, "
-        "slew 0.9 → 0.8875 s, +0.025000 s in motion together"
+        "slew 0.9 → 0.8875 s, axis 0 hold 0.3 → 0.3125 s, +0.025000 s in motion together"
     ]
     one = "SPEED(0, 1) = 50; : ACCEL(0, 1) = {}, 500 : DECEL(0, 1) = 500; : MOVER(0, 1) = 50; : GO(0, 1)\n"
     found = difference(build(ran(one.format(500))), build(ran(one.format(400))))
