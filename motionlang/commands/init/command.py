@@ -16,6 +16,7 @@ from motionlang.cli.readers import machine_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.init import Entry, Guesses, answer_entry, branches, guessed, small_program
 from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
+from motionlang.commands.init.summary import notes, stands_still
 from motionlang.commands.run.command import Run
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
 from motionlang.kernel.errors import Diagnostic
@@ -45,8 +46,11 @@ A file that exists is never overwritten. If the program has menus, init makes
 every choice, and writes a scenario into FILE.scenarios for each one that
 moves an axis.
 
-exit status: 0 the file is written and the program ran; 1 the file exists, or
-the program has an error or a fault
+The last lines say which input ended which wait, which outputs were never
+switched on, how many cycles ran, and whether no axis moved.
+
+exit status: 0 the file is written and the program ran; 1 the file exists, the
+program has an error or a fault, or it commands motion and no axis moved
 
 examples:
   motionlang init packer.prg
@@ -135,7 +139,10 @@ examples:
             raise Refused([unwritten(error.filename, error)], file=file) from None
         run = Run(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
-        return run.start()
+        status = run.start()
+        structure = language.structure(source, board)
+        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, reads, result))
+        return max(status, int(stands_still(structure, result)))
 
 
 def _missing(file: str) -> Diagnostic:

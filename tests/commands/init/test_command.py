@@ -214,6 +214,42 @@ status = "stopped"
     assert "stopped after 0.90025 s by an INPUT without an answer" in cell("run", "old.prg").out
 
 
+@pytest.mark.parametrize(
+    ("name", "text", "status", "notes"),
+    [
+        (
+            "old.prg",
+            "PAUSE INX.4\nOUTX.1 = 1\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\nIF INX.5 THEN OUTX.2 = 1\nPAUSE INX.4\n",
+            0,
+            ["input 4 ended the wait of line 1", "output 2 was never switched on"],
+        ),
+        (
+            "old.mccl",
+            "MD1,CN33,WN1,1MR5,1WS.1,CF33,WF1,WN2,WA30,RP\nMD2,CN34,CN35\n1MN\nMC1\n",
+            0,
+            [
+                "input 1 ended the wait of line 1",
+                "input 2 ended the wait of line 1",
+                "outputs 34, 35 were never switched on",
+                "10 cycles ran, in each of which line 1 moves an axis",
+            ],
+        ),
+        (
+            "old.prg",
+            "IF INX.1 = 0 THEN ? 1\nIF INX.2 = 5 THEN MOVER.0 = 5 : GO.0\n",
+            1,
+            ["no axis moved, and line 2 commands motion"],
+        ),
+        ("old.prg", "? 1\n", 0, []),
+    ],
+)
+def test_the_last_lines(cell: Cell, name: str, text: str, status: int, notes: list[str]) -> None:
+    cell.write(name, text)
+    ran = cell("init", name, "--format", "none")
+    found = [line.removeprefix("note: ") for line in ran.err.splitlines() if line.startswith("note: ")]
+    assert (ran.status, found) == (status, notes)
+
+
 def test_an_endless_run_ends_after_whole_cycles(cell: Cell) -> None:
     """The moves of the inner loop, and those of the homing, are no cycles."""
     pecks = "FOR s = 1 TO 3\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\nNEXT\n"

@@ -1,0 +1,73 @@
+"""What a run with guesses shows of the program: which input ended which wait, and what it never did."""
+
+from __future__ import annotations
+
+from motionlang.commands.init import Guesses
+from motionlang.commands.init.ending import ending
+from motionlang.kernel.lang.program_graph import WRITE, Structure
+from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.result import Run
+
+
+def first_move(structure: Structure) -> int:
+    """Return the first line that commands motion; 0 if there is none."""
+    lines = [
+        each.line
+        for each in structure.statements.values()
+        if any(use.row.topic == "move" for use in each.axes)
+    ]
+    return min(lines, default=0)
+
+
+def stands_still(structure: Structure, result: Run) -> bool:
+    """True if no axis moved although the program commands motion."""
+    return bool(first_move(structure)) and not len(result.machine.log.moves)
+
+
+def notes(structure: Structure, guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:
+    """Return one line for each thing that an engineer checks first."""
+    found = _ended_waits(guesses, reads, result)
+    never = _never_on(structure, result)
+    if never:
+        plural = len(never) > 1
+        numbers = ", ".join(map(str, never))
+        found.append(
+            f"output{'s' if plural else ''} {numbers} {'were' if plural else 'was'} never switched on"
+        )
+    cycles = ending(result)
+    if "prints" in cycles:
+        found.append(f'{cycles["times"]} cycles ran, each of which prints "{cycles["prints"]}"')
+    elif "line" in cycles:
+        found.append(f"{cycles['times']} cycles ran, in each of which line {cycles['line']} moves an axis")
+    if stands_still(structure, result):
+        found.append(f"no axis moved, and line {first_move(structure)} commands motion")
+    return found
+
+
+def _ended_waits(guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:
+    waits: dict[int, set[int]] = {}
+    for read in reads:
+        if read.kind == "wait" and read.channel in guesses.inputs:
+            waits.setdefault(read.line, set()).add(read.channel)
+    ended: dict[int, set[int]] = {}
+    for wait in result.machine.log.waits.written():
+        line = guesses.line(result, wait.at)
+        for channel in waits.get(line, ()):
+            ended.setdefault(channel, set()).add(line)
+    return [f"input {each} ended {_waits(sorted(ended[each]))}" for each in sorted(ended)]
+
+
+def _waits(lines: list[int]) -> str:
+    numbers = ", ".join(map(str, lines))
+    return f"the waits of lines {numbers}" if len(lines) > 1 else f"the wait of line {numbers}"
+
+
+def _never_on(structure: Structure, result: Run) -> list[int]:
+    """Return the outputs that the program switches and that stayed off."""
+    switched = {
+        int(use.number)
+        for each in structure.statements.values()
+        for use in each.channels
+        if use.channel == "output" and use.access == WRITE and use.value != "0" and use.number.isdecimal()
+    }
+    return sorted(switched - {each.channel for each in result.machine.log.outputs if each.value})
