@@ -12,7 +12,8 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
                         value of a bank are off while those of the next are on
     an analogue input   50 %, or 100 %, 0 % and so on until the condition holds
     a menu              the numbers that the program compares the answer with, one after the other
-    INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on
+    INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on, as in a
+                        wide range
     a key               the keys that the program compares with, one after the other
     nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on, and
                         one that it waits for and a handler tests for 0
@@ -45,7 +46,7 @@ from functools import partial
 from itertools import count
 from math import inf
 
-from motionlang.commands.init.ending import asks
+from motionlang.commands.init.ending import asks, plain
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.layers import layered
@@ -74,6 +75,8 @@ SWITCHES = ("home_switch", "index_every")
 # Answers that are tried one after the other, and how often one question is answered.
 ANSWERS = ("10", "1", "100", "1000", "5", "0.5")
 MAX_REPEATS = 20
+# The last number of a wide range is so many times the first one.
+WIDE = 100.0
 # Levels of analogue inputs that are tried one after the other, percent.
 LEVELS = (50.0, 100.0, 0.0, 25.0, 75.0)
 MAX_ROUNDS = 100
@@ -404,7 +407,7 @@ def _end_at_question(guesses: Guesses, result: Run) -> bool:
 
     Returns False if that is not why it is stuck.
     """
-    question = result.machine.operator.question.strip(" ?:")
+    question = _question(result)
     if not asks(result) or question not in guesses.exhausted or not result.time:
         return False
     guesses.ends_at_question = True
@@ -440,7 +443,7 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     if result.status == "until" and result.time - wait.since < 2 * PERIOD:
         return False  # it may still end
     if wait.cause == "operator":
-        question = result.machine.operator.question.strip(" ?:")
+        question = _question(result)
         line = guesses.line(result, task.at)
         menu = [str(each.channel) for each in reads if each.kind == "answer" and each.last == line]
         return guesses.answer(question, menu, result)
@@ -473,6 +476,11 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     wanted = [channel for channel in channels if channel not in leaving] or channels
     changed += [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(wanted)]
     return any(changed)
+
+
+def _question(result: Run) -> str:
+    """Return the question that the program asks, without escape codes and the marks around it."""
+    return plain(result.machine.operator.question).strip(" ?:")
 
 
 def _press(guesses: Guesses, since: float, reads: list[InputRead]) -> bool:
@@ -618,7 +626,12 @@ def _printed_since_answer(result: Run, question: str, given: list[str]) -> str:
 
 
 def _middle(found: tuple[str, str]) -> str:
-    """Return the middle of a range, as an integer if an integer lies in the range."""
+    """Return the middle of a range, as an integer if an integer lies in the range.
+
+    A wide range, such as `1-9999` pieces, gets the first usual answer in it: ten pieces show as much as 5000.
+    """
     low, high = float(found[0]), float(found[1])
+    if high > WIDE * max(low, 1.0):
+        return next((each for each in ANSWERS if low <= float(each) <= high), found[0])
     middle = (low + high) / 2
     return f"{int(middle) if int(middle) >= low else middle:.10g}"

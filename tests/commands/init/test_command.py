@@ -108,6 +108,17 @@ def test_an_input_that_leads_to_a_fault_is_at_the_other_level(cell: Cell) -> Non
     assert "  # { channel = 3, at = 0.0 }," in (cell.folder / "old.machine.toml").read_text()
 
 
+def test_the_inventory_names_inputs_where_they_are_used(cell: Cell) -> None:
+    """An input behind a Define has the lines that test it, and a label of v4 reads its input."""
+    text = "DEFINE START = INX.5\nLOOP\nIF START THEN GOTO GO1\nENDL\n#GO1\nEND\n#IN3\n? 3\nRETURN\n"
+    guesses(cell, text)
+    machine = (cell.folder / "old.machine.toml").read_text()
+    assert "  # line 3: IF START THEN GOTO GO1\n  # { channel = 5" in machine
+    assert "  # line 7: #IN3\n  # { channel = 3" in machine
+    ran = cell("run", "old.prg", "--input", "3=1@0.5", "--until", "1", "--format", "none")
+    assert (ran.status, ran.out) == (0, "3\n")
+
+
 def test_an_analogue_input_gets_the_level_that_is_waited_for(cell: Cell) -> None:
     found = guesses(cell, "WAIT = 500\nPAUSE ADC.2 > 60\nPAUSE ADC.2 < 101\n")
     assert found["analogue"] == [{"channel": 2, "value": 100.0, "at": 0.8, "guess": True}]
@@ -146,6 +157,9 @@ def test_a_jump_to_another_macro_leaves_the_work(
     [
         ('INPUT "Speed ", v', [("Speed", "10")]),
         ('INPUT "Speed (20-80): ", v', [("Speed (20-80)", "50")]),
+        ('INPUT "BOTTLES 1-9999 ", n', [("BOTTLES 1-9999", "10")]),
+        ('INPUT "BOTTLES 2000-999999 ", n', [("BOTTLES 2000-999999", "2000")]),
+        ('? CHR(27);"[2JHOLES?"\nINPUT n\n', [("HOLES", "10")]),
         ('#a\nINPUT "Layers ", n\nIF n > 6 THEN ? "1 to 6" : GOTO a\n', [("Layers", "3")]),
         ('#a\nINPUT "Gap ", n\nIF n > 6 THEN GOTO a\n', [("Gap", "1")]),
         ('? "HOLES?"\nINPUT n\n', [("HOLES", "10")]),

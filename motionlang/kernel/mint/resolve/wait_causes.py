@@ -22,7 +22,7 @@ from math import inf
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
+from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
 from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
@@ -278,6 +278,11 @@ def input_reads(source: Source) -> list[InputRead]:
             line = module.line(function.at)
             first = min((module.line(node.start) for node in body), default=line)
             found.append(InputRead("event", event[1], None, line, first))
+        for label in (node for node in body if isinstance(node, nodes.Label)):
+            event = label_event(label.name)
+            if event is not None and event[0] == "in" and event[1] >= 0:
+                line = module.line(label.start)
+                found.append(InputRead("event", event[1], None, line, line))
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
 
 
@@ -334,12 +339,16 @@ class _Banks:
 
 def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: bool) -> Iterator[InputRead]:
     seen: set[int] = set()
+    # What a Define stands for counts where its name is used. Each use is a copy with the same positions.
+    aliases = [node for node in body if isinstance(node, nodes.Name) and meant(node) is not node]
+    defined = {each.start for alias in aliases for each in walk([meant(alias)])}
 
     def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[InputRead]:
         found = [each for each in _levels(condition, wanted, banks) if id(each[0]) not in seen]
         seen.update(id(each) for each in walk([node for node, _, _ in found]))
+        seen.update(id(each) for each in walk([condition]) if each in aliases)
         for node, channel, level in found:
-            line = module.line(node.start)
+            line = module.line(condition.start if node.start in defined else node.start)
             yield InputRead(kind, channel, level, line, max(last, line), in_handler)
 
     for node in body:
@@ -360,10 +369,13 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: b
             leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
             yield from reads("guard" if leaves else "test", node.condition, not leaves)
     for node in body:
-        if isinstance(node, nodes.Name) and id(node) not in seen and (_is_input(node) or _is_bank(node)):
-            line = module.line(node.start)
-            for channel in [_channel(node)] if _is_input(node) else banks.channels(node):
-                yield InputRead("test", channel, None, line, line, in_handler)
+        if not isinstance(node, nodes.Name) or id(node) in seen or node.start in defined:
+            continue
+        line = module.line(node.start)
+        for name in walk([meant(node)]):
+            if isinstance(name, nodes.Name) and (_is_input(name) or _is_bank(name)):
+                for channel in [_channel(name)] if _is_input(name) else banks.channels(name):
+                    yield InputRead("test", channel, None, line, line, in_handler)
 
 
 def _leaves(node: nodes.Node) -> bool:

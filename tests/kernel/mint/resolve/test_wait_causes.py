@@ -123,6 +123,10 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
     ("While INX(2)\nJOG(0) = 5\nWend", [("guard", 2, 1, 1, 2)]),
     ("While Not INX(2)\nJOG(0) = 5\nWend", [("work", 2, 1, 1, 2)]),
     ("Repeat\nJOG(0) = 5\nUntil INX(2) = 1", [("work", 2, 1, 3, 3)]),
+    ("PAUSE INX.1\nEND\n#IN3\nRETURN", [("wait", 1, 1, 1, 1), ("event", 3, None, 3, 3)]),
+    # A Define counts where it is used.
+    ("DEFINE START = INX.5\nPAUSE START\nIF START THEN ? 1", [("wait", 5, 1, 2, 2), ("test", 5, 1, 3, 3)]),
+    ("DEFINE READY = INX.5 = 0\n\nPAUSE READY\nx = READY", [("wait", 5, 0, 3, 3), ("test", 5, None, 4, 4)]),
     ("Const DOOR = 7\nPAUSE INX(DOOR)", [("wait", 7, 1, 2, 2)]),
     ("Dim n\nn = 4\nPAUSE INX(n)", [("wait", None, 1, 3, 3)]),
     # A bank: the channels whose bits the program compares or masks, the first one if there are none.
