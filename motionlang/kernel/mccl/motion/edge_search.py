@@ -86,12 +86,13 @@ class Seek:
         every = a.index_pitch
         if every <= 0.0:
             return
-        here = controller.position(number) - a.datum
+        here = controller.position(number) - a.datum - a.index_origin
         below = floor((here - _ON) / every)
         above = floor((here + _ON) / every) + 1
         caught: Callable[[int], None] = lambda direction: self._catch()  # noqa: E731
         for mark in (below, above):
-            self._watches.append(controller.watch(number, mark * every, caught, physical=True))
+            at = mark * every + a.index_origin
+            self._watches.append(controller.watch(number, at, caught, physical=True))
 
     def _catch(self) -> None:
         if self.done:
