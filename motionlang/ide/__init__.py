@@ -1,4 +1,4 @@
-"""What editors ask: the debugger, its adapter, what an editor shows, the language server.
+"""The answers that editors ask for: the debugger, its adapter, the language server, and what an editor shows.
 
 `debug` runs a program forward and back without a protocol, and `dap` speaks the Debug Adapter Protocol for it. `editor`
 has what an editor shows of a text, as pure functions: diagnostics, hover, completion, names, layout, simulated times;

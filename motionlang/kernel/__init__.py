@@ -1,4 +1,4 @@
-"""What runs a program: source, languages, controller, planners, servo and log.
+"""The parts that run a program: source, languages, controller, planners, servo and log.
 
     text ─► tree ─► check ─► steps ─► task ─► scheduler ─► verbs ─► profiles ─► log ─► report
 

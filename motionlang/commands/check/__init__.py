@@ -1,1 +1,1 @@
-"""What is wrong with a program, without a run: the command check."""
+"""The mistakes of a program, found without a run: the command check."""

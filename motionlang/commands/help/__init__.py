@@ -1,1 +1,1 @@
-"""What a word, a code or a command means: the command help."""
+"""The meaning of a word, a code or a command: the command help."""

@@ -1,4 +1,4 @@
-"""What a run did that no edit may change: its outcome, outputs, prints, and where its moves end.
+"""The behaviour that no edit may change: outcome, outputs, prints, and where its moves end.
 
 The order of outputs and prints counts by task: a task that commands no axis, starts no other, and switches what no
 other reads, such as one that blinks a lamp, runs beside the work. How often it blinks in a cycle does not count. Where

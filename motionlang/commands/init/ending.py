@@ -1,4 +1,4 @@
-"""What ends a run of a program that has no end of its own: a question, or a number of its cycles."""
+"""The end of a run of a program that never ends: a question, or a number of its cycles."""
 
 from __future__ import annotations
 

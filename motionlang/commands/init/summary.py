@@ -1,4 +1,4 @@
-"""What a run with guesses shows of the program: which input ended which wait, and what it never did."""
+"""Lines for the engineer about a run with guesses: which input ended which wait, and what never happened."""
 
 from __future__ import annotations
 
