@@ -48,7 +48,12 @@ def ending(run: Run) -> dict[str, object]:
         count = sum(text in each for each in lines)
         if len(text) > 1 and count > 1:
             return {"prints": text, "times": min(count, MAX_CYCLES)}
-    moves = Counter(move.line for move in run.machine.log.moves if move.line and move.command != HOMING)
-    fewest = min((times for times in moves.values() if times > 1), default=0)
-    last = next((move.line for move in reversed(run.machine.log.moves) if moves.get(move.line) == fewest), 0)
+    moves = Counter(
+        (move.line, move.axis) for move in run.machine.log.moves if move.line and move.command != HOMING
+    )
+    often: dict[int, int] = {}
+    for (line, _), times in moves.items():
+        often[line] = max(times, often.get(line, 0))
+    fewest = min((times for times in often.values() if times > 1), default=0)
+    last = next((move.line for move in reversed(run.machine.log.moves) if often.get(move.line) == fewest), 0)
     return {"line": last, "times": min(fewest, MAX_CYCLES)} if fewest else {}

@@ -38,7 +38,7 @@ def notes(structure: Structure, guesses: Guesses, reads: list[InputRead], result
     if "prints" in cycles:
         found.append(f'{cycles["times"]} cycles ran, each of which prints "{cycles["prints"]}"')
     elif "line" in cycles:
-        found.append(f"{cycles['times']} cycles ran, in each of which line {cycles['line']} moves an axis")
+        found.append(f"{cycles['times']} cycles began, in each of which line {cycles['line']} moves an axis")
     if stands_still(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
     return found

@@ -137,6 +137,14 @@ def test_mccl(cell: Cell) -> None:
     ]
 
 
+def test_a_macro_that_polls_an_input_and_calls_one_that_waits(cell: Cell) -> None:
+    text = "MD1,CN34,WN6,1MR45,1WS.05,CF34,WF6\nMD2,IN2,MC1,NO,WA.02,MJ2\n1MN\nMC2\n"
+    assert inputs(cell, text, "old.mccl") == [
+        {"channel": 2, "at": 0.3},
+        {"channel": 6, "output": 34, "delay": 0.3},
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "found"),
     [
@@ -245,7 +253,7 @@ status = "stopped"
                 "input 1 ended the wait of line 1",
                 "input 2 ended the wait of line 1",
                 "outputs 34, 35 were never switched on",
-                "10 cycles ran, in each of which line 1 moves an axis",
+                "10 cycles began, in each of which line 1 moves an axis",
             ],
         ),
         (

@@ -18,16 +18,16 @@ class Stop:
     """One condition, which holds once it has occurred so many `times`.
 
     It is the kind of an `event`, a text that a printed line contains, or a `line` of the program whose moves, waits,
-    outputs or prints are in the log; each of these kinds is counted by itself. `end` is called when it holds, as an
-    event of the clock: between two statements.
+    outputs or prints are in the log; its commands, the causes for which one waits, and the axes that move are counted
+    each by itself. `end` is called when it holds, as an event of the clock: between two statements.
     """
 
     def __init__(self, settings: Mapping[str, object], clock: Clock, log: Log) -> None:
         self.event, self.text = settings.get("run.stop.event"), settings.get("run.stop.prints")
         self.line: int = settings.get("run.stop.line", 0)  # type: ignore[assignment]
         self.times = settings.get("run.stop.times", 1)
-        # How often it has occurred, by kind.
-        self.counts: Counter[str] = Counter()
+        # How often it has occurred, by what is counted by itself.
+        self.counts: Counter[tuple[object, ...]] = Counter()
         self.end: Callable[[], object] = _nothing
         # The line of a source offset.
         self.line_of: Callable[[int], int] = int
@@ -35,11 +35,9 @@ class Stop:
         if self.text is not None:
             log.prints.heard = lambda row: self._occurs(str(self.text) in row[1])
         elif self.line:
-            log.moves.heard = lambda move: self._occurs(move.line == self.line, "moves")
-            log.waits.heard = self._listener(log.waits, "waits")
-            log.outputs.heard = self._listener(log.outputs, "outputs")
-            log.analogue_outputs.heard = self._listener(log.analogue_outputs, "analogue outputs")
-            log.prints.heard = self._listener(log.prints, "prints")
+            log.moves.heard = lambda move: self._occurs(move.line == self.line, "moves", move.axis)
+            for stream in (log.waits, log.outputs, log.analogue_outputs, log.prints):
+                stream.heard = self._listener(stream)
         elif self.event != ASKS:
             log.events.heard = lambda row: self._occurs(row[1] == self.event)
 
@@ -56,13 +54,14 @@ class Stop:
             return f"line {self.line}{often}"
         return "an INPUT without an answer" if self.event == ASKS else f"the event {self.event}{often}"
 
-    def _listener(self, stream: Stream[Any], kind: str) -> Callable[[tuple[Any, ...]], None]:
-        column = stream.fields.index("at")
-        return lambda row: self._occurs(self.line_of(row[column]) == self.line, kind)
+    def _listener(self, stream: Stream[Any]) -> Callable[[tuple[Any, ...]], None]:
+        at = stream.fields.index("at")
+        cause = stream.fields.index("cause") if "cause" in stream.fields else at
+        return lambda row: self._occurs(self.line_of(row[at]) == self.line, row[at], row[cause])
 
-    def _occurs(self, holds: bool, kind: str = "") -> None:
-        self.counts[kind] += holds
-        if holds and self.counts[kind] == self.times:
+    def _occurs(self, holds: bool, *counted: object) -> None:
+        self.counts[counted] += holds
+        if holds and self.counts[counted] == self.times:
             self._clock.at(self._clock.now, self.end)
 
 
