@@ -511,8 +511,8 @@ def _cycles(run: Run) -> str:
 def _works(run: Run) -> bool:
     """True if a run does more than home its axes."""
     table = run.dialect.table()
-    rows = [table.get(move.command) for move in run.machine.log.moves]
-    return not rows or any(row is None or row.topic != "home" for row in rows)
+    moves = run.machine.log.moves
+    return not len(moves) or not all(table.homes(move.command) for move in moves)
 
 
 def _what_sets(run: Run) -> str:

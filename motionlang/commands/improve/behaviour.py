@@ -72,8 +72,7 @@ def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
     for move in run.machine.log.moves:
         if move.profile is None or move.start_time + move.profile.duration > run.time:
             continue
-        row = table.get(move.command)
-        counts = not move.ended and (row is None or row.topic != "home")
+        counts = not move.ended and not table.homes(move.command)
         end = (move.profile.end - move.zero) / (move.scale or 1.0) if counts else 0.0
         found.setdefault(move.axis, []).append((move.command, move.line, end))
     return found

@@ -9,8 +9,6 @@ from motionlang.kernel.result import Run
 
 # A run that repeats ends after so many cycles.
 MAX_CYCLES = 10
-# The command that makes several moves by itself.
-HOMING = "HOME"
 _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
 _FIGURE = re.compile(r"[-+]?\d")
 
@@ -48,8 +46,12 @@ def ending(run: Run) -> dict[str, object]:
         count = sum(text in each for each in lines)
         if len(text) > 1 and count > 1:
             return {"prints": text, "times": min(count, MAX_CYCLES)}
+    # A homing makes several moves by itself.
+    table = run.dialect.table()
     moves = Counter(
-        (move.line, move.axis) for move in run.machine.log.moves if move.line and move.command != HOMING
+        (move.line, move.axis)
+        for move in run.machine.log.moves
+        if move.line and not table.homes(move.command)
     )
     often: dict[int, int] = {}
     for (line, _), times in moves.items():

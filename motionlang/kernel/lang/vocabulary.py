@@ -48,6 +48,11 @@ class Vocabulary:
             row = self._by_name[key]
         return row
 
+    def homes(self, word: str) -> bool:
+        """True if a keyword searches for the zero of an axis."""
+        row = self.get(word)
+        return row is not None and row.topic == "home"
+
     def doing(self, verb: str) -> str:
         """Return the name of the first keyword with a verb."""
         return next(row.name for row in self.rows if row.verb == verb)
