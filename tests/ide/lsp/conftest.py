@@ -52,10 +52,20 @@ class Editor:
 
     async def diagnostics(self) -> list[types.Diagnostic]:
         """Wait for the diagnostics of the present version and return them."""
-        while True:
-            found = await self.client.wait_for_notification(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+        awaited: asyncio.Future[list[types.Diagnostic]] = asyncio.get_running_loop().create_future()
+
+        def listen() -> None:
+            self.client.protocol.wait_for_notification(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, hear)
+
+        def hear(found: types.PublishDiagnosticsParams) -> None:
+            # Those of another text may come in the same read: listen again at once.
             if found.uri == self.uri and found.version == self.version:
-                return list(found.diagnostics)
+                awaited.set_result(list(found.diagnostics))
+            else:
+                listen()
+
+        listen()
+        return await awaited
 
 
 def at(line: int, character: int) -> types.Position:
