@@ -64,6 +64,7 @@ def test_a_chain_of_thousands(name: str) -> None:
     assert [each for each in found if each.severity == "error"] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["floats", "tight and loose", "Or", "While", "PRINT"])
 def test_chain_does_not_depend_on_pythons_stack(name: str) -> None:
     """The result is equal deep in the call stack, and with a higher recursion limit."""
