@@ -189,7 +189,7 @@ def _running(run: Run) -> dict[int, float | None]:
     return found
 
 
-# The phases of ramps, which an axis that stands on a path does not have.
+# The phases of ramps, which an axis at rest on a path does not have.
 _RAMPS = ("accel", "slew", "decel", "stop")
 
 

@@ -16,7 +16,7 @@ from motionlang.cli.readers import machine_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.init import Entry, Guesses, answer_entry, branches, guessed, small_program
 from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
-from motionlang.commands.init.summary import notes, stands_still
+from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import Run
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
 from motionlang.kernel.errors import Diagnostic
@@ -142,7 +142,7 @@ examples:
         status = run.start()
         structure = language.structure(source, board)
         sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, reads, result))
-        return max(status, int(stands_still(structure, result)))
+        return max(status, int(motionless(structure, result)))
 
 
 def _missing(file: str) -> Diagnostic:

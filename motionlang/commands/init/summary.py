@@ -19,7 +19,7 @@ def first_move(structure: Structure) -> int:
     return min(lines, default=0)
 
 
-def stands_still(structure: Structure, result: Run) -> bool:
+def motionless(structure: Structure, result: Run) -> bool:
     """True if no axis moved although the program commands motion."""
     return bool(first_move(structure)) and not len(result.machine.log.moves)
 
@@ -39,7 +39,7 @@ def notes(structure: Structure, guesses: Guesses, reads: list[InputRead], result
         found.append(f'{cycles["times"]} cycles ran, each of which prints "{cycles["prints"]}"')
     elif "line" in cycles:
         found.append(f"{cycles['times']} cycles began, in each of which line {cycles['line']} moves an axis")
-    if stands_still(structure, result):
+    if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
     return found
 

@@ -367,7 +367,7 @@ NODE_EVENTS = ("live", "dead", "emergency")
 BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
 # The keys that identify the subject of a [[remote]] entry.
 OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
-# What may end a run: an event of the log, or a question of the program that nobody answers.
+# The events that may end a run: those of the log, and a question for which no answer is left.
 STOP_EVENTS = (*EVENTS, "input")
 STOPS = ("run.stop.event", "run.stop.prints", "run.stop.line")
 LAST_REGISTER = 65535

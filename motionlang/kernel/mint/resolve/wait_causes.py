@@ -339,7 +339,7 @@ class _Banks:
 
 def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: bool) -> Iterator[InputRead]:
     seen: set[int] = set()
-    # What a Define stands for counts where its name is used. Each use is a copy with the same positions.
+    # The expression of a Define counts where its name is used. Each use is a copy with the same positions.
     aliases = [node for node in body if isinstance(node, nodes.Name) and meant(node) is not node]
     defined = {each.start for alias in aliases for each in walk([meant(alias)])}
 
