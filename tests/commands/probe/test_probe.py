@@ -65,7 +65,7 @@ def noise(lines: list[str], draw: random.Random) -> str:
     return "".join(f"{stamp}\x1b[0m{line} {end}" for line in shown)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", [pytest.param("mint", marks=pytest.mark.slow), "mccl"])
 @cases("seed", range(10))
 def test_what_differs_on_a_controller_is_found(language: str, seed: int) -> None:
     draw = random.Random(seed)
