@@ -51,8 +51,8 @@ def blocks(*kinds: str) -> list[ParameterSet]:
         for match in _BLOCK.finditer(text):
             if match[1] in kinds:
                 line = text.count("\n", 0, match.start()) + 1
-                # A search makes hundreds of runs.
-                searches = "motionlang improve" in match[2] or "--suggest" in match[2]
+                # A search makes hundreds of runs, and so does a sweep that finds the least of a quantity.
+                searches = any(each in match[2] for each in ("motionlang improve", "--suggest", "minimise ="))
                 marks = [pytest.mark.slow] if searches else []
                 name = f"{page.relative_to(ROOT)}:{line}"
                 found.append(pytest.param(match[1], match[2], id=name, marks=marks))

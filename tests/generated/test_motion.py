@@ -49,6 +49,7 @@ def test_a_seed_always_gives_the_same_program_and_others_differ() -> None:
     assert {program.language for program in once} == {"mint", "mccl"}
 
 
+@pytest.mark.slow
 def test_programs_are_grammatical_and_most_of_them_move() -> None:
     """None is rejected before it runs, and nine in ten start a move."""
     moved = 0

@@ -47,6 +47,7 @@ def assert_every_second_is_charged_once(result: Run) -> None:
         assert min(parts) > -1e-9
 
 
+@pytest.mark.slow
 def test_scenarios_and_sweeps_are_as_expected(request: pytest.FixtureRequest) -> None:
     for rewrite in (True, False) if request.config.getoption("--update") else (False,):
         found = [each for program in PROGRAMS for each in further_checks(str(program), rewrite)]

@@ -11,7 +11,6 @@ from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import Target, dialect
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
-from tests.cases import cases
 
 # The program, its inputs in the guessed machine file, and when it ends. An input changes 0.3 s after the program
 # waits for it; one that has to come and go is on from 1 s to 2 s, from 3 s to 4 s and so on.
@@ -197,7 +196,7 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
 }  # fmt: skip
 
 
-@cases("name", DRAFTS)
+@pytest.mark.parametrize("name", DRAFTS)
 def test_the_draft_of_a_machine_file(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     text, fixed, settings, count, runs = DRAFTS[name]
     done: list[Run] = []

@@ -111,6 +111,7 @@ def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
     assert 0 < many <= 2.2 * few
 
 
+@pytest.mark.slow
 def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

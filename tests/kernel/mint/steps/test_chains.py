@@ -51,11 +51,14 @@ CHAINS = {
 }  # fmt: skip
 
 
+SLOW = {"PRINT": pytest.mark.slow}
+
+
 def ran(text: str) -> Run:
     return run(Source("chain.mnt", f"{HEAD}{text}\n"))
 
 
-@pytest.mark.parametrize("name", CHAINS)
+@pytest.mark.parametrize("name", [pytest.param(each, marks=SLOW.get(each, ())) for each in CHAINS])
 def test_a_chain_of_thousands(name: str) -> None:
     text, shown = CHAINS[name]
     made = ran(text)
