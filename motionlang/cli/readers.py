@@ -57,6 +57,7 @@ def number(text: str) -> float:
 
 
 COUNT = whole("a whole number above 0", 1, 999_999_999)
+wall_time = real("a time in seconds above 0", 0.0, above=True)
 machine_time = real("a time in seconds, 0 or more", 0.0)
 
 

@@ -387,7 +387,7 @@ def _init(program: Generated) -> str:
     _write(name, program)
     machine = Path(name).with_suffix(".machine.toml")
     machine.unlink()
-    printed = said("init", name, "--until", UNTIL)
+    printed = said("init", name, "--until", UNTIL, "--seconds", "600")
     return printed + (machine.read_text(encoding="utf-8") if machine.exists() else "no machine file\n")
 
 

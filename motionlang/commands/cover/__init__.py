@@ -7,76 +7,17 @@ Iterations of a loop that are skipped count like those that are carried out. Cou
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Any
 
 from motionlang.commands.verify.scenarios import Scenario, scenario_files
-from motionlang.kernel.execution import Checked, dialect_for, run, settings_next_to
-from motionlang.kernel.lang.debugging import Hook
+from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
+from motionlang.kernel.execution import dialect_for, settings_next_to
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.program_graph import Structure
-from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Steps, Values
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.result import Run
+from motionlang.kernel.lang.steps import Step, Values
 from motionlang.kernel.source import Source
-
-# An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
-Event = tuple[int, int, bool]
-_BEGINS = -1
-
-
-class Counts(Hook):
-    """The events of a run; the hook and the observer of a debug build."""
-
-    def __init__(self) -> None:
-        super().__init__(lambda task, time, offset: None)
-        self.events: Counter[Event] = Counter()
-
-    def begins(self, task: Task, time: float, offset: int) -> bool:
-        """Count a statement."""
-        self.events[offset, _BEGINS, True] += 1
-        return False
-
-    @property
-    def seen(self) -> Counter[Event]:
-        """The events so far."""
-        return self.events.copy()
-
-    def written(self, steps: Steps) -> None:
-        """Let the conditions among some steps count how they turn out."""
-        for pc, number in conditions(steps):
-            step = steps[pc]
-            assert step.do is not None
-            steps[pc] = step._replace(do=self._counted(step.do, step.at, number))
-
-    def skipped(self, first: Mapping[Event, int], end: Mapping[Event, int], times: int) -> None:
-        """Count the events between two moments so many more times."""
-        for event, count in end.items():
-            self.events[event] += times * (count - first.get(event, 0))
-
-    def failed(self, task: Task) -> None:
-        """A statement that fails has begun."""
-
-    def _counted(self, test: Callable[[Values], Any], at: int, number: int) -> Callable[[Values], Any]:
-        def decide(values: Values) -> Any:
-            holds = test(values)
-            self.events[at, number, bool(holds)] += 1
-            return holds
-
-        return decide
-
-
-def conditions(steps: Iterable[Step]) -> list[tuple[int, int]]:
-    """Return the index of each step that tests a condition, and its number among those of its statement."""
-    numbers: Counter[int] = Counter()
-    found = []
-    for pc, step in enumerate(steps):
-        if step.kind == BRANCH or (step.kind == BACK and step.do is not None):
-            found.append((pc, numbers[step.at]))
-            numbers[step.at] += 1
-    return found
 
 
 @dataclass
@@ -171,7 +112,7 @@ def coverage(
     structure: Structure, offsets: Iterable[int], counts: Mapping[Event, int], worlds: Sequence[str] = ("",)
 ) -> Coverage:
     """Return what events of runs mean for a program with statements at these offsets."""
-    begun = {at: counts.get((at, _BEGINS, True), 0) for at in sorted(offsets)}
+    begun = {at: counts.get((at, BEGINS, True), 0) for at in sorted(offsets)}
     statements = [
         Statement(at, structure.line(at), structure.statements[at].text, count) for at, count in begun.items()
     ]
@@ -219,8 +160,9 @@ def covered(
     language = dialect_for(source, dialect)
     worlds = worlds_of(program)
     events: Counter[Event] = Counter()
+    runs = Worlds(source, language)
     for settings in worlds.values():
-        events += counted(source, language, settings, until)[1]
+        events += runs.run(settings, until).events
     structure = language.structure(source, worlds[""])
     offsets = language.debug(source, worlds[""]).offsets
     found = coverage(structure, offsets, events, list(worlds))
@@ -233,17 +175,6 @@ def worlds_of(program: str | Source) -> dict[str, dict[str, object]]:
     if isinstance(program, Source):
         return found
     return found | {path: Scenario(program, path).settings for path in scenario_files(program)}
-
-
-def counted(
-    source: Source, language: Dialect, settings: Mapping[str, object], until: float | None = None
-) -> tuple[Run, Counter[Event]]:
-    """Return a run in one world, and its events."""
-    counts = Counts()
-    result = run(
-        source, dialect=language, machine=Checked(settings), until=until, hook=counts, observer=counts
-    )
-    return result, counts.events
 
 
 def _nothing(values: Values) -> None:

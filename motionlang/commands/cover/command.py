@@ -16,13 +16,15 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.option_groups import Jobs, Language, Output, read
 from motionlang.cli.output_files import written
 from motionlang.cli.program_files import PATHS, programs
-from motionlang.cli.readers import machine_time, real
+from motionlang.cli.readers import machine_time, real, wall_time
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.cover import Coverage, Event, counted, covered, ranges, worlds_of
+from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, scenario_text
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
+from motionlang.commands.init.summary import tried
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.worlds import Event, Worlds
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import language_of
 from motionlang.kernel.files import create, replacing
@@ -31,8 +33,9 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 
-# The time limit of a suggested world, s.
+# The time limits of a suggested world and of the search for them, s.
 UNTIL = 300.0
+SECONDS = 20.0
 
 
 @dataclass
@@ -62,6 +65,9 @@ examples:
         "write scenarios that reach more, with their results as expectations to review, next to each program"
     )
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
+    seconds: float = option(
+        "S", f"with --suggest, search for at most S seconds ({SECONDS:.10g})", read=wall_time, default=SECONDS
+    )
     html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
     lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
 
@@ -74,6 +80,8 @@ examples:
             raise WrongOption(
                 f"--suggest writes scenarios; run cover again for --{given[0].replace('_', '-')}"
             )
+        if not self.suggest and self.seconds != SECONDS:
+            raise WrongOption("--seconds limits the search of --suggest")
         if self.suggest and STDIN in self.files:
             raise WrongOption("--suggest writes scenarios next to a program, not next to -")
 
@@ -109,11 +117,11 @@ examples:
         source, limit = read(file), UNTIL if self.until is None else self.until
         progress, ended = Progress(sys.stderr, os.path.basename(file)), False
         try:
-            worlds = worlds_of(file)
+            own, runs = worlds_of(file), Worlds(source, language, self.seconds)
             before: Counter[Event] = Counter()
-            for settings in worlds.values():
-                before += counted(source, language, settings, limit)[1]
-            search = Search(source, language, worlds[""], before, limit, progress)
+            for settings in own.values():
+                before += runs.run(settings, limit).events
+            search = Search(runs, own[""], before, limit, progress)
             was = search.coverage
             try:
                 search.run()
@@ -123,13 +131,15 @@ examples:
             raise Refused(error.diagnostics, source=source, file=file) from None
         finally:
             progress.done()
-        names = self._write_scenarios(file, search, worlds[""])
+        names = self._write_scenarios(file, search, own[""])
         rows = [replace(each, file=file) for each in (was, search.coverage)]
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
         text = f"{file}: {shares} with {count_of(len(names), 'scenario')}\n"
         text += "".join(f"  {name}: {about}\n" for name, about in names.items())
         missed = ", ".join(ranges(sorted(rows[1].missed)))
-        self.show(coverage_document(rows[1:]), text + (f"  not reached: lines {missed}\n" if missed else ""))
+        if missed:
+            text += f"  not reached: lines {missed}\n  {tried(runs, {})}\n"
+        self.show(coverage_document(rows[1:]), text)
         return SIGNALS.status if ended else 0
 
     def _write_scenarios(self, file: str, search: Search, own: dict[str, object]) -> dict[str, str]:

@@ -4,7 +4,8 @@ Problem. A statement that no run reaches needs an input, an answer, an analogue 
 the program does not say when.
 
 Idea. Begin with the worlds that `init` guesses, one for each path through the menus, as far as they reach anything new.
-Then change one entry at a time, run, and keep what reaches more; what is kept is changed further.
+Then change one entry at a time, or the inputs that one line reads together, run, and keep what reaches more; what is
+kept is changed further.
 
     what the program reads      what is tried
     a digital input             the other level from the start; at a moment of the run, for half a second or for good
@@ -13,88 +14,82 @@ Then change one entry at a time, run, and keep what reaches more; what is kept i
     a key                       the keys that the program compares with, at a moment of the run
 
 The moments of a run are the middles of its waits, loops and moves. Entries whose lines are near something that was not
-reached come first. A change is one entry, so what needs two at the same time is found only if the first one reaches
-something.
+reached come first.
 
-Cost: a run for each change, at most `MAX_RUNS`.
+Cost: a run for each change, for at most so many seconds as the search has (`Worlds`).
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import chain, zip_longest
 from textwrap import wrap
 from typing import Any
 
-from motionlang.commands.cover import Coverage, Event, counted, coverage, ranges
-from motionlang.commands.init import ANSWERS, KEY_DELAY, LEVELS, Entry, answer_entry, branches, guessed
+from motionlang.commands.cover import Coverage, coverage, ranges
+from motionlang.commands.init import ANSWERS, KEY_DELAY, LEVELS, answer_entry, branches, guessed, together
 from motionlang.commands.init.ending import ending, wording
 from motionlang.commands.init.file import inline, toml_value
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.commands.worlds import TABLES, Entry, Event, World, Worlds, entries
 from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.lang.program_graph import Structure
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
-MAX_RUNS = 600
 # The moments of a run that are tried, and the length of a pulse, s.
 MAX_MOMENTS, PULSE = 16, 0.5
 # The printed lines that a scenario expects, the last ones, and the tolerance of positions, uu.
 MAX_LINES, WITHIN = 4, 0.001
 REVIEW = "The expectations are what the program does in it: check whether they are what it should do."
-# The tables of settings that a world adds; its other keys are values.
-TABLES = ("input", "analogue", "answer", "key")
 
 
 @dataclass
-class World:
-    """Settings on top of the program's own, a run in them, its events, and the lines that it is the first to reach."""
+class Suggestion:
+    """A world: settings on top of the program's own, a run in them, and the lines that it is the first to reach."""
 
     settings: dict[str, object]
     result: Run
-    events: Counter[Event]
-    reaches: list[int] = field(default_factory=list)
+    reaches: list[int]
 
 
 class Search:
     """Searches for worlds of a program whose `own` settings are those of its machine file.
 
     `before` are the events that its runs have reached already. `until` is the time limit of the worlds. `progress` is
-    called with the share of the runs that are done.
+    called with the share of the search's time that is used.
     """
 
     def __init__(
         self,
-        source: Source,
-        language: Dialect,
+        worlds: Worlds,
         own: dict[str, object],
         before: Counter[Event],
         until: float,
         progress: Callable[[float], object] = lambda share: None,
     ) -> None:
-        self.source, self.language, self.own, self.until = source, language, own, until
+        self.worlds, self.own, self.until = worlds, own, until
+        source, language = worlds.source, worlds.language
         self.structure: Structure = language.structure(source, own)
         self.offsets = language.debug(source, own).offsets
-        self.reads = language.input_reads(source)
         self.events = before.copy()
         # What all runs together have reached.
         self.coverage = self._covered()
-        self.found: list[World] = []
-        self._progress, self._runs = progress, 0
+        self.found: list[Suggestion] = []
+        self._progress = progress
         self._tried: set[str] = set()
 
-    def run(self) -> list[World]:
+    def run(self) -> list[Suggestion]:
         """Return the worlds that reach something new, in the order in which they were found."""
         for settings in self._guesses():
             self._try(settings)
-        worlds = self.found or [self._ran({"run.until": self.until})]
-        pending = [self._changes(each) for each in reversed(worlds)]
-        while pending and self._runs < MAX_RUNS and self.coverage.reached < self.coverage.total:
+        own: dict[str, object] = {"run.until": self.until}
+        found = self.found or [Suggestion(own, self._ran(own).result, [])]
+        pending = [self._changes(each) for each in reversed(found)]
+        while pending and not self.worlds.is_over and self.coverage.reached < self.coverage.total:
             changed = next(pending[-1], None)
             if changed is None:
                 pending.pop()
@@ -108,12 +103,12 @@ class Search:
     def _guesses(self) -> Iterator[dict[str, object]]:
         """Yield the worlds that `init` guesses: for the program, and for each path through its menus."""
         own = {key: value for key, value in self.own.items() if key != "run.until"}
-        target = self.language.written_for(self.source)
+        target = self.worlds.language.written_for(self.worlds.source)
         if target.model:
             own.setdefault("controller.model", target.model)
-        guesses, _ = guessed(self.source, self.language, self.until, own, self.reads)
+        guesses, _ = guessed(self.worlds, self.until, own)
         yield self._above(guesses.settings(self.until))
-        for each, _ in branches(self.source, self.language, self.until, own, self.reads):
+        for each, _ in branches(self.worlds, self.until, own):
             yield self._above(each.settings(self.until))
 
     def _above(self, settings: dict[str, object]) -> dict[str, object]:
@@ -121,12 +116,10 @@ class Search:
         return {key: value for key, value in settings.items() if self.own.get(key) != value}
 
     def _ran(self, settings: dict[str, object]) -> World:
-        self._runs += 1
-        self._progress(self._runs / MAX_RUNS)
-        result, events = counted(self.source, self.language, layered(self.own, settings), None)
-        return World(settings, result, events)
+        self._progress(self.worlds.share)
+        return self.worlds.run(layered(self.own, settings))
 
-    def _try(self, settings: dict[str, object]) -> World | None:
+    def _try(self, settings: dict[str, object]) -> Suggestion | None:
         """Run a world; return it if it reaches something new, and keep it."""
         key = repr(sorted(settings.items()))
         if key in self._tried:
@@ -140,13 +133,13 @@ class Search:
         before, self.coverage = self.coverage, self._covered()
         if self.coverage.reached == before.reached:
             return None
-        world.reaches = sorted(before.missed.keys() - self.coverage.missed.keys())
-        self.found.append(world)
-        return world
+        reaches = sorted(before.missed.keys() - self.coverage.missed.keys())
+        self.found.append(Suggestion(settings, world.result, reaches))
+        return self.found[-1]
 
     # ------------------------------------------------------------------------------------------------- changes
 
-    def _changes(self, world: World) -> Iterator[dict[str, object]]:
+    def _changes(self, world: Suggestion) -> Iterator[dict[str, object]]:
         """Yield the settings of a world with one entry changed, the most promising ones first."""
         missed = sorted(self.coverage.missed)
 
@@ -154,46 +147,56 @@ class Search:
             return min((abs(line - read.line) for line in missed), default=0)
 
         moments = _moments(world.result)
-        reads = sorted(self.reads, key=distance)
+        reads = sorted(self.worlds.reads, key=distance)
         channels = dict.fromkeys(each.channel for each in reads if each.is_input and each.channel is not None)
         keys = dict.fromkeys(chr(each.channel) for each in reads if each.kind == "key" and each.channel)
         kinds = (
             self._answers(world, reads),
-            *(self._input(world, channel, moments) for channel in channels),
+            *(self._inputs(world, {channel: 1}, moments) for channel in channels),
+            *(self._inputs(world, channels, moments) for channels in together(reads)),
             *(self._analogue(world, channel, moments) for channel in self._analogue_channels()),
             *(self._key(world, key, moments) for key in keys),
         )
         for round_ in zip_longest(*kinds):
             yield from (each for each in round_ if each is not None)
 
-    def _with(self, world: World, table: str, entries: Sequence[Entry]) -> dict[str, object]:
-        return {**world.settings, table: list(entries)}
+    def _with(self, world: Suggestion, table: str, changed: Sequence[Entry]) -> dict[str, object]:
+        return {**world.settings, table: list(changed)}
 
-    def _entries(self, world: World, table: str) -> list[Entry]:
+    def _entries(self, world: Suggestion, table: str) -> list[Entry]:
         """Return the entries of a table in a world: its own, or those of the program."""
-        found: list[Entry] = layered(self.own, world.settings).get(table, [])  # type: ignore[assignment]
-        return list(found)
+        return list(entries(layered(self.own, world.settings), table))
 
-    def _input(self, world: World, channel: int, moments: Sequence[float]) -> Iterator[dict[str, object]]:
-        entries = self._entries(world, "input")
-        others = [each for each in entries if each.get("channel") != channel]
-        mine = [each for each in entries if each.get("channel") == channel]
-        for level in (1, 0):
-            yield self._with(world, "input", [*others, {"channel": channel, "at": 0.0, "value": level}])
+    def _inputs(
+        self, world: Suggestion, levels: Mapping[int, int], moments: Sequence[float]
+    ) -> Iterator[dict[str, object]]:
+        """Yield the worlds in which inputs have these levels, or all the other ones."""
+        before = self._entries(world, "input")
+        others = [each for each in before if each.get("channel") not in levels]
+        mine = [each for each in before if each.get("channel") in levels]
+
+        def changed(same: int, keys: Entry) -> list[Entry]:
+            return [
+                {"channel": channel, **keys, "value": int(level == same)} for channel, level in levels.items()
+            ]
+
+        for same in (1, 0):
+            yield self._with(world, "input", [*others, *changed(same, {"at": 0.0})])
         for moment in moments:
-            for level in (0, 1):
-                pulse: Entry = {"channel": channel, "at": moment, "for": PULSE, "value": level}
-                yield self._with(world, "input", [*others, *mine, pulse])
-                until = [{"channel": channel, "at": 0.0, "for": moment, "value": 1 - level}] if level else []
-                change: Entry = {"channel": channel, "at": moment, "value": level}
-                yield self._with(world, "input", [*others, *(until or mine), change])
+            for same in (0, 1):
+                pulses = changed(same, {"at": moment, "for": PULSE})
+                yield self._with(world, "input", [*others, *mine, *pulses])
+                until = changed(1 - same, {"at": 0.0, "for": moment}) if same else mine
+                yield self._with(world, "input", [*others, *until, *changed(same, {"at": moment})])
 
-    def _analogue(self, world: World, channel: int, moments: Sequence[float]) -> Iterator[dict[str, object]]:
-        entries = self._entries(world, "analogue")
-        others = [each for each in entries if each.get("channel") != channel]
+    def _analogue(
+        self, world: Suggestion, channel: int, moments: Sequence[float]
+    ) -> Iterator[dict[str, object]]:
+        before = self._entries(world, "analogue")
+        others = [each for each in before if each.get("channel") != channel]
         for moment in (0.0, *moments):
             for level in LEVELS:
-                mine = [each for each in entries if each.get("channel") == channel] if moment else []
+                mine = [each for each in before if each.get("channel") == channel] if moment else []
                 change: Entry = {"channel": channel, "value": level, "at": moment}
                 yield self._with(world, "analogue", [*others, *mine, change])
 
@@ -202,26 +205,26 @@ class Search:
         numbers = dict.fromkeys(each.number for each in uses if each.channel == "analogue input")
         return [int(number) for number in numbers if number.isdecimal()]
 
-    def _key(self, world: World, key: str, moments: Sequence[float]) -> Iterator[dict[str, object]]:
-        entries = self._entries(world, "key")
+    def _key(self, world: Suggestion, key: str, moments: Sequence[float]) -> Iterator[dict[str, object]]:
+        before = self._entries(world, "key")
         for moment in (KEY_DELAY, *moments):
-            yield self._with(world, "key", [*entries, {"at": moment, "text": key}])
+            yield self._with(world, "key", [*before, {"at": moment, "text": key}])
 
-    def _answers(self, world: World, reads: Sequence[InputRead]) -> Iterator[dict[str, object]]:
+    def _answers(self, world: Suggestion, reads: Sequence[InputRead]) -> Iterator[dict[str, object]]:
         """Yield the worlds in which a question gets another first answer, or all its answers are another one."""
-        entries = self._entries(world, "answer")
+        before = self._entries(world, "answer")
         numbers = [each.channel for each in reads if each.kind == "answer" and each.channel is not None]
         texts = [str(number + more) for number in numbers for more in (0, 1, -1)]
-        for question in dict.fromkeys(str(each.get("prompt", "")) for each in entries):
-            mine = [each for each in entries if each.get("prompt", "") == question]
-            others = [each for each in entries if each.get("prompt", "") != question]
+        for question in dict.fromkeys(str(each.get("prompt", "")) for each in before):
+            mine = [each for each in before if each.get("prompt", "") == question]
+            others = [each for each in before if each.get("prompt", "") != question]
             for text in dict.fromkeys((*texts, "0", "-1", *ANSWERS)):
                 answer = answer_entry(question, text)
                 yield self._with(world, "answer", [*others, answer, *mine])
                 yield self._with(world, "answer", [*others, *([answer] * len(mine))])
 
 
-def scenario_text(program: str, world: World, own: Mapping[str, object]) -> str:
+def scenario_text(program: str, world: Suggestion, own: Mapping[str, object]) -> str:
     """Return a world as a scenario of a program with `own` settings; its results are the expectations."""
     lines = ", ".join(ranges(world.reaches))
     added = {key: value for key, value in world.settings.items() if key not in TABLES}
@@ -232,22 +235,22 @@ def scenario_text(program: str, world: World, own: Mapping[str, object]) -> str:
     added |= {f"run.stop.{key}": value for key, value in stop.items()}
     parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(added.items())]
     for table in TABLES:
-        entries = _changed(world.settings.get(table, []), own.get(table, []))  # type: ignore[arg-type]
-        if entries:
-            parts += [f"\n{table} = [\n", *(f"  {inline(each)},\n" for each in entries), "]\n"]
+        changed = _changed(entries(world.settings, table), entries(own, table))
+        if changed:
+            parts += [f"\n{table} = [\n", *(f"  {inline(each)},\n" for each in changed), "]\n"]
     for expected in _expected(world.result, bool(stop)):
         parts += ["\n[[expect]]\n", *(f"{key} = {toml_value(value)}\n" for key, value in expected.items())]
     return "".join(parts)
 
 
-def _changed(entries: Sequence[Entry], own: Sequence[Entry]) -> list[Entry]:
+def _changed(own: Sequence[Entry], before: Sequence[Entry]) -> list[Entry]:
     """Return the entries of the channels and so on that have others than in the program's own world."""
     subject = ("channel", "prompt")
 
     def about(entry: Entry, among: Sequence[Entry]) -> list[Entry]:
         return [each for each in among if all(each.get(key) == entry.get(key) for key in subject)]
 
-    return [each for each in entries if about(each, entries) != about(each, own)]
+    return [each for each in own if about(each, own) != about(each, before)]
 
 
 def _expected(result: Run, stops: bool) -> Iterator[Entry]:

@@ -17,8 +17,9 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
     a key               the keys that the program compares with, one after the other
     nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on, and
                         one that it waits for and a handler tests for 0
-    a polling loop      the inputs, analogue inputs and keys that its conditions read, each by itself, if no axis has
-                        moved for 10 s; the one with which most lines of the program move stays, if more than before
+    a polling loop      the inputs, analogue inputs and keys that its conditions read, each by itself and those of one
+                        line together, if no axis has moved for 10 s; what lets most lines of the program move stays, if
+                        more than before; if none does, what reaches something new is changed further
     a loop of work      an input that ends it, in the same way
     homing              a switch one second ahead of the axis, then index marks
 
@@ -31,8 +32,8 @@ question of the path again.
 
 An input for which no run waits gets no guess: it may be the button of a fault routine, and held on, it hides the fault.
 
-Cost: a run for each guess, at most `MAX_ROUNDS`; those before the last end where the program is stuck. The program is
-compiled once, as no guess is a setting that compiled code depends on (`Dialect.compiled_in`).
+Cost: a run for each guess, for at most so many seconds as the search has (`Worlds`); those before the last end where
+the program is stuck.
 """
 
 from __future__ import annotations
@@ -47,16 +48,11 @@ from itertools import count
 from math import inf
 
 from motionlang.commands.init.ending import asks, plain
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.commands.worlds import Entry, World, Worlds, entries
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.lang.wait_causes import InputRead, Read
 from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-
-Entry = dict[str, object]
 
 # Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
 DELAY = 0.3
@@ -79,7 +75,6 @@ MAX_REPEATS = 20
 WIDE = 100.0
 # Levels of analogue inputs that are tried one after the other, percent.
 LEVELS = (50.0, 100.0, 0.0, 25.0, 75.0)
-MAX_ROUNDS = 100
 # The number of branches of all menus that are explored.
 MAX_BRANCHES = 30
 # A program that has done nothing for so many seconds waits for a key, if it looks for one. If no axis has moved for so
@@ -202,8 +197,7 @@ class Guesses:
 
     def is_fixed(self, channel: int) -> bool:
         """True if a person has given entries for an input."""
-        entries: list[Entry] = self.fixed.get("input", [])  # type: ignore[assignment]
-        return any(each["channel"] == channel for each in entries)
+        return any(each["channel"] == channel for each in entries(self.fixed, "input"))
 
     def flip(self, channel: int, since: float, result: Run) -> bool:
         """Let an input change to its other level after `since`.
@@ -315,80 +309,89 @@ def rounded(value: float) -> float:
 
 
 def guessed(
-    source: Source,
-    language: Dialect,
-    until: float,
-    fixed: dict[str, object],
-    reads: list[InputRead] | None = None,
-    path: dict[str, str] | None = None,
+    worlds: Worlds, until: float, fixed: dict[str, object], path: dict[str, str] | None = None
 ) -> tuple[Guesses, Run]:
     """Return the guesses with which a program continues, and the run with all of them.
 
-    `reads` are the program's `input_reads`, `fixed` the settings that no guess changes, `path` a path through its
-    menus.
+    `fixed` are the settings that no guess changes, `path` is a path through the program's menus.
     """
-    reads = language.input_reads(source) if reads is None else reads
     guesses = Guesses(fixed, path)
-    guesses.alternate(reads)
-    guesses.guard(reads)
-    search = _Search(source, language, until, reads)
-    result = search.settled(guesses)
-    while (better := search.better(guesses, result)) is not None:
-        guesses, result = better
-    return guesses, result
+    guesses.alternate(worlds.reads)
+    guesses.guard(worlds.reads)
+    search = _Search(worlds, until)
+    found = guesses, search.settled(guesses)
+    while (better := search.better(*found)) is not None:
+        found = better
+    return found[0], found[1].result
 
 
 @dataclass
 class _Search:
-    """The runs of one program, of which `left` are allowed."""
+    """The search for guesses of one program."""
 
-    source: Source
-    language: Dialect
+    worlds: Worlds
     until: float
-    reads: list[InputRead]
-    compiled: Program | None = None
-    left: int = MAX_ROUNDS
 
-    def settled(self, guesses: Guesses) -> Run:
-        """Improve guesses until the program is stuck nowhere, and return the run with them."""
+    def settled(self, guesses: Guesses) -> World:
+        """Improve guesses until the program is stuck nowhere, and return its world with them."""
         while True:
-            self.left -= 1
-            settings = guesses.settings(self.until)
-            result = run(self.source, dialect=self.language, machine=settings, compiled=self.compiled)
+            world = self.worlds.run(guesses.settings(self.until))
+            result = world.result
             failed = result.status == "fault" and not result.machine.scheduler
-            if failed or result.status == "interrupted" or self.left <= 0:
-                return result
-            self.compiled = result.program
-            if not (_improve(guesses, result, self.reads) or _end_at_question(guesses, result)):
-                return result
+            if failed or result.status == "interrupted" or self.worlds.is_over:
+                return world
+            if not (_improve(guesses, result, self.worlds.reads) or _end_at_question(guesses, result)):
+                return world
 
-    def better(self, guesses: Guesses, result: Run) -> tuple[Guesses, Run] | None:
-        """Change the polled value with which a program does most; None if it does no more with any."""
+    def better(self, guesses: Guesses, world: World) -> tuple[Guesses, World] | None:
+        """Change the polled values with which a program does most; None if it does no more with any.
+
+        If no change by itself lets it do more, those that reach something new are changed further: one of two inputs
+        that have to be on may only lead to the test of the other one.
+        """
+        result = world.result
         at_rest = result.time - _last_motion(result) > QUIET
-        found, most = None, _work(result, at_rest)
-        for change in _polled(result, self.reads, at_rest) if result.status == "until" else ():
+        most, seen = _work(result, at_rest), set(world.events)
+        pending = [(guesses, world)]
+        while pending:
+            found, beyond = None, list[tuple[Guesses, World]]()
+            for trial in (each for one in pending for each in self._trials(*one, most, at_rest)):
+                work = _work(trial[1].result, at_rest)
+                if work > most:
+                    found, most = trial, work
+                elif trial[1].events.keys() - seen and trial[1].result.status != "fault":
+                    beyond.append(trial)
+                seen |= trial[1].events.keys()
+            if found is not None:
+                return found
+            pending = beyond
+        return None
+
+    def _trials(
+        self, guesses: Guesses, world: World, most: tuple[int, int], at_rest: bool
+    ) -> Iterator[tuple[Guesses, World]]:
+        """Yield the worlds of each change, in all its forms until one of them does more than `most`."""
+        result = world.result
+        for change in _polled(result, self.worlds.reads, at_rest) if result.status == "until" else ():
             for times in count(1):
                 trial = deepcopy(guesses)
-                if self.left <= 0 or not all(change(trial) for _ in range(times)):
+                if self.worlds.is_over or not all(change(trial) for _ in range(times)):
                     break
-                ran = self.settled(trial)
-                if _work(ran, at_rest) > most:
-                    found, most = (trial, ran), _work(ran, at_rest)
+                tried = self.settled(trial)
+                yield trial, tried
+                if _work(tried.result, at_rest) > most:
                     break
-        return found
 
 
-def branches(
-    source: Source, language: Dialect, until: float, fixed: dict[str, object], reads: list[InputRead]
-) -> list[tuple[Guesses, Run]]:
+def branches(worlds: Worlds, until: float, fixed: dict[str, object]) -> list[tuple[Guesses, Run]]:
     """Return each path through the menus of a program whose last choice moves an axis."""
     found = []
-    paths: list[dict[str, str]] = [{}] if any(each.kind == "answer" for each in reads) else []
+    paths: list[dict[str, str]] = [{}] if any(each.kind == "answer" for each in worlds.reads) else []
     for _ in range(MAX_BRANCHES):
         if not paths:
             break
         path = paths.pop(0)
-        guesses, result = guessed(source, language, until, fixed, reads, path)
+        guesses, result = guessed(worlds, until, fixed, path)
         below = [
             {**path, question: choice}
             for question, menu in guesses.exhausted.items()
@@ -519,7 +522,7 @@ def _polled(result: Run, reads: list[InputRead], at_rest: bool) -> Iterator[Call
     """Yield a change of each value that the loops of a program poll, in the order of the lines.
 
     These are all values of their conditions if the program is at rest, and else the inputs that end a loop of work,
-    such as steps towards a sensor.
+    such as steps towards a sensor. Last come the inputs that one line reads, all together.
     """
     scheduler = result.machine.scheduler
     since = _last_motion(result) if at_rest else 0.0
@@ -531,7 +534,7 @@ def _polled(result: Run, reads: list[InputRead], at_rest: bool) -> Iterator[Call
     }
     if not at_rest:
         polled &= {("input", each.channel) for each in reads if each.kind == "work"}
-    order = [("input", each.channel) for each in reads if each.is_input]
+    order: list[Read] = [("input", each.channel) for each in reads if each.is_input]
     for kind, number in [*dict.fromkeys(order), *sorted(polled - set(order), key=repr)]:
         if (kind, number) not in polled:
             continue
@@ -541,6 +544,25 @@ def _polled(result: Run, reads: list[InputRead], at_rest: bool) -> Iterator[Call
             yield partial(Guesses.level, channel=number, since=since)
         elif kind == "operator":
             yield partial(_press, since=since, reads=reads)
+    levels = result.controller.inputs
+    for channels in together(reads):
+        off = [each for each, level in channels.items() if levels[each] != level]
+        if len(off) > 1 and all(("input", each) in polled for each in off):
+            yield partial(_flip_all, channels=off, since=since, result=result)
+
+
+def _flip_all(guesses: Guesses, channels: list[int], since: float, result: Run) -> bool:
+    return all(guesses.flip(each, since, result) for each in channels)
+
+
+def together(reads: list[InputRead]) -> list[dict[int, int]]:
+    """Return the inputs that the lines read, each with its level, of lines with several; 1 if no level is known."""
+    lines: dict[int, dict[int, int]] = {}
+    for each in reads:
+        if each.is_input and each.channel is not None:
+            lines.setdefault(each.line, {})[each.channel] = 1 if each.level is None else each.level
+    found = [channels for channels in lines.values() if len(channels) > 1]
+    return [each for number, each in enumerate(found) if each not in found[:number]]
 
 
 def _cause(since: float, result: Run) -> tuple[int, int] | None:

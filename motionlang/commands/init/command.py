@@ -12,17 +12,17 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import no_dialect, unreadable, unwritten
 from motionlang.cli.option_groups import Language, Output, forms, read
 from motionlang.cli.program_files import programs
-from motionlang.cli.readers import machine_time
+from motionlang.cli.readers import machine_time, wall_time
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.init import Entry, Guesses, answer_entry, branches, guessed, small_program
+from motionlang.commands.init import Guesses, answer_entry, branches, guessed, small_program
 from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import Run
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.worlds import Entry, Worlds
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of, language_of
 from motionlang.kernel.files import create
-from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.entries import WrongEntry, entries
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.source import STDIN, Source
@@ -30,6 +30,8 @@ from motionlang.kernel.tools import count_of, nearest
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
+# The time limit of the search, s.
+SECONDS = 10.0
 
 
 @dataclass
@@ -69,11 +71,17 @@ examples:
         read=machine_time,
         default=UNTIL,
     )
+    seconds: float = option(
+        "S",
+        f"search for at most S seconds ({SECONDS:.10g})",
+        read=wall_time,
+        default=SECONDS,
+    )
 
     def check(self) -> None:
         super().check()
-        if self.new and (self.until != UNTIL or self.format != "text"):
-            raise WrongOption("--new runs nothing: it takes neither --until nor --format")
+        if self.new and (self.until != UNTIL or self.seconds != SECONDS or self.format != "text"):
+            raise WrongOption("--new runs nothing: it takes no --until, --seconds or --format")
 
     def run(self) -> int:
         """Write the machine file of a program and run it, or those of a whole folder; return the exit status."""
@@ -117,14 +125,16 @@ examples:
         target = language.written_for(source)
         board: dict[str, object] = {"controller.model": target.model} if target.model else {}
         fixed = dict(board)
-        reads = language.input_reads(source)
-        guesses, result = guessed(source, language, self.until, fixed, reads)
+        worlds = Worlds(source, language, self.seconds)
+        reads = worlds.reads
+        guesses, result = guessed(worlds, self.until, fixed)
         SIGNALS.end_with(result)
         if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
             given = _ask(source, guesses, reads)
             if given:
                 fixed = board | given
-                guesses, result = guessed(source, language, self.until, fixed, reads)
+                worlds = Worlds(source, language, self.seconds)
+                guesses, result = guessed(worlds, self.until, fixed)
                 SIGNALS.end_with(result)
         try:
             create(path, machine_text(source, guesses, reads, result, self.until, target).encode())
@@ -134,14 +144,14 @@ examples:
         if target.others:
             sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
         try:
-            _write_scenarios(file, source, language, self.until, guesses, reads)
+            _write_scenarios(file, worlds, self.until, guesses)
         except OSError as error:
             raise Refused([unwritten(error.filename, error)], file=file) from None
         run = Run(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
         status = run.start()
         structure = language.structure(source, board)
-        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, reads, result))
+        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, worlds, result))
         return max(status, int(motionless(structure, result)))
 
 
@@ -160,18 +170,16 @@ def _missing(file: str) -> Diagnostic:
     return found
 
 
-def _write_scenarios(
-    file: str, source: Source, language: Dialect, until: float, guesses: Guesses, reads: list[InputRead]
-) -> None:
+def _write_scenarios(file: str, worlds: Worlds, until: float, guesses: Guesses) -> None:
     """Write a scenario for each path through the menus that moves an axis; existing files stay."""
     folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
     count = 0
-    for branch, result in branches(source, language, until, guesses.fixed, reads):
+    for branch, result in branches(worlds, until, guesses.fixed):
         SIGNALS.end_with(result)
         os.makedirs(folder, exist_ok=True)
         path = os.path.join(folder, f"{scenario_name(branch)}.toml")
         if not os.path.lexists(path):
-            create(path, scenario_text(source, branch, result, until, guesses).encode())
+            create(path, scenario_text(worlds.source, branch, result, until, guesses).encode())
             count += 1
     if count:
         sys.stdout.write(f"{folder}: {count_of(count, 'scenario')} written\n")

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from math import ceil, floor, isclose
 
-from motionlang.commands.init import Entry, Guesses, answer_entry
+from motionlang.commands.init import Guesses, answer_entry
 from motionlang.commands.init.ending import ending
 from motionlang.commands.quantities import quantity
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.worlds import Entry, entries
 from motionlang.kernel.lang.dialect import Target
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import moves
@@ -213,8 +214,7 @@ def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
 
 def _lines(settings: Mapping[str, object], table: str) -> list[str]:
     """Return the lines of the entries that a person has given."""
-    entries: Iterable[Entry] = settings.get(table, ())  # type: ignore[assignment]
-    return [f"  {inline(each)}," for each in entries]
+    return [f"  {inline(each)}," for each in entries(settings, table)]
 
 
 def _guess(entry: Entry) -> str:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.commands.init import Guesses
 from motionlang.commands.init.ending import ending
+from motionlang.commands.init.file import inline
+from motionlang.commands.worlds import TABLES, Worlds, entries
 from motionlang.kernel.lang.program_graph import WRITE, Structure
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.result import Run
+from motionlang.kernel.tools import count_of
 
 
 def first_move(structure: Structure) -> int:
@@ -24,9 +29,9 @@ def motionless(structure: Structure, result: Run) -> bool:
     return bool(first_move(structure)) and not len(result.machine.log.moves)
 
 
-def notes(structure: Structure, guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:
+def notes(structure: Structure, guesses: Guesses, worlds: Worlds, result: Run) -> list[str]:
     """Return one line for each thing that an engineer checks first."""
-    found = _ended_waits(guesses, reads, result)
+    found = _ended_waits(guesses, worlds.reads, result)
     never = _never_on(structure, result)
     if never:
         plural = len(never) > 1
@@ -41,7 +46,21 @@ def notes(structure: Structure, guesses: Guesses, reads: list[InputRead], result
         found.append(f"{cycles['times']} cycles began, in each of which line {cycles['line']} moves an axis")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
+    if worlds.is_over or (worlds.count > 1 and motionless(structure, result)):
+        found.append(tried(worlds, guesses.settings(0.0)))
     return found
+
+
+def tried(worlds: Worlds, kept: Mapping[str, object]) -> str:
+    """Return how many worlds a search has tried, and what was new in the last one."""
+    text = f"{count_of(worlds.count, 'world')} tried"
+    if worlds.is_over:
+        text += f" until the {worlds.seconds:.10g} s of --seconds were over"
+    for table in TABLES:
+        new = [inline(each) for each in entries(worlds.last, table) if each not in entries(kept, table)]
+        if new:
+            text += f"; the last one had {table} = [{', '.join(new)}]"
+    return text
 
 
 def _ended_waits(guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.cover import Counts, Event, covered
+from motionlang.commands.cover import covered
 from motionlang.commands.cover.suggestions import Search
 from motionlang.commands.cover.view import percentage
+from motionlang.commands.worlds import Counts, Event, Worlds
 from motionlang.kernel.execution import dialect_for, run
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.report import text
@@ -257,14 +258,18 @@ def test_the_counts_are_those_of_a_debugger_that_steps_through(name: str) -> Non
 def test_suggested_scenarios_are_to_be_reviewed(table: Cell) -> None:
     """Nothing in the world can change n, so lines 4 and 11 are not reached."""
     ran = table("cover", "table.mnt", "--suggest")
+    *lines, last = ran.out.splitlines(keepends=True)
     assert (
-        ran.out
+        "".join(lines)
         == """\
 table.mnt: 64 % → 82 % with 2 scenarios
   table.scenarios/cover-1.toml: reaches lines 5-6, 17
   table.scenarios/cover-2.toml: reaches lines 20
   not reached: lines 3-4, 10-11
 """
+    )
+    assert last.startswith(
+        "  34 worlds tried; the last one had input = [{ channel = 2, at = 0.0, for = 0.5, "
     )
     assert (
         (table.folder / "table.scenarios" / "cover-1.toml").read_text()
@@ -299,14 +304,16 @@ def test_suggestions_take_no_option_of_the_table(words: str, table: Cell) -> Non
     assert (ran.status, "--suggest writes scenarios" in ran.err) == (2, True)
 
 
+def test_a_limit_of_the_search_needs_a_search(table: Cell) -> None:
+    ran = table("cover", "table.mnt", "--seconds", "5")
+    assert (ran.status, "--seconds limits the search of --suggest" in ran.err) == (2, True)
+
+
 @pytest.mark.slow
 @cases("path", [ROOT / "examples" / "old" / name for name in QUICK], ids=lambda path: path.name)
 def test_suggestions_reach_nine_tenths_of_an_old_program(path: Path) -> None:
-    own: dict[str, object] = {}
-    if path.name == "glue.mnt":  # docs/old-machine.md: its controller had larger buffers
-        own = {"assumptions.mint.movebuffersize-default": 20}
     source = Source.read(str(path))
-    search = Search(source, dialect_for(source, None), own, Counter(), 300.0)
+    search = Search(Worlds(source, dialect_for(source, None)), {}, Counter(), 60.0)
     search.run()
     assert percentage([search.coverage]) >= 90.0
 

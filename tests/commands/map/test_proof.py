@@ -10,6 +10,7 @@ from motionlang.commands.init import guessed
 from motionlang.commands.map.observed import Observed
 from motionlang.commands.map.program_map import map_of_run, program_map
 from motionlang.commands.map.states import State
+from motionlang.commands.worlds import Worlds
 from motionlang.kernel.execution import Checked, run, settings_next_to
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.source import Source
@@ -39,7 +40,7 @@ def test_runs_of_the_gallery_are_in_their_maps() -> None:
 def test_cycles_of_the_old_programs_are_in_their_maps(path: Path) -> None:
     """With the machine that `init` guesses each program runs its cycle."""
     source, language = Source.read(path), dialect("mccl" if path.suffix == ".mccl" else "mint")
-    guesses, _ = guessed(source, language, 30.0, {})
+    guesses, _ = guessed(Worlds(source, language), 30.0, {})
     settings = guesses.settings(30.0)
     assert problems(source, settings, 30.0) == []
     made = map_of_run(source, language, Checked(settings), until=30.0)

@@ -76,6 +76,8 @@ class _Survey:
         self._module = module
         self._nodes: dict[int, nodes.Node] = {}
         self._by_labels: dict[int, list[nodes.Stmt]] = {}
+        # The statements of each label that a Gosub may call, to their Return.
+        self._routines: dict[str, list[nodes.Stmt]] = {}
         # The nodes that each task, the parent task and each event handler may execute.
         self._roots = [
             list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
@@ -85,6 +87,7 @@ class _Survey:
                 if isinstance(node, (*LOOPS, nodes.Pause)):
                     self._nodes[node.start] = node
             self._by_labels.update(_by_labels(function))
+            self._routines.update(_routines(function))
 
     def at(self, offset: int) -> LoopDependencies | None:
         """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
@@ -160,11 +163,16 @@ class _Survey:
         )
 
     def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
-        """Yield the nodes of a body and of the subs that it calls."""
-        bodies, seen = [body], set()
+        """Yield the nodes of a body and of the subs and routines that it calls."""
+        bodies, seen = [body], set[object]()
         for each in bodies:  # the list grows during the loop
             for node in walk(each):
                 yield node
+                if isinstance(node, nodes.Jump) and node.kind == "gosub":
+                    name = node.name.lower()
+                    if name not in seen:
+                        seen.add(name)
+                        bodies.append(self._routines.get(name, []))
                 if not isinstance(node, nodes.Name):
                     continue
                 symbol = node.symbol
@@ -193,6 +201,16 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
                     last[first] = number
     for first, number in last.items():
         yield body[first].start, body[first : number + 1]
+
+
+def _routines(function: Function) -> Iterator[tuple[str, list[nodes.Stmt]]]:
+    """Yield each label of a function, and the statements from there to the next Return."""
+    body = function.body
+    for first, statement in enumerate(body):
+        if isinstance(statement, nodes.Label):
+            rest = body[first:]
+            last = next((k for k, each in enumerate(rest) if isinstance(each, nodes.Return)), len(rest))
+            yield statement.name.lower(), rest[:last]
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:

@@ -1,0 +1,143 @@
+"""One program in many worlds: it is compiled once, and each run counts what it reaches.
+
+A world is the settings around a program, such as its inputs and answers. `init` and `cover --suggest` search for worlds
+in which a program goes on. Both run it here, each with a rule of its own for what it tries next and when it has enough;
+what they share is the limit of the search in seconds, and what it tried last.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from math import inf
+from time import monotonic
+from typing import Any
+
+from motionlang.kernel.execution import Checked, run
+from motionlang.kernel.lang.debugging import Hook
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Steps, Values
+from motionlang.kernel.lang.task import Task
+from motionlang.kernel.result import Run
+from motionlang.kernel.source import Source
+
+# An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
+Event = tuple[int, int, bool]
+BEGINS = -1
+# The tables of settings that a search changes, and an entry of one.
+TABLES = ("input", "analogue", "answer", "key")
+Entry = dict[str, object]
+
+
+@dataclass
+class World:
+    """The settings around a program, a run in them, and its events."""
+
+    settings: Mapping[str, object]
+    result: Run
+    events: Counter[Event]
+
+
+class Worlds:
+    """Runs of one program, for a search of at most so many seconds."""
+
+    def __init__(self, source: Source, language: Dialect, seconds: float = inf) -> None:
+        self.source, self.language, self.seconds = source, language, seconds
+        self.reads = language.input_reads(source)
+        # The number of runs, and the settings of the last one.
+        self.count = 0
+        self.last: Mapping[str, object] = {}
+        # The compiled program, and the settings that it depends on.
+        self._compiled: Program | None = None
+        self._deciding: dict[str, object] = {}
+        self._begun = monotonic()
+
+    @property
+    def share(self) -> float:
+        """The share of its time that the search has used."""
+        return (monotonic() - self._begun) / self.seconds
+
+    @property
+    def is_over(self) -> bool:
+        """True if the search has used its time."""
+        return self.share >= 1.0
+
+    def run(self, settings: Mapping[str, object], until: float | None = None) -> World:
+        """Run the program in a world."""
+        self.count += 1
+        self.last = settings
+        deciding = {key: value for key, value in settings.items() if self.language.compiled_in(key)}
+        if deciding != self._deciding:
+            self._compiled, self._deciding = None, deciding
+        counts = Counts()
+        result = run(
+            self.source,
+            dialect=self.language,
+            machine=Checked(settings),
+            until=until,
+            compiled=self._compiled,
+            hook=counts,
+            observer=counts,
+        )
+        self._compiled = result.program
+        return World(settings, result, counts.events)
+
+
+def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
+    """Return the entries of a table of settings."""
+    found: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
+    return found
+
+
+class Counts(Hook):
+    """The events of a run; the hook and the observer of a debug build."""
+
+    def __init__(self) -> None:
+        super().__init__(lambda task, time, offset: None)
+        self.events: Counter[Event] = Counter()
+
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        """Count a statement."""
+        self.events[offset, BEGINS, True] += 1
+        return False
+
+    @property
+    def seen(self) -> Counter[Event]:
+        """The events so far."""
+        return self.events.copy()
+
+    def written(self, steps: Steps) -> None:
+        """Let the conditions among some steps count how they turn out."""
+        for pc, number in conditions(steps):
+            step = steps[pc]
+            assert step.do is not None
+            steps[pc] = step._replace(do=self._counted(step.do, step.at, number))
+
+    def skipped(self, first: Mapping[Event, int], end: Mapping[Event, int], times: int) -> None:
+        """Count the events between two moments so many more times."""
+        for event, count in end.items():
+            self.events[event] += times * (count - first.get(event, 0))
+
+    def failed(self, task: Task) -> None:
+        """A statement that fails has begun."""
+
+    def _counted(self, test: Callable[[Values], Any], at: int, number: int) -> Callable[[Values], Any]:
+        def decide(values: Values) -> Any:
+            holds = test(values)
+            self.events[at, number, bool(holds)] += 1
+            return holds
+
+        return decide
+
+
+def conditions(steps: Iterable[Step]) -> list[tuple[int, int]]:
+    """Return the index of each step that tests a condition, and its number among those of its statement."""
+    numbers: Counter[int] = Counter()
+    found = []
+    for pc, step in enumerate(steps):
+        if step.kind == BRANCH or (step.kind == BACK and step.do is not None):
+            found.append((pc, numbers[step.at]))
+            numbers[step.at] += 1
+    return found
