@@ -10,6 +10,7 @@ from motionlang.kernel.lang.dialect import dialect, dialects
 from tests.keyword_pages import MENU, stored, with_menu, written
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", dialects())
 def test_the_pages_are_what_the_table_says(language: str) -> None:
     assert stored(language) == written(language), "python -m tests.derived writes the pages again"

@@ -21,6 +21,7 @@ from tests.mutants.recorder import ACTIVE
 # Cases of one test. The normal run compares one case in `STEP`, and those with a kind of text that their family has not
 # had before.
 BATCH, STEP = 1, 5
+SLOW = ("tasks-5",)
 
 
 def batches() -> dict[str, list[str]]:
@@ -69,7 +70,9 @@ def normal_run() -> set[str]:
     return chosen
 
 
-@pytest.mark.parametrize("batch", batches())
+@pytest.mark.parametrize(
+    "batch", [pytest.param(each, marks=pytest.mark.slow) if each in SLOW else each for each in batches()]
+)
 def test_what_users_see_of_programs_has_not_changed(
     batch: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:

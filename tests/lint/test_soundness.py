@@ -88,6 +88,7 @@ def warned(text: str, code: str) -> list[Diagnostic]:
     return [each for each in DIALECT.check(Source("random.mnt", text)) if each.code == code]
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(40))
 @given(programs())
 def test_what_is_unreachable_is_never_done(text: str) -> None:

@@ -49,6 +49,7 @@ def label(each: Entry | str) -> str:
     return each if isinstance(each, str) else f"{each.document[:10]}: {each.words}"
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("unrendered")
 def test_each_command_shows_what_the_document_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(commands, "build_parser", parser_of)

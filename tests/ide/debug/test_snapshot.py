@@ -95,7 +95,7 @@ def check(source: Source, settings: Mapping[str, object]) -> list[Snapshot]:
 
 
 # Programs of which many snapshots are taken.
-SLOW = ("bearing-test",)
+SLOW = ("bearing-test", "old-grinder", "override-panel", "pick-cycle", "press-force")
 
 
 @pytest.mark.parametrize(

@@ -29,6 +29,7 @@ def changes_of(edit: types.WorkspaceEdit, uri: str) -> list[types.TextEdit]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("editor", EDITORS)
 def test_a_session_of_an_editor(editor: str, tmp_path: Path) -> None:
     async def work(client: Editor) -> None:
@@ -125,6 +126,7 @@ def test_a_program_is_checked_with_the_machine_file_next_to_it(
     in_one_server(work, tmp_path / "a.mnt")
 
 
+@pytest.mark.slow
 def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: Path) -> None:
     """The editor is asked to report changes of such files. The move ends at 500.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 from pathlib import Path
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -229,6 +230,7 @@ def test_local_names_of_two_subs_are_apart() -> None:
     assert [each.name for each in found.visible(text.index("m = 1"))] == ["m", "a", "b"]
 
 
+@pytest.mark.slow
 @cases("path", GALLERY, ids=lambda path: path.name)
 def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> None:
     """`check` reports the same for the same lines after every name has been changed.

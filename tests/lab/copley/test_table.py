@@ -85,6 +85,7 @@ def test_every_mistake_has_its_line(text: str, line: int, column: int, message: 
     assert (first.line, first.column, first.message, first.hint) == (line, column, message, hint)
 
 
+@pytest.mark.slow
 @given(st.text(max_size=200))
 def test_any_text_is_read_or_refused(text: str) -> None:
     with contextlib.suppress(ProgramError):

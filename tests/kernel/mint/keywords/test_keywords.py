@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 from motionlang import run
 from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.controller import Controller
@@ -25,6 +27,7 @@ OTHERS = [row for row in table() if not row.simulated]
 SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", "Rem"}
 
 
+@pytest.mark.slow
 @cases("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_has_its_word_runs_and_shows_something(row: Keyword) -> None:
     assert re.search(rf"\b{row.name}\b", row.example, re.IGNORECASE)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -83,6 +84,7 @@ def statements(draw: st.DrawFn) -> str:
 programs = st.lists(statements() | st.sampled_from(MOTION), min_size=1, max_size=12)
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(300), suppress_health_check=list(HealthCheck))
 @given(programs)
 def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:

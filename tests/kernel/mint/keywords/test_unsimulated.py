@@ -50,6 +50,7 @@ def shown(row: Keyword) -> str:
 # --------------------------------------------------------------------------------------- every listed keyword
 
 
+@pytest.mark.slow
 @cases("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     read = f"PRINT {word(row)}" if "R" in row.access else ""
