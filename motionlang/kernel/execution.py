@@ -124,7 +124,7 @@ def run(
         observer=observer,
     )
     if virtual.stop is not None:
-        virtual.stop.line_of = lambda at: language.locate(source, at)[0] if at >= 0 else 0
+        virtual.stop.line_of = lambda at: source.location(at)[0] if at >= 0 else 0
     result = Run(source, language, virtual)
     if wrong:
         result.diagnostics, result.status = wrong, "fault"

@@ -25,7 +25,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations, pairwise
+from itertools import combinations, cycle, pairwise
 from math import ceil, floor, fsum, inf, isclose, log10
 from typing import Any
 
@@ -44,8 +44,9 @@ from motionlang.kernel.lang.literals import Literal, constants, literals, number
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 
-# The units of what is not changed: nothing, and the number of a choice.
+# The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
+RATES = frozenset(("uu/s", "uu/s2", "uu/s3"))
 # A change of the cycle below this share of it is none; one below `WORTH` is not worth an edit.
 NOTHING, WORTH = 1e-9, 2e-3
 # So much less of the cycle is not worth a larger value. What bounds a value that is large enough.
@@ -151,8 +152,9 @@ class Improver:
         self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
         self.skipped: list[str] = []
         self._refused: dict[str, str] = {}
-        # The axes whose speed a literal sets.
+        # The axes whose speed a literal sets, and the literals that are a speed or a rate by themselves.
         self._axes: dict[str, set[int]] = {}
+        self._rates: set[str] = set()
         self._base = self._run(source, world)
         self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
         self.before = self._cost(self._base)
@@ -213,16 +215,18 @@ class Improver:
         self._numbers = {each.address: float(each.text.replace(" ", "")) for each in whole}
         self._workers = [self._worker(each) for each in (self.world, *self.others)]
         edits: dict[str, Edit] = {}
-        best, before = self.before, inf
-        while best < before:
-            before = best
-            for literal in candidates:
-                values = {each.literal.address: each.value for each in edits.values()}
-                cost, edit = self._search(literal, values, best)
-                worth = ENOUGH if literal.address in edits else WORTH
-                if edit is not None and best - cost > worth * best:
-                    edits[literal.address] = edit
-                    best = cost
+        best, last = self.before, ""
+        # Once around without a gain since the last edit, none is left.
+        for literal in cycle(candidates):
+            if literal.address == last:
+                break
+            values = {each.literal.address: each.value for each in edits.values()}
+            cost, edit = self._search(literal, values, best)
+            worth = ENOUGH if literal.address in edits else WORTH
+            if edit is not None and best - cost > worth * best:
+                edits[literal.address] = edit
+                best, last = cost, literal.address
+            last = last or literal.address
         return list(edits.values())
 
     def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
@@ -314,6 +318,8 @@ class Improver:
                 self.skipped.append(f"{literal.address} is held, as you said")
             elif mine and literal.is_write and not without:
                 found.append(literal)
+                if all(use.row.unit in RATES and use.value in (literal.text, literal.base) for use in mine):
+                    self._rates.add(literal.address)
         self.skipped += [
             f"axis {axis} has no limit of its {name}{self._in}, so that stays" for axis, name in free
         ]
@@ -330,7 +336,7 @@ class Improver:
             return best, None
         found: tuple[float, Edit | None] = best, None
         bounds = []
-        for grows in (True, False):
+        for grows in (True,) if literal.address in self._rates else (True, False):
             cost, edit, bound = self._along(literal, was, values, best, grows)
             bounds.append(bound)
             if edit is not None and cost < found[0] * (1.0 - NOTHING):
@@ -350,16 +356,16 @@ class Improver:
             return self._judge({**values, literal.address: value})
 
         slower, low, cost, bound = 1.0, 1.0, best, SATED
-        high = 2.0
+        high, refused = 2.0, ""
         while high <= MAX_FACTOR:
-            made, reason = judged(high)
-            if reason or made >= cost * (1.0 - NOTHING):
-                bound = reason or bound
+            made, refused = judged(high)
+            if refused or made >= cost * (1.0 - NOTHING):
+                bound = refused or bound
                 break
             slower, low, cost, high = low, high, made, 2.0 * high
         else:
             bound = UNTRIED
-        for _ in range(STEPS if high <= MAX_FACTOR else 0):
+        for _ in range(STEPS if refused else 0):
             middle = 0.5 * (low + high)
             made, reason = judged(middle)
             if not reason and made < cost * (1.0 - NOTHING):

@@ -56,7 +56,11 @@ class Behaviour:
     def _by_task(self, run: Run) -> dict[str, list[str]]:
         """Return outputs and prints in the order of time, by task beside the work; figures of prints do not count."""
         log, found, lines = run.machine.log, dict[str, list[str]](), {-1: 0}
-        records = [(each.time, 0, each.at, f"output {each.channel} = {each.value}") for each in log.outputs]
+        spans = _spans(run)
+        records = [
+            (each.time, 0, each.at, f"output {each.channel} = {each.value}{_moving(spans, each.time)}")
+            for each in log.outputs
+        ]
         records += [(each.time, 1, each.at, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
         for _, _, at, text in sorted(records, key=lambda each: each[:2]):
             if at not in lines:
@@ -76,6 +80,23 @@ def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
         end = (move.profile.end - move.zero) / (move.scale or 1.0) if counts else 0.0
         found.setdefault(move.axis, []).append((move.command, move.line, end))
     return found
+
+
+def _spans(run: Run) -> dict[int, list[tuple[float, float]]]:
+    """Return when each axis begins and ends to move, without its homing."""
+    found: dict[int, list[tuple[float, float]]] = {}
+    table = run.dialect.table()
+    for move in run.machine.log.moves:
+        if move.profile is not None and not table.homes(move.command):
+            end = move.start_time + move.profile.duration
+            found.setdefault(move.axis, []).append((move.start_time, end))
+    return found
+
+
+def _moving(spans: dict[int, list[tuple[float, float]]], time: float) -> str:
+    """Return which axes move at a time, in words."""
+    axes = [axis for axis, times in sorted(spans.items()) if any(a < time < b for a, b in times)]
+    return f" while axis {', '.join(map(str, axes))} moves" if axes else ""
 
 
 def _ends(run: Run) -> dict[int, float]:

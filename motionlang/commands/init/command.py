@@ -49,7 +49,8 @@ every choice, and writes a scenario into FILE.scenarios for each one that
 moves an axis.
 
 The last lines say which input ended which wait, which outputs were never
-switched on, how many cycles ran, and whether no axis moved.
+switched on, how many cycles ran, which lines command motion and moved no
+axis, which channels only a comment names, and whether no axis moved.
 
 exit status: 0 the file is written and the program ran; 1 the file exists, the
 program has an error or a fault, or it commands motion and no axis moved

@@ -12,10 +12,11 @@ from math import ceil, floor, isclose
 
 from motionlang.commands.init import Guesses, answer_entry
 from motionlang.commands.init.ending import ending
+from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, entries
-from motionlang.kernel.lang.dialect import Target
+from motionlang.kernel.lang.dialect import Dialect, Target
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
@@ -92,7 +93,7 @@ def machine_text(
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
         HEAD.format(program=program, model=_model(target), **_end(result, until)),
-        *_table("input", INPUTS, _inputs(source, guesses, reads)),
+        *_table("input", INPUTS, _inputs(source, result.dialect, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
         *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
@@ -177,15 +178,18 @@ def _differs(channel: int, guesses: Guesses, below: Guesses) -> bool:
     return not below.is_fixed(channel) and guesses.inputs[channel] != below.inputs.get(channel)
 
 
-def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[str]:
+def _inputs(source: Source, language: Dialect, guesses: Guesses, reads: list[InputRead]) -> list[str]:
     """Return an entry for each input of the program.
 
-    Comments above an entry quote the lines that read the input.
+    Comments above an entry quote the lines that read the input, or assign it to a function.
     """
     read_at: dict[int, dict[int, None]] = {}
     for read in reads:
         if read.is_input and read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
+    for each in channels_of(source, language, guesses.fixed):
+        if each.kind == "input" and each.number.isdecimal() and each.set_up:
+            read_at.setdefault(int(each.number), {}).update(dict.fromkeys(each.set_up))
     found: list[str] = []
     for channel in sorted(read_at.keys() | guesses.inputs.keys()):
         for line in list(read_at.get(channel, ()))[:MAX_LINES]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from motionlang.commands.map.axes import AxisMap, axes
 from motionlang.commands.map.channels import Channel, channels
-from motionlang.commands.map.comments import named
+from motionlang.commands.map.comments import Named, named
 from motionlang.commands.map.observed import Observed, Taken
 from motionlang.commands.map.states import Diagrams, Transition, diagrams
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
@@ -87,6 +87,11 @@ def channels_of(source: Source, language: Dialect, settings: Mapping[str, object
     """Return only the channels of a program; ProgramError with all errors of the text."""
     listed, at_ends = _comments(source, language)
     return channels(language.structure(source, settings), settings, named(listed), at_ends)
+
+
+def names_in_comments(source: Source, language: Dialect) -> list[Named]:
+    """Return the names that the comments of a program list, also those of channels that it does not use."""
+    return named(_comments(source, language)[0])
 
 
 def map_of_run(

@@ -52,7 +52,7 @@ edit        line  from    to    gain  bounded by
 SPEED[0]@1     1   100   200  0.1351  speed of axis 0: 200 uu/s
 ACCEL[0]@1     1   500  1000  0.1695  acceleration of axis 0: 1000 uu/s²
 DECEL[0]@1     1   500  1000  0.1954  acceleration of axis 0: 1000 uu/s²
-167 trials
+64 trials
 
 axis  limit                allowed  reached        at  line  margin
                                                     s
@@ -192,6 +192,17 @@ def test_a_task_that_blinks_a_lamp_runs_beside_the_work(cell: Cell) -> None:
     cell.write("read.mnt", LAMP.replace("Next", "  If OUTX(5) Then Print k\nNext"))
     cell.write("read.machine.toml", LIMITS)
     assert "the order of outputs and prints" in cell("improve", "read.mnt").out
+
+
+def test_an_output_stays_among_the_moves(cell: Cell) -> None:
+    """The nozzle opens 0.45 s after the start, while the axis moves; at 200 uu/s the axis has stopped by then."""
+    cell.write(
+        "glue.mnt",
+        "Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor n = 1 To 3\n"
+        "  MOVER(0) = 40 : GO(0)\n  WAIT(450) : OUTX(1) = 1\n  PAUSE IDLE(0) : OUTX(1) = 0\nNext\n",
+    )
+    cell.write("glue.machine.toml", LIMITS)
+    assert "output 1 = 1 in place of output 1 = 1 while axis 0 moves" in cell("improve", "glue.mnt").out
 
 
 def test_a_homing_search_may_overshoot_less(cell: Cell) -> None:

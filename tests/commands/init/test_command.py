@@ -263,6 +263,15 @@ status = "stopped"
             ["no axis moved, and line 2 commands motion"],
         ),
         ("old.prg", "? 1\n", 0, []),
+        (
+            "old.prg",
+            "REM IN 3 knife up  IN 4 part\nSTOPINPUT.0 = 6\nMOVER.0 = 5 : GO.0\nIF INX.4 THEN MOVER.0 = 9 : GO.0\n",
+            0,
+            [
+                "line 4 commands motion and moved no axis; unchanged so far: input 4 (line 4)",
+                "input 3 (knife up): named in the comment of line 1, never used",
+            ],
+        ),
     ],
 )
 def test_the_last_lines(cell: Cell, name: str, text: str, status: int, notes: list[str]) -> None:
