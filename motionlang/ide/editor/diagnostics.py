@@ -15,12 +15,9 @@ from motionlang.kernel.source import Source
 _UNKNOWN = "\ufffd"
 
 
-def findings(page: Page, known: dict[object, object] | None = None) -> list[Diagnostic]:
-    """Return the diagnostics of a program, as `check` reports them.
-
-    `known` is the parameter of `Dialect.check`.
-    """
-    found = page.language.check(page.source, page.settings, known)
+def findings(page: Page) -> list[Diagnostic]:
+    """Return the diagnostics of a program, as `check` reports them."""
+    found = page.language.check(page.source, page.settings)
     return decoded(page.source, one_sentence(page.language, page.source, found, IN_EDITOR))
 
 

@@ -17,9 +17,6 @@ from motionlang.kernel.source import Source
 
 CHECK, NAMES, TIMES = "check", "names", "times"
 Result = list[Diagnostic] | Names | Times
-# What the checks of a text have found, for the next check of it; by file name, the latest last.
-_known: dict[str, dict[object, object]] = {}
-MAX_TEXTS = 4
 
 
 @dataclass(eq=False, slots=True)
@@ -51,10 +48,7 @@ def work(job: Job) -> Result:
         return times(page)
     if job.what == NAMES:
         return page.names
-    known = _known[job.name] = _known.pop(job.name, {})
-    if len(_known) > MAX_TEXTS:
-        del _known[next(iter(_known))]
-    found = findings(page, known)
+    found = findings(page)
     if wrong:
         message = f"{job.machine_name} is invalid, and the program is checked without it: {wrong[0].message}"
         found.insert(0, Diagnostic("machine-file", message, 1, 1, severity="warning"))

@@ -149,18 +149,8 @@ class Dialect:
         """True if the check of a program depends on a key of the machine file."""
         return False
 
-    def check(
-        self,
-        source: Source,
-        settings: Mapping[str, object] | None = None,
-        known: dict[object, object] | None = None,
-    ) -> list[Diagnostic]:
-        """Return all errors and warnings without a run.
-
-        `settings` are the settings of the machine file. `known` is a dict, empty at first, that is passed
-        from one check of a text to the next: a language may cache its findings there, so that it checks only
-        what has changed. The result is the same.
-        """
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+        """Return all errors and warnings without a run; `settings` are those of the machine file."""
         raise NotImplementedError
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:

@@ -79,16 +79,7 @@ class Mccl(Dialect):
             raise ProgramError(syntax or mistakes)  # the line may be too long, too
         return module
 
-    def check(
-        self,
-        source: Source,
-        settings: Mapping[str, object] | None = None,
-        known: dict[object, object] | None = None,
-    ) -> list[Diagnostic]:
-        """Return all errors and warnings.
-
-        Nothing is stored in `known`: a check takes only twice as long as parsing.
-        """
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.commands.check.mccl.check import check
 
         return check(source, settings)

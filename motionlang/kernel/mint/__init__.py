@@ -77,16 +77,10 @@ class Mint(Dialect):
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")
 
-    def check(
-        self,
-        source: Source,
-        settings: Mapping[str, object] | None = None,
-        known: dict[object, object] | None = None,
-    ) -> list[Diagnostic]:
-        """Return all errors and warnings; `known` caches the findings in each function."""
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.commands.check.mint import check
 
-        return check(source, settings, known)
+        return check(source, settings)
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
         from motionlang.kernel.mint.resolve.definitions import names

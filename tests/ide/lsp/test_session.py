@@ -17,7 +17,7 @@ import pytest
 pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 
 from motionlang.ide.editor.times import NO_TIMES, Times
-from motionlang.ide.lsp import features, jobs, server, session, workers
+from motionlang.ide.lsp import features, server, session, workers
 from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result, work
 from motionlang.ide.lsp.server import Input, _Limited
 from motionlang.ide.lsp.workers import Inline, Process
@@ -519,13 +519,6 @@ def test_a_process_is_detached_from_the_streams_once(monkeypatch: pytest.MonkeyP
     for _ in range(2):
         workers._silence()
     assert (replaced, fake._motionlang_silent) == ([0, 1], True)
-
-
-def test_the_checks_of_the_last_texts_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jobs, "_known", {})
-    for name in "abcdaef":
-        work(Job(CHECK, name, "", "mint", None, ""))
-    assert list(jobs._known) == ["d", "a", "e", "f"]
 
 
 def test_the_report_of_an_invalid_machine_file_marks_the_first_line(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from motionlang.commands.check.mint.blends import check_blends
 from motionlang.commands.check.mint.busy_loops import check_busy_loops
 from motionlang.commands.check.mint.effects import Facts
 from motionlang.commands.check.mint.findings import Findings
-from motionlang.commands.check.mint.functions import FunctionChecks
+from motionlang.commands.check.mint.functions import check_functions
 from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
@@ -24,7 +24,6 @@ from motionlang.kernel.mint.check.model import check_model
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.recall import Known, Recall
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.source import Source
@@ -34,41 +33,26 @@ from motionlang.kernel.tools import CollectorOff, StackSpace
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
 
 
-def check(
-    source: Source, settings: Mapping[str, object] | None = None, known: Known | None = None
-) -> list[Diagnostic]:
-    """Return all errors of a program and, if it has none, all warnings.
-
-    `known` is a dict that passes from one check to the next. With it, functions that have not changed are not checked
-    again.
-    """
+def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    """Return all errors of a program and, if it has none, all warnings."""
     with CollectorOff(), StackSpace():
-        return _check(source, dict(settings or {}), known)
+        return _check(source, dict(settings or {}))
 
 
-def _check(source: Source, settings: dict[str, object], known: Known | None) -> list[Diagnostic]:
-    if "fault" in settings:
-        known = None  # faults of the machine file are at lines of the program, which a function does not show
+def _check(source: Source, settings: dict[str, object]) -> list[Diagnostic]:
     try:
         module = parse(source)
     except ProgramError as error:
-
-        def check_readable(module: Module) -> None:
-            check_module(module, settings, recall=None if known is None else Recall(module, known))
-
-        return with_other_lines(source, check_readable, error).diagnostics
-    recall = None if known is None else Recall(module, known)
+        return with_other_lines(source, lambda module: check_module(module, settings), error).diagnostics
     try:
-        checked = check_module(module, settings, recall)
+        checked = check_module(module, settings)
     except ProgramError as error:
         found = list(error.diagnostics)
     else:
         found = list(checked.problems.found.values())
         reported = {(each.code, each.line, each.column) for each in found}
-        warnings = lint(module, checked.names, settings, recall)
+        warnings = lint(module, checked.names, settings)
         found += [each for each in warnings if (each.code, each.line, each.column) not in reported]
-        if recall is not None:
-            recall.finish()
     found += _foreign(module, source, str(settings.get("controller.model", "")))
     found = silence(source, found, COMMENT)
     return sorted(found, key=lambda each: (each.line, each.column, each.code, each.message))
@@ -85,13 +69,11 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
     return list(problems.found.values())
 
 
-def lint(
-    module: Module, names: Names, settings: Mapping[str, object], recall: Recall | None = None
-) -> list[Diagnostic]:
+def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[Diagnostic]:
     """Return the warnings of a program without errors, in no particular order."""
     facts = Facts(names, table(), has_host(module.source, COMMENT))
-    found = Findings(module, None if recall is None else recall.recorder)
-    FunctionChecks(facts, settings, module, found, recall).check()
+    found = Findings(module)
+    check_functions(facts, settings, module, found.add)
     add = found.add
     check_blends(facts, add)
     check_busy_loops(facts, add)

@@ -138,17 +138,11 @@ class Follower:
 
     `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
     states before the steps of a function, and `after`, the facts on return about the axes that the function changes.
-    `recalled` may return the latter from an earlier check, so that the function need not be analysed.
     `report_problems` passes findings to `report(problem, step, act, key, axis)`.
     """
 
-    def __init__(
-        self,
-        facts: Facts,
-        is_out_of_reach: Callable[[Key, Axis], bool],
-        recalled: Callable[[Function], After | None] = lambda function: None,
-    ) -> None:
-        self.facts, self.is_out_of_reach, self._recalled = facts, is_out_of_reach, recalled
+    def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
+        self.facts, self.is_out_of_reach = facts, is_out_of_reach
         self.before: dict[Function, dict[Step, State]] = {}
         self.after: dict[Function, After] = {}
         self.apart = self._shared()
@@ -222,8 +216,7 @@ class Follower:
         for each in sorted(function.calls, key=lambda f: f.at):
             self.analyse(each)
         self._at_work.discard(function)
-        known = self._recalled(function)
-        self.after[function] = self._states(function) if known is None else known
+        self.after[function] = self._states(function)
 
     def _states(self, function: Function) -> After:
         graph = self.facts.graphs[function]

@@ -17,7 +17,6 @@ Invariants.
 - An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a
   Define at each of its uses, and each `Link` of a chain. What names a variable, an array or a task is no expression: a
   variable has the type of its declaration, a task has none.
-- A function that the editor's `Recall` has is not walked. Its findings are reported again, and it is not annotated.
 - Nothing here knows how the program will be run. Every diagnostic of a program that can be parsed comes from here or
   from name resolution; warnings about programs without errors come from `commands/check/mint`.
 
@@ -39,7 +38,6 @@ from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.aliases import rename_old_words
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.recall import Recall
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.kernel.mint.resolve.symbols import Function, Session
 from motionlang.kernel.mint.syntax.nodes import Module
@@ -57,23 +55,15 @@ class Checked:
         self.names, self.problems = names, problems
 
 
-def check_module(
-    module: Module, settings: Mapping[str, object] | None = None, recall: Recall | None = None
-) -> Checked:
-    """Check a program; raise ProgramError with all errors.
-
-    With `recall` the functions that it already has are not checked again, so their expressions have no types.
-    """
+def check_module(module: Module, settings: Mapping[str, object] | None = None) -> Checked:
+    """Check a program; raise ProgramError with all errors."""
     settings = settings or {}
     rename_old_words(module, settings)
     problems = Problems(module)
     mark(module, settings, problems)
     program = _declared(module, settings, problems, None)
-    if recall is None:
-        for function in program.names.functions:
-            _check_function(program, function)
-    else:
-        _recalled(program, recall)
+    for function in program.names.functions:
+        _check_function(program, function)
     warn_of_misspellings(program)
     warn_of_short_ramps(module, problems)
     problems.raise_errors()
@@ -124,23 +114,3 @@ def _check_function(program: Program, function: Function) -> None:
     b = Body(program, function)
     check_labels(b)
     b.statements(function.body)
-
-
-def _recalled(program: Program, recall: Recall) -> None:
-    """Check the functions that are not recalled; report the problems of all functions."""
-    names, problems = program.names, program.problems
-    interfaces, bank = recall.resolve(names), names.default_bank
-    facts = (
-        program.axes, program.supplied, names.uses_axes, None if bank is None else bank.name, interfaces.types
-    )  # fmt: skip
-    problems.recorder = recall.recorder
-    for function in names.functions:
-        key = recall.key("check", function, facts)
-        known = recall.find(key)
-        if known is not None:
-            recall.repeat(known, function, problems.add)
-            continue
-        recall.recorder.begin()
-        _check_function(program, function)
-        recall.store(key, function)
-    problems.recorder = None

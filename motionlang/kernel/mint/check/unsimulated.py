@@ -100,7 +100,6 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
 
 def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
     problems = b.program.problems
-    problems.depends()
     if all(message != each.message for each in problems.found.values()):
         b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}")
 

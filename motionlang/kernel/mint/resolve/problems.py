@@ -8,7 +8,6 @@ from functools import cached_property
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.models import V4_SUFFIX
-from motionlang.kernel.mint.resolve.recorder import Recorder
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.tokens import token_at, value_length
 from motionlang.kernel.mint.syntax.traversal import names_of
@@ -23,7 +22,6 @@ class Problems:
 
     def __init__(self, module: Module) -> None:
         self._module = module
-        self.recorder: Recorder | None = None  # records the problems of each function
         self.found: dict[tuple[str, int], Diagnostic] = {}
         # Keys in `found` of the warnings that a run reports, too: what may end it, and names that may be misspelt.
         self.in_run: set[tuple[str, int]] = set()
@@ -59,16 +57,6 @@ class Problems:
 
         `fix` is the text that would replace the token. `candidates` are texts that might replace it.
         """
-        if self.recorder is not None:
-            self.recorder.note(
-                code=code,
-                message=message,
-                at=at,
-                hint=hint,
-                severity=severity,
-                fix=fix,
-                candidates=candidates,
-            )
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
             line, column, length = self._location(at)
@@ -120,11 +108,6 @@ class Problems:
         # A candidate replaces the marked text, so that has to be the word.
         candidates = tuple(near) if not meant and self.text(at).lower() == word.lower() else ()
         self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
-
-    def depends(self) -> None:
-        """Record that the problems of this function depend on the whole program."""
-        if self.recorder is not None:
-            self.recorder.depends()
 
     def of_the_run(self) -> list[Diagnostic]:
         """Return the warnings that a run reports before it starts."""

@@ -84,11 +84,6 @@ class Scope:
         """Freeze the scope: no more names can be added."""
         self._found = {}
 
-    @property
-    def found(self) -> dict[str, Symbol | None]:
-        """The names that were looked up here after the scope was frozen."""
-        return self._found or {}
-
     def find(self, name: str) -> Symbol | None:
         """Return the symbol of a name, ignoring case, from the innermost scope outwards."""
         found = self._found
