@@ -31,7 +31,7 @@ def outline(
     span = span or (0.0, trace.end)
     piece, inside = _points(trace, axis, span, bins)
     table = trace.table(axis)
-    values = piece_values(table.columns[:, piece], inside, ORDERS[quantity])
+    values = piece_values(table.columns, piece, inside, ORDERS[quantity])
     times = np.maximum.accumulate(table.origins[piece] + inside)
     trace.to_user(axis, quantity, values)
     return thinned(times, values, span, bins)

@@ -16,7 +16,6 @@ import pytest
 
 from motionlang.commands.scope import _packed, page, write_scope
 from motionlang.kernel.execution import run
-from motionlang.kernel.log.track import WholeTrack, pieces_of
 from motionlang.kernel.result import Run
 from motionlang.kernel.servo import Loop, simulate
 from motionlang.kernel.servo.settings import make_plant
@@ -61,17 +60,6 @@ def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Ru
             times = json.dumps(samples.time[:-1].tolist())
             found = engine(f"{times}.map((time) => valueAt(data.axes[{k}].track, time, {order}))")
             assert found == pytest.approx(values.tolist(), rel=1e-9, abs=1e-9 * (1 + np.abs(values).max()))
-
-
-@pytest.mark.parametrize("make", [ballscrew, pick, short_shift])
-def test_the_pieces_of_a_page_are_those_that_a_trace_samples(make: Callable[[], Run]) -> None:
-    """Both expand the same profiles, but add in a different order."""
-    made = make()
-    for axis in made.trace.axes:
-        begins, pieces = pieces_of(WholeTrack(made.controller.axes[axis]))
-        table = made.trace.table(axis)
-        assert begins == pytest.approx(table.origins.tolist(), rel=1e-14)
-        assert pytest.approx(table.columns, rel=1e-14, abs=1e-9) == np.array(pieces).T
 
 
 @pytest.mark.parametrize(

@@ -117,7 +117,7 @@ def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
     if not table.is_exact:
         return None
     piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
-    values = piece_values(table.columns[:, piece], np.asarray(times) - table.origins[piece], 0)
+    values = piece_values(table.columns, piece, np.asarray(times) - table.origins[piece], 0)
     return (values - axis.scale.zero) / axis.scale.counts
 
 

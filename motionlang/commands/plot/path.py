@@ -85,9 +85,8 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
 
 def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
     """Return values of one axis at evenly spaced times."""
-    values = np.empty(len(times))
     step = max(float(times[-1] - times[0]) / (len(times) - 1), 1e-12)
-    trace.table(axis).sample(float(times[0]), step, len(times), ORDERS[quantity], values)
+    values = trace.table(axis).sample(float(times[0]), step, len(times), ORDERS[quantity])
     trace.to_user(axis, quantity, values)
     return values
 

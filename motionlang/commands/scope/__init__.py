@@ -26,8 +26,9 @@ from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log.records import GRAVE
-from motionlang.kernel.log.track import WholeTrack, axes_of, pieces_of
+from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners.sample import pieces_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
@@ -273,7 +274,8 @@ def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
     Each piece has its start, its cubic, and its wave if it has one.
     """
     a = controller.axes[axis]
-    starts, pieces = pieces_of(WholeTrack(a))
+    track = WholeTrack(a)
+    starts, pieces = pieces_of(track.starts, track.profiles)
     used = max(1, bisect_right(starts, controller.clock.now))
     starts, pieces = starts[:used], pieces[:used]
     positions, *others, amplitudes, _, _ = zip(*pieces, strict=True)

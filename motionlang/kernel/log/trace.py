@@ -293,7 +293,7 @@ class Trace:
         """Return a quantity of an axis in user units at any `times` (s), in any order."""
         table = self.table(axis)
         piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
-        values = piece_values(table.columns[:, piece], times - table.origins[piece], ORDERS[quantity])
+        values = piece_values(table.columns, piece, times - table.origins[piece], ORDERS[quantity])
         self.to_user(axis, quantity, values)
         return values
 
@@ -324,7 +324,7 @@ class Trace:
                 if table is None:
                     end, margin = start + step * count, min(step, MARGIN)
                     table = tables[column.axis] = self._window(column.axis, start - margin, end + margin)
-                table.sample(start, step, count, ORDERS[column.quantity], out)
+                out[:] = table.sample(start, step, count, ORDERS[column.quantity])
                 self.to_user(column.axis, column.quantity, out)
 
     def _fill_motor(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
@@ -13,7 +12,6 @@ from motionlang.kernel.controller.joined import Joined
 from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.planners import Profile, State
-from motionlang.kernel.planners.ramps import Piece
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.feedback import Feedback
@@ -85,32 +83,6 @@ def axes_of(controller: Controller) -> tuple[int, ...]:
     """Return the axes that ever moved or were given a position, or the first axis."""
     axes = controller.axes
     return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
-
-
-def pieces_of(track: WholeTrack) -> tuple[list[float], list[Piece]]:
-    """Return the times at which the pieces of a track begin, and the pieces in counts.
-
-    Each is valid until the next one begins. The first one is the standstill before the track; if a profile
-    ends before the next one begins, a piece for the standstill at its end follows.
-    """
-    begins: list[float] = []
-    pieces: list[Piece] = []
-    after = iter(track.starts)
-    next(after, None)
-    for start, profile in zip(track.starts, track.profiles, strict=True):
-        if not pieces:
-            begins.append(start)
-            pieces.append((profile.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-        following = next(after, inf)
-        knots, curve, _ = profile.curve
-        for knot, piece in zip(knots, curve, strict=False):
-            if start + knot < following:
-                begins.append(start + knot)
-                pieces.append(piece)
-        if start + profile.duration < following:
-            begins.append(start + profile.duration)
-            pieces.append((profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
-    return begins, pieces
 
 
 class Recorded:

@@ -11,6 +11,7 @@ from motionlang.kernel.planners.sequence import ProfileSequence
 from motionlang.kernel.planners.superposition import Superposed
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 
 def evaluate(profile: Profile, times: Array, order: int) -> Array:
@@ -47,23 +48,24 @@ def _inside(profile: Profile, times: Array, order: int) -> Array:
 def _pieces(profile: Profile, times: Array, order: int) -> Array:
     knots = np.array(profile.knots)
     which = np.clip(np.searchsorted(knots, times, "right") - 1, 0, len(profile.pieces) - 1)
-    return piece_values(np.array(profile.pieces).T[:, which], times - knots[which], order)
+    return piece_values(np.array(profile.pieces).T, which, times - knots[which], order)
 
 
-def piece_values(columns: Array, x: Array, order: int) -> Array:
-    """Evaluate derivative `order` of pieces; each x has its own column of `columns`.
+def piece_values(columns: Array, piece: Indices, x: Array, order: int) -> Array:
+    """Evaluate derivative `order` of pieces (7 x pieces) at local times; `piece` is the column of each x.
 
     A piece is p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f).
     """
     c0, c1, c2, c3, amplitude, omega, phase = columns
-    cubic = [
-        lambda: ((c3 * x + c2) * x + c1) * x + c0,
-        lambda: (3.0 * c3 * x + 2.0 * c2) * x + c1,
-        lambda: 6.0 * c3 * x + 2.0 * c2,
-        lambda: 6.0 * c3,
-    ][order]()
-    wave: Array = amplitude * omega**order * np.sin(omega * x + phase + order * np.pi / 2.0)
-    return np.asarray(cubic + wave, dtype=np.float64)
+    first, *others = [(c3, c2, c1, c0), (3.0 * c3, 2.0 * c2, c1), (6.0 * c3, 2.0 * c2), (6.0 * c3,)][order]
+    values: Array = first[piece]
+    for each in others:
+        values *= x
+        values += each[piece]
+    if amplitude.any():
+        height = amplitude * omega**order
+        values += height[piece] * np.sin(omega[piece] * x + (phase + order * np.pi / 2.0)[piece])
+    return values
 
 
 def _composed(profile: Reparametrised, times: Array, order: int) -> Array:

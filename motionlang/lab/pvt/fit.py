@@ -186,7 +186,8 @@ def _next_layer(motion: _Motion, layer: Indices, parents: Indices, tolerance: fl
     found: list[Indices] = []
     while len(first):
         last = first + length
-        order = np.lexsort((score, last))
+        # Of segments that fit equally well the first is tried first, whatever the rounding of the motion.
+        order = np.lexsort((np.rint(score * 1e6), last))
         lead = np.ones(len(order), dtype=bool)
         lead[1:] = last[order][1:] != last[order][:-1]
         tried, waiting = order[lead], order[~lead]

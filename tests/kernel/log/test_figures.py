@@ -12,7 +12,8 @@ from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.log.order import Tie
 from motionlang.kernel.log.trace import Trace, quantity_of
-from motionlang.kernel.log.track import WholeTrack, axes_of, pieces_of
+from motionlang.kernel.log.track import WholeTrack, axes_of
+from motionlang.kernel.planners.sample import pieces_of
 from tests.kernel.log.test_trace import ballscrew
 
 
@@ -211,7 +212,8 @@ def test_the_pieces_of_a_track() -> None:
     controller.clock.advance(1.0)
     controller.move_to(0, 100.0)
     controller.clock.advance(9.0)
-    begins, pieces = pieces_of(WholeTrack(controller.axes[0]))
+    track = WholeTrack(controller.axes[0])
+    begins, pieces = pieces_of(track.starts, track.profiles)
     assert begins[-4:] == pytest.approx([1.0, 1.1, 2.95, 3.15])
     assert [piece[0] for piece in pieces[-4:]] == pytest.approx([0.0, 2.5, 95.0, 100.0])
     assert [piece[1] for piece in pieces[-4:]] == pytest.approx([0.0, 50.0, 50.0, 0.0])

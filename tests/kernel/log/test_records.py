@@ -21,8 +21,9 @@ from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices, Waited
 from motionlang.kernel.log.stream import Store
 from motionlang.kernel.log.time_slices import TimeSliceStream
-from motionlang.kernel.log.track import WholeTrack, pieces_of
+from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
+from motionlang.kernel.planners.sample import pieces_of
 from tests.kernel.log.test_figures import machine
 
 
@@ -409,24 +410,6 @@ def test_an_event_has_the_source_offset_of_the_program() -> None:
     assert log.streams()[-1] is made
 
 
-def test_the_pieces_after_the_end_of_a_profile() -> None:
-    """A profile ends at 3 s, at 4 uu/s, and continues until another begins."""
-    one = Profile("jog", 0.0, 6.0, 2.0, (2.0, 2.0, 0.0, 4.0))
-    track: Any = SimpleNamespace(starts=[1.0, 5.0], profiles=[one, hold(14.0)])
-    begins, pieces = pieces_of(track)
-    assert begins == [1.0, 1.0, 3.0, 5.0]
-    assert pieces == [
-        (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-        (0.0, 2.0, 0.5, 0.0, 0.0, 0.0, 0.0),
-        (6.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-        (14.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-    ]
-    track.starts[1] = 3.0
-    assert pieces_of(track)[0] == [1.0, 1.0, 3.0]
-    track.starts[1] = 2.0
-    assert pieces_of(track)[0] == [1.0, 1.0, 2.0]
-
-
 @pytest.mark.parametrize("suspended", [False, True])
 def test_an_axis_that_is_suspended_has_no_moves_that_wait(suspended: bool) -> None:
     waiting = [filled()]
@@ -441,7 +424,8 @@ def test_the_pieces_of_a_profile_that_is_replaced_at_its_knot() -> None:
     controller.clock.advance(0.1)
     controller.stop(0)
     controller.clock.advance(2.0)
-    begins, pieces = pieces_of(WholeTrack(controller.axes[0]))
+    track = WholeTrack(controller.axes[0])
+    begins, pieces = pieces_of(track.starts, track.profiles)
     assert begins == pytest.approx([0.0, 0.0, 0.1, 0.3])
     assert pieces[-1] == pytest.approx((7.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert pieces[0] == (0.0,) * 7

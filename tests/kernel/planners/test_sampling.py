@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import (
     Profile,
+    hold,
     plan,
     plan_jerk,
     plan_sinusoidal,
     plan_trapezoid,
     plan_velocity,
-    table,
 )
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.evaluate import evaluate
-from motionlang.kernel.planners.sample import ORDERS, PieceTable
-from tests.cases import examples
+from motionlang.kernel.planners.sample import ORDERS, PieceTable, pieces_of
 from tests.kernel.planners.cases import Move, moves, quick
 
 
@@ -82,12 +79,6 @@ def test_a_track_of_moves(quantity: str, t0: float, dt: float, n: int) -> None:
         assert found[i] == pytest.approx(in_track(starts, profiles, t0 + i * dt, quantity), abs=1e-8)
 
 
-def test_a_table_fills_the_array_it_is_given() -> None:
-    made, out = PieceTable(*track()), np.full(1000, np.nan)
-    assert made.sample(0.0, 0.01, 1000, 0, out) is out
-    assert np.isfinite(out).all()
-
-
 def test_nothing_to_sample() -> None:
     assert PieceTable([], []).sample(0.0, 0.1, 3).tolist() == [0.0, 0.0, 0.0]
     assert PieceTable(*track()).sample(0.0, 0.1, 0).shape == (0,)
@@ -95,20 +86,20 @@ def test_nothing_to_sample() -> None:
     assert PieceTable((0.0,), (still,)).sample(0.0, 0.1, 3).tolist() == [2.0, 2.0, 2.0]
 
 
-@settings(quick, max_examples=examples(40))
-@given(st.lists(moves(), min_size=24, max_size=40))
-@pytest.mark.slow
-def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:
-    profiles = [move.planned() for move in many]
-    starts = [3.0 * i for i in range(len(profiles))]
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(table, "MIN_PROFILES", math.inf)
-        one_by_one = PieceTable(starts, profiles)
-    at_once = PieceTable(starts, profiles)
-    n = 700
-    for order in (0, 1):
-        a, b = (made.sample(-1.0, 3.0 * len(many) / n, n, order) for made in (one_by_one, at_once))
-        assert np.abs(a - b).max() <= 1e-9 * np.abs(a).max() + 1e-12
+def test_the_pieces_after_the_end_of_a_profile() -> None:
+    """A profile ends at 3 s, at 4 uu/s, and continues until another begins."""
+    one = Profile("jog", 0.0, 6.0, 2.0, (2.0, 2.0, 0.0, 4.0))
+    profiles = [one, hold(14.0)]
+    begins, pieces = pieces_of([1.0, 5.0], profiles)
+    assert begins == [1.0, 1.0, 3.0, 5.0]
+    assert pieces == [
+        (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 2.0, 0.5, 0.0, 0.0, 0.0, 0.0),
+        (6.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (14.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    ]
+    assert pieces_of([1.0, 3.0], profiles)[0] == [1.0, 1.0, 3.0]
+    assert pieces_of([1.0, 2.0], profiles)[0] == [1.0, 1.0, 2.0]
 
 
 def test_a_profile_has_its_velocities_before_and_after_it() -> None:
