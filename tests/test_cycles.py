@@ -25,7 +25,6 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel/controller", "axis core feedback joined move readings"):
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
     ("kernel/controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
-    ("kernel/controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
     ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
     ("ide/debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("hosts/mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",

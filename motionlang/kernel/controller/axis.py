@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, Event
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.controller.watches import Watches
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.planners import Profile, State, hold
 from motionlang.kernel.planners.limits import LARGEST
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.motion.follow import Follow
     from motionlang.kernel.controller.move import Move
     from motionlang.kernel.controller.triggers.limit import Limit
+    from motionlang.kernel.controller.triggers.watch import Watch
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {
@@ -73,6 +73,7 @@ class Axis:
         "buffer_size",
         "contour_angle",
         "contour_mode",
+        "crossed",
         "datum",
         "decel",
         "decel_jerk_time",
@@ -169,7 +170,10 @@ class Axis:
         self.present: Profile | None = self.profiles[-1]
         # Profiles that began before those, packed.
         self.older: Profiles | None = None
-        self.watches = Watches()
+        # In order of creation.
+        self.watches: dict[Watch, None] = {}
+        # When the axis was last known to be exactly at a position, that position, and its profile.
+        self.crossed: tuple[float, float, Profile] | None = None
         # Called with each new profile when it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
@@ -247,11 +251,11 @@ class Axis:
 
         The time of a crossing is rounded, so the profile's position at that time is inexact.
         """
-        self.watches.crossed = now, position, self.profiles[-1]
+        self.crossed = now, position, self.profiles[-1]
 
     def here(self, now: float) -> float:
         """Return the commanded position now, exact if the axis is just crossing a watch."""
-        crossed = self.watches.crossed
+        crossed = self.crossed
         if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
             return crossed[1]
         return self.position(now)

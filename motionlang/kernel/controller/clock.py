@@ -32,13 +32,12 @@ class Clock:
     scheduled and those that have run.
     """
 
-    __slots__ = ("_heap", "_reserved", "fired", "horizon", "made", "now")
+    __slots__ = ("_heap", "fired", "horizon", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
         self.made = self.fired = 0
-        self._reserved = 0  # order numbers reserved for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], object]) -> Event:
@@ -48,7 +47,7 @@ class Clock:
         """
         event = Event(time, call)
         self.made += 1
-        heappush(self._heap, (time, self.made + self._reserved, event))
+        heappush(self._heap, (time, self.made, event))
         if time < self.horizon:
             self.horizon = time
         return event
@@ -57,26 +56,9 @@ class Clock:
         """Schedule an event that has already run for another time."""
         event.time = time
         self.made = made = self.made + 1
-        heappush(self._heap, (time, made + self._reserved, event))
+        heappush(self._heap, (time, made, event))
         if time < self.horizon:
             self.horizon = time
-
-    def reserve(self, count: int) -> int:
-        """Reserve `count` order numbers and return the number before the first of them.
-
-        Events scheduled with them rank as if they were created now.
-        """
-        first = self.made + self._reserved
-        self._reserved += count
-        return first
-
-    def at_reserved(self, time: float, order: int, call: Callable[[], object]) -> Event:
-        """Schedule a call like `at`, but with a reserved order number."""
-        event = Event(time, call)
-        heappush(self._heap, (time, order, event))
-        if time < self.horizon:
-            self.horizon = time
-        return event
 
     def next_time(self) -> float:
         """Return the time of the next pending event, infinite if there is none."""

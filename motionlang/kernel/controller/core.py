@@ -169,8 +169,8 @@ class Core(Readings):
         if a.feedback is not None:
             a.feedback.changed()
         else:
-            if a.watches.all:
-                triggers.next_watches.follow(a, self.clock)
+            if a.watches:
+                triggers.watch.solve(a, self.clock)
             if a.present is not profile:  # a crossed watch has given it another profile and notified of that
                 return
         for follower in tuple(a.followers):

@@ -293,13 +293,12 @@ class Readings:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
         a = self.axes[axis]
         watch = triggers.watch.Watch(position, call, physical)
-        a.watches.append(watch)
-        triggers.watch.arm(a, watch, self.clock, self.clock.now)
+        triggers.watch.begin(a, watch, self.clock)
         return watch
 
     def unwatch(self, axis: int, watch: Watch) -> None:
         """End a watch."""
-        self.axes[axis].watches.remove(watch)
+        triggers.watch.end(self.axes[axis], watch)
 
     def input(self, channel: int) -> float:
         return self.inputs[channel]

@@ -101,24 +101,6 @@ def names(clock: Clock, seen: list[str], *events: tuple[float, str]) -> None:
         clock.at(time, lambda name=name: seen.append(name) or True)  # type: ignore[misc,func-returns-value]
 
 
-def test_reserved_numbers_rank_before_events_made_later() -> None:
-    clock, seen = Clock(), list[str]()
-    assert clock.reserve(2) == 0
-    names(clock, seen, (1.0, "late"))
-    assert clock.reserve(1) == 3
-    for order, name in ((2, "second"), (1, "first"), (4, "last")):
-        clock.at_reserved(1.0, order, lambda name=name: seen.append(name))  # type: ignore[misc]
-    assert clock.horizon == 1.0
-    assert clock.made == 1
-    clock.advance(1.0)
-    assert seen == ["first", "second", "late", "last"]
-    assert clock.fired == 4
-    names(clock, seen, (2.0, "next"))
-    assert (clock.made, clock.horizon) == (2, 2.0)
-    clock.at_reserved(1.5, 1, lambda: None)
-    assert clock.horizon == 1.5
-
-
 def test_cancelled_events_behind_the_end_are_no_horizon() -> None:
     for advance in (Clock.advance, Clock.advance_to_news):
         clock = Clock()

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller import lazy_family
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.triggers import conditions, events, next_watches, watch
+    from motionlang.kernel.controller.triggers import conditions, events, watch
 
 # A program with plain moves only needs none of these.
-__getattr__ = lazy_family(__name__, "conditions", "events", "next_watches", "watch")
+__getattr__ = lazy_family(__name__, "conditions", "events", "watch")
 
-__all__ = ["conditions", "events", "next_watches", "watch"]
+__all__ = ["conditions", "events", "watch"]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
-from motionlang.kernel.controller.triggers.watch import Watch, arm, margin
+from motionlang.kernel.controller.triggers.watch import Watch, begin, end, margin
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
@@ -110,14 +110,12 @@ class Cells:
         assert position is not None
         watch = Watch(position, lambda direction: self._enter(k + 1 if direction > 0 else k), self.physical)
         self._watches[k] = watch
-        clock = self._controller.clock
-        self._track.watches.append(watch)
-        arm(self._track, watch, clock, clock.now)
+        begin(self._track, watch, self._controller.clock)
         if not watch.side:
             watch.side = 1 if k < self.index else -1
 
     def _unwatch(self, k: int) -> None:
-        self._track.watches.remove(self._watches.pop(k))
+        end(self._track, self._watches.pop(k))
 
     def _enter(self, index: int) -> None:
         self.index = index

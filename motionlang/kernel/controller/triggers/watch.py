@@ -1,7 +1,7 @@
 """Watches: calls at the exact time at which an axis passes a position.
 
 Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each
-new profile of an axis solves the nearest ones again (see `next_watches`); nothing polls.
+new profile of an axis solves them again; nothing polls.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
-    from motionlang.kernel.controller.triggers.next_watches import NextWatches
 
 # Counts within which an axis is at a position: far below any encoder, far above rounding.
 _ON = 1e-6
@@ -30,18 +29,35 @@ class Watch:
     program.
     """
 
-    __slots__ = ("call", "event", "front", "order", "physical", "position", "side")
+    __slots__ = ("call", "event", "physical", "position", "side")
 
     def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
         self.position, self.call, self.physical = position, call, physical
         self.side = 0  # the last side of the axis: above, below, or not known yet
         self.event: Event | None = None
-        self.order = 0  # its number among those of its axis
-        self.front: NextWatches | None = None  # its list of the next watches of the axis
 
 
-def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
-    """Solve one watch on the axis's present profile from `now` on.
+def begin(axis: Axis, watch: Watch, clock: Clock) -> None:
+    """Add a watch to those of an axis."""
+    axis.watches[watch] = None
+    _arm(axis, watch, clock)
+
+
+def end(axis: Axis, watch: Watch) -> None:
+    """Remove a watch from those of an axis."""
+    del axis.watches[watch]
+    _cancel(watch)
+
+
+def solve(axis: Axis, clock: Clock) -> None:
+    """Solve all watches on a new profile, in order of creation; a pass that is due now may end others."""
+    for watch in tuple(axis.watches):
+        if watch in axis.watches:
+            _arm(axis, watch, clock)
+
+
+def _arm(axis: Axis, watch: Watch, clock: Clock) -> None:
+    """Solve one watch on the axis's present profile from now on.
 
     If the axis has a simulated motor, the watch applies to the motor instead. A pass that is due now, such as arrival
     at the position, happens first.
@@ -49,50 +65,22 @@ def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
     if axis.feedback is not None:
         axis.feedback.arm(watch)
         return
-    pending = watch.event
+    pending, now = watch.event, clock.now
     if pending is not None and pending.call is not None and pending.time <= now:
         pass_now = pending.call
         pending.cancel()
         pass_now()
-        if watch not in axis.watches.all:  # it has ended in its own call
+        if watch not in axis.watches:  # it has ended in its own call
             return
-    axis.watches.loose[watch] = None
-    if watch.front is not None:
-        watch.front.leave(watch)
-    side = take_side(axis, watch, axis.profiles[-1].position(now - axis.starts[-1]))
-    _solve(axis, watch, clock, now, side)
-
-
-def take_side(axis: Axis, watch: Watch, here: float) -> int:
-    """Set and return the side of a watch on which an axis at `here` is.
-
-    If the axis is at the position, the side stays and the result is 0.
-    """
     position = watched_position(axis, watch)
-    side = side_of(here - position, position)
-    if side:
-        watch.side = side
-    return side
-
-
-def solve_reserved(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Profile, at: float, side: int,
-               order: int) -> None:  # fmt: skip
-    """Schedule the first change of sides on a profile that began at `start`.
-
-    The event gets its reserved order number. `at` is the watch's position at `start`, `side` the side of the axis.
-    """
-    found, after = _next(profile, at, 0.0, side)
-    if found is not None:
-        watch.event = clock.at_reserved(
-            start + found, order, lambda: _changed(axis, watch, clock, after, reached=side != 0)
-        )
+    side = side_of(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
+    watch.side = side or watch.side  # at the position itself, the side stays
+    _solve(axis, watch, clock, now, side)
 
 
 def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
     """Schedule the next change from the present `side` (0: at the position)."""
-    if watch.event is not None:
-        watch.event.cancel()
-        watch.event = None
+    _cancel(watch)
     start, profile = axis.starts[-1], axis.profiles[-1]
     if profile.shape == "hold":
         return
@@ -131,14 +119,18 @@ def _crossing(profile: Profile, position: float, elapsed: float, direction: int)
 def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:
     """Set the new `side` after the axis has `reached` the position, or has left it."""
     watch.event = None
-    if watch.front is not None:
-        watch.front.leave(watch)
     before, watch.side = watch.side, side
     if reached:
         axis.cross(clock.now, watched_position(axis, watch))
     _solve(axis, watch, clock, clock.now, 0 if reached else side)
     if before and before != side:
         watch.call(side)
+
+
+def _cancel(watch: Watch) -> None:
+    if watch.event is not None:
+        watch.event.cancel()
+        watch.event = None
 
 
 def watched_position(axis: Axis, watch: Watch) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.triggers.watch import Watch, arm
+from motionlang.kernel.controller.triggers.watch import Watch, begin, end
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_masters import master
@@ -80,7 +80,7 @@ class Triggers(Settings):
         """Watch for the position that starts the moves of an axis, if there is one."""
         track, watch = self._watches.pop(axis, (None, None))
         if track is not None and watch is not None:
-            track.watches.remove(watch)
+            end(track, watch)
         if self.setting("TRIGGERMODE", axis) != AT_POSITION:
             return
 
@@ -88,8 +88,7 @@ class Triggers(Settings):
                        int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip
         counts = found.to_counts(self.setting("TRIGGERVALUE", axis))
         made = Watch(counts, lambda _: self._start(axis), False)
-        found.track.watches.append(made)
-        arm(found.track, made, self.controller.clock, self.controller.clock.now)
+        begin(found.track, made, self.controller.clock)
         self._watches[axis] = found.track, made
 
 
