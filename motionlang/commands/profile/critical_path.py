@@ -18,8 +18,6 @@ from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePosition, SourcePositions
 from motionlang.commands.profile.tasks import Wait, all_waits, ended_at, parent_of
 from motionlang.kernel.lang.wait_causes import MOVING
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.ramps import Recipe
 from motionlang.kernel.result import Run
 from motionlang.kernel.tools import exact_terms
 
@@ -28,15 +26,6 @@ LinkGroup = tuple["Link", list[float]]
 
 # Its cause, source position, task, axes and the line that waited.
 About = tuple[str, SourcePosition, str, tuple[int, ...], int]
-
-Put = Callable[[float], None]
-
-# Of a wait at a position: cause, callers and position, the appenders of begins and ends of computing, if a
-# motion may have ended it, and its own appenders.
-WaitedAt = tuple[str, tuple[int, ...], SourcePosition, Put, Put, bool, Put, Put]
-
-# Of a move that was waited for: line, axes and shape, the position, and the appenders of begins and ends.
-MovedAt = tuple[tuple[int, tuple[int, ...], Profile | Recipe], SourcePosition, Put, Put]
 
 # A wait ends up to this many statements after its cause; nothing else happens in between.
 STATEMENTS = 2.5
@@ -55,11 +44,6 @@ MOVED = ("axis", "condition", MOVING)
 NOWHERE = SourcePosition(0, "", ())
 # The end of a wait.
 _UNTIL: Callable[[Wait], float] = itemgetter(3)
-# A list that stays empty: for a source position without a wait, or without a wait for a move.
-_UNUSED: list[float] = []
-_NOTHING = _UNUSED.append
-UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
-UNMOVED = None, NOWHERE, _NOTHING, _NOTHING
 
 
 @dataclass(eq=False, slots=True)
@@ -101,11 +85,6 @@ class Strip:
         self.begins: list[float] = []
         self.ends: list[float] = []
 
-    @property
-    def columns(self) -> tuple[Put, Put]:
-        """The functions that append the start and the end of a link."""
-        return self.begins.append, self.ends.append
-
     def add(self, begin: float, end: float) -> None:
         """Add a link; the last phase extends to the end of the link."""
         self.begins.append(begin)
@@ -121,29 +100,6 @@ class Strip:
             yield name, lows, highs
             lows = highs
         yield self.phases[-1][0], lows, ends
-
-
-class _Loops:
-    """The loop that a task executes, followed backwards, and when it ran."""
-
-    def __init__(self, chain: CriticalPath, task: str) -> None:
-        self._chain, self._task = chain, task
-        self._low, self._high, self._depth = 1.0, 0.0, 0
-        self._begun = self._over = _NOTHING
-
-    def take(self, begin: float, end: float, position: SourcePosition) -> bool:
-        """Charge computing to its loops; False at a position in a sub that a loop calls."""
-        if self._low <= begin and end <= self._high:  # unchanged, the most frequent case
-            if len(position.callers) > self._depth:
-                return False
-            self._begun(begin)
-            self._over(end)
-            return True
-        self._low, self._high, inside = self._chain._compute(begin, end, self._task, position)
-        if inside is not None:
-            self._depth = len(inside.callers)
-            self._begun, self._over = self._chain._strip("computing", inside, self._task).columns
-        return True
 
 
 class CriticalPath:
@@ -209,84 +165,29 @@ class CriticalPath:
     def _follow_task(self, task: str, time: float) -> tuple[str, float]:
         """Follow one task back from `time` to its start.
 
-        Returns the task that started it, and when. A long run spends most of its time here.
+        Returns the task that started it, and when.
         """
-        near, motions = self._near, self.motions
-        begins, ends, order, rows = motions.begins, motions.ends, motions.order, motions.rows
-        rank = len(ends) - 1  # of the last motion that was over by then
         waits = self._waits.get(task, [])
-        loops = _Loops(self, task) if task in self._polls.spans else None
-        known: dict[int, WaitedAt] = {}  # of the last wait at a position
-        moved: dict[int, MovedAt] = {}  # of the last move that was waited for there
         for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
-            _, at, since, until, cause, what, _, callers = wait = waits[last]
+            _, at, since, until, cause, _, _, callers = wait = waits[last]
             if since >= time or until > time + 1e-12:
                 continue  # it was not over by then
-            kind, caller, position, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
-            if kind != cause or caller != callers:
-                known[at] = self._at(at, cause, callers, task)
-                _, _, position, began, ended, of_motion, begun, over = known[at]
-            if until < time:
-                if loops is None or not loops.take(until, time, position):
-                    began(until)
-                    ended(time)
-                time = until
-            if not of_motion:
-                begun(since)
-                over(time)
+            position = self.positions.of(at, callers)
+            self._compute(until, time, task, position)
+            time = min(until, time)
+            motion = self._awaited(wait, time) if cause in MOVED else None
+            if motion is None:  # a wait that took no time is a link, too
+                self._strip(self._cause(wait, time), position, task).add(since, time)
                 time = since
                 continue
-            soon = time + near
-            while rank >= 0 and ends[rank] > soon:
-                rank -= 1
-            alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
-            if alone_near and cause != MOVING and (not what or cause != "axis"):  # the most frequent case
-                number = order[rank]
-                begin, line, row = begins[number], motions.lines[number], rows[number]
-                axes, shape = motions.alone[row[0]], row[5]
-            else:
-                motion = self._awaited(wait, time)
-                if motion is None:
-                    self._add(since, time, self._cause(wait, time), position, task)
-                    time = since
-                    continue
-                end, begin, line, axes, shape = motion
-            if end < time:
-                if end < time - near:
-                    self._add(end, time, "settling", position, task)
-                else:
-                    began(end)
-                    ended(time)
-                time = end
-            known_move, where, started, arrived = moved.get(at, UNMOVED)
-            earlier = waits[last - 1][3] if last else 0.0
-            in_between = begin - near <= since and earlier <= begin + near < until
-            if (
-                in_between and position is where and known_move == (line, axes, shape)
-            ):  # the task itself began it
-                started(begin)
-                arrived(time)
-                time = begin
-                continue
-            motion = end, begin, line, axes, shape
-            moved[at] = (line, axes, shape), position, *self._strip_of(motion, task, position).columns
+            if motion.end < time:
+                waited = "settling" if motion.end < time - self._near else "computing"
+                self._add(motion.end, time, waited, position, task)
+                time = motion.end
             other, time = self._back(motion, time, task, position)
             if other != task:
                 return other, time
         return self._started(task, time) if time > 0.0 else (task, time)
-
-    def _at(self, at: int, cause: str, callers: tuple[int, ...], task: str) -> WaitedAt:
-        """Return the common fields of the waits of one cause at one position."""
-        position = self.positions.of(at, callers)
-        computing = self._strip("computing", position, task).columns
-        return (
-            cause,
-            callers,
-            position,
-            *computing,
-            cause in MOVED,
-            *self._strip(CAUSES[cause], position, task).columns,
-        )
 
     def _started(self, task: str, time: float) -> tuple[str, float]:
         """Go from `time`, before the first wait of a task, back to the start of the task.
@@ -308,14 +209,11 @@ class CriticalPath:
             cause, axes = ended[1:] if ended is not None else ("", ())
         return self.motions.crossing(axes[0], time) if found is None and cause == MOVING else found
 
-    def _compute(
-        self, begin: float, end: float, task: str, position: SourcePosition
-    ) -> tuple[float, float, SourcePosition | None]:
-        """Charge computing to its loops, and outside them to `position`; return a loop.
+    def _compute(self, begin: float, end: float, task: str, position: SourcePosition) -> None:
+        """Charge computing to its loops, and outside them to `position`.
 
         A position in a sub that a loop calls takes precedence over the loop, if the loop was running there.
         """
-        first: tuple[float, float, SourcePosition | None] = (1.0, 0.0, None)
         waited = begin
         spans = self._polls.spans.get(task, [])
         number = bisect_right(spans, begin, key=itemgetter(1))
@@ -327,11 +225,8 @@ class CriticalPath:
                 loop = self.positions.of(at, callers)
                 nearer = position if since < waited and len(position.callers) > len(loop.callers) else loop
                 self._add(begin, min(until, end), "computing", nearer, task)
-                if first[2] is None:
-                    first = since, until, loop
             begin = max(begin, until)
             number += 1
-        return first
 
     def _cause(self, wait: Wait, time: float) -> str:
         """Return what ended a wait other than a move.
@@ -362,16 +257,15 @@ class CriticalPath:
             other = self._who_acted(begin, task)
             if other is not None:
                 return other, begin
-            before = self.motions.before(axes, motion[1], self._near)
+            before = self.motions.before(axes, motion.begin, self._near)
             if before is None:
                 # An outside event has started it while all tasks waited: the task waited for that.
                 _, at, since, _, _, _, _, callers = waiting
                 self._add(since, begin, self._cause(waiting, begin), self.positions.of(at, callers), task)
                 return task, since
-            end = before[0]
-            if end < begin:
-                self._add(end, begin, "waiting", self.positions.at_line(line), task)
-            motion, time = before, min(end, begin)
+            if before.end < begin:
+                self._add(before.end, begin, "waiting", self.positions.at_line(line), task)
+            motion, time = before, min(before.end, begin)
 
     def _motion_after(self, over: float, time: float, task: str) -> float:
         """Charge motion after the end of the program; return when the program ended."""

@@ -73,7 +73,7 @@ class Polls:
         self.spans: dict[str, list[Span]] = {}
         loops = _loops(run)
         if loops:
-            self._started = sorted(zip(motions.begins, motions.lines, strict=True))
+            self._started = sorted((move.begin, move.line) for move in motions.moves)
             self.waits = dict(waits)
         for task, rows in loops.items():
             asking = {row[1] for row in rows}

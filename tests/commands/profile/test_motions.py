@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from motionlang.commands.profile.critical_path import Strip, _behind
-from motionlang.commands.profile.motions import Motions, _cuts, _moves
+from motionlang.commands.profile.motions import Motions, _moves
 from motionlang.commands.profile.polls import Polls, _by_channel, _innermost, _iterates, _up_to
 from motionlang.kernel.lang.waits import ROUNDING
 from motionlang.kernel.planners import hold, plan_trapezoid
@@ -126,26 +126,8 @@ def test_a_log_out_of_order_has_its_motions_in_order() -> None:
     """A path of two axes, begun at 2 s, is in the log before a move of 0 s to 1 s."""
     made = motions([(0, 2.0, 1.0, 7, MOVED), (1, 2.0, 1.0, 7, MOVED), (2, 0.0, 1.0, 8, MOVED)])
     assert made.ends == [1.0, 3.0, 3.0]
-    assert [made.axis(index) for index in range(3)] == [2, 0, 1]
-    cuts, ends, axes, lines = made.together()
-    assert (list(cuts), ends, axes, lines) == ([0, 1, 3], [1.0, 3.0, 3.0], [2, 0, 1], [8, 7, 7])
-
-
-@pytest.mark.parametrize(
-    ("begins", "cuts"),
-    [
-        ([], ()),
-        ([3.0], range(0, 2, 1)),
-        ([0.0, 0.0, 1.0, 1.0], range(0, 5, 2)),
-        ([0.0, 1.0, 1.0], [0, 1, 3]),
-        ([0.0, 0.0, 1.0], [0, 2, 3]),
-        ([0.0, 0.0, 1.0, 2.0], [0, 2, 3, 4]),
-        ([0.0, 1.0, 1.0, 2.0], [0, 1, 3, 4]),
-        ([0.0, 0.0, 1.0, 1.0, 1.0, 1.0], [0, 2, 6]),
-    ],
-)
-def test_motions_are_grouped_by_their_begins(begins: list[float], cuts: object) -> None:
-    assert _cuts(begins) == cuts
+    assert [move.axes for move in made.moves] == [(2,), (0,), (1,)]
+    assert made.together() == [made.moves[1:]]
 
 
 @pytest.mark.parametrize(

@@ -2,31 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from motionlang.commands.profile.motions import Motions
 from motionlang.commands.profile.slacks import Slack, slacks
 from tests.cases import cases
 
 # A move: its axis, line and end. A group has moves that began together.
 Group = list[tuple[int, int, float]]
-
-
-class Moves:
-    """The motions of a run, as groups that began together."""
-
-    def __init__(self, groups: list[Group], as_range: bool) -> None:
-        self._rows = [move for group in groups for move in group]
-        cuts = [0]
-        for group in groups:
-            cuts.append(cuts[-1] + len(group))
-        self._cuts: Sequence[int] = range(0, cuts[-1] + 1, cuts[1]) if as_range else cuts
-
-    def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
-        axes, lines, ends = map(list, zip(*self._rows, strict=True))
-        return self._cuts, ends, axes, lines
 
 
 # The groups, the ends of the waits for axes, and the slacks: axis, the axis that ended last, seconds.
@@ -63,9 +49,6 @@ RUNS: dict[str, tuple[list[Group], list[float], list[tuple[int, int, float]]]] =
         [3.0, 6.0],
         [(0, 1, 2.0), (2, 0, 2.0), (1, 0, 1.0), (2, 1, 0.5)],
     ),
-}  # fmt: skip
-# Groups of several sizes: their begins are not evenly spaced.
-SIZES: dict[str, tuple[list[Group], list[float], list[tuple[int, int, float]]]] = {
     "one axis alone": (
         [[(0, 9, 1.0), (1, 9, 3.0)], [(0, 8, 4.0)], [(0, 9, 5.0), (1, 9, 6.0)], [(0, 9, 7.0), (1, 9, 9.0)]],
         [3.0, 4.0, 6.0, 9.0],
@@ -76,45 +59,32 @@ SIZES: dict[str, tuple[list[Group], list[float], list[tuple[int, int, float]]]] 
         [3.0, 5.5],
         [(0, 1, 2.0), (0, 2, 1.5), (1, 2, 1.0)],
     ),
-    # Axis 2 begins alone before each pair, at even and at uneven distances in the log.
-    # The pairs begin at 0, 2 and 5 in the log, and the last one begins with the other axis.
-    "one axis before the last pair": (
-        [[(0, 9, 1.0), (1, 9, 3.0)], [(0, 9, 4.0), (1, 9, 4.5)], [(0, 9, 4.7)], [(1, 9, 5.0), (0, 9, 6.0)]],
-        [3.0, 4.5, 6.0],
-        [(0, 1, 2.5), (1, 0, 1.0)],
-    ),
-    "one axis before each pair": (
-        [[(2, 9, 0.5)], [(0, 9, 1.0), (1, 9, 3.0)], [(2, 9, 3.5)], [(0, 9, 5.0), (1, 9, 6.0)]],
-        [3.0, 6.0],
-        [(0, 1, 3.0)],
-    ),
-    "one or two axes before each pair": (
-        [
-            [(2, 9, 0.5)], [(0, 9, 1.0), (1, 9, 3.0)], [(2, 9, 3.5)], [(2, 9, 3.7)], [(0, 9, 5.0), (1, 9, 6.0)],
-            [(2, 9, 6.5)], [(0, 9, 7.0), (1, 9, 9.0)],
-        ],
-        [3.0, 6.0, 9.0],
-        [(0, 1, 5.0)],
-    ),
     "all alone": ([[(0, 9, 1.0)], [(1, 9, 3.0)]], [1.0, 3.0], []),
 }  # fmt: skip
 
 
-def found(groups: list[Group], waits: list[float], cause: str, as_range: bool) -> list[Slack]:
+def found(groups: list[Group], waits: list[float], cause: str) -> list[Slack]:
+    profile = SimpleNamespace(pieced=True, _recipe=(0.0, 1.0, 0.0, 5.0))
+    moves = [
+        SimpleNamespace(axis=axis, start_time=0.125 * number, command="MOVER", line=line,
+                        profile=SimpleNamespace(**vars(profile), duration=end - 0.125 * number))
+        for number, group in enumerate(groups)
+        for axis, line, end in group
+    ]  # fmt: skip
+    run: Any = SimpleNamespace(time=99.0, controller=SimpleNamespace(log=SimpleNamespace(moves=moves)))
     log: Any = {"main": [("main", 0, 0.0, until, cause, (), "", ()) for until in waits]}
-    return slacks(Moves(groups, as_range), log)  # type: ignore[arg-type]
+    return slacks(Motions(run), log)
 
 
-@cases("name", RUNS | SIZES)
+@cases("name", RUNS)
 def test_the_slacks_of_axes_that_began_together(name: str) -> None:
-    groups, waits, expected = (RUNS | SIZES)[name]
-    for as_range in (False, True) if name in RUNS else (False,):
-        rows = found(groups, waits, "axis", as_range)
-        assert [(row.axis, row.other) for row in rows] == [row[:2] for row in expected]
-        assert [row.seconds for row in rows] == pytest.approx([row[2] for row in expected])
+    groups, waits, expected = RUNS[name]
+    rows = found(groups, waits, "axis")
+    assert [(row.axis, row.other) for row in rows] == [row[:2] for row in expected]
+    assert [row.seconds for row in rows] == pytest.approx([row[2] for row in expected])
 
 
 def test_a_wait_for_a_time_is_no_wait_for_an_axis() -> None:
     groups, waits, _ = RUNS["axis 1 always last"]
-    assert found(groups, waits, "time", False) == []
-    assert len(found(groups, waits, "condition", False)) == 1
+    assert found(groups, waits, "time") == []
+    assert len(found(groups, waits, "condition")) == 1
