@@ -12,46 +12,29 @@ from pathlib import Path
 import pytest
 
 from motionlang.__main__ import main as process
-from motionlang.kernel.execution import run
-from motionlang.kernel.report import text
 
 ROOT = Path(__file__).parent.parent
-PROGRAMS = ("scripts/mint/palletiser.mnt", "scripts/mccl/back-and-forth.mcl")
 
 
-def reports() -> list[str]:
-    return [text(run(ROOT / name)) for name in PROGRAMS]
-
-
-def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None:
-    """PyPy's garbage collector has no thresholds and no freeze, but may get one."""
-    expected = reports()
-    assert expected
-    for lacking in (("get_threshold",), ("set_threshold",), ("get_threshold", "set_threshold"), ("freeze",)):
-        with monkeypatch.context() as patch:
-            for name in lacking:
-                patch.delattr(gc, name)
-            assert reports() == expected
-    before = gc.get_threshold()
-    assert reports() == expected
-    assert gc.get_threshold() == before
-
-
-@pytest.mark.parametrize("has_freeze", [True, False])
+@pytest.mark.parametrize("has_settings", [True, False])
 def test_what_is_left_when_a_command_ends_is_not_collected(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, has_freeze: bool
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, has_settings: bool
 ) -> None:
-    """The process freezes them, and ends. A collector that cannot freeze is no error."""
+    """The process freezes them, and ends. A collector without these settings is no error."""
     program = tmp_path / "a.mnt"
     program.write_text("PRINT 1\n")
     line = ["run", str(program), "--format", "none"]
     before = gc.get_freeze_count()
+    thresholds = gc.get_threshold()
     monkeypatch.setattr(sys, "argv", ["motionlang", *line])
     with monkeypatch.context() as patch:
-        if not has_freeze:
+        if not has_settings:
             patch.delattr(gc, "freeze")
+            patch.delattr(gc, "set_threshold")
         assert process() == 0
-        assert (gc.get_freeze_count() > before) == has_freeze
+        assert (gc.get_threshold() != thresholds) == has_settings
+        assert (gc.get_freeze_count() > before) == has_settings
+    gc.set_threshold(*thresholds)
 
 
 def test_nothing_uses_what_only_cpython_has() -> None:

@@ -18,7 +18,7 @@ from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.standard_streams import prepare, silence
 from motionlang.cli.welcome import welcome
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
-from motionlang.kernel.tools import CollectorOff, missing
+from motionlang.kernel.tools import missing
 
 # The exit status if the reader of standard output has gone: 128 and SIGPIPE's number, like in shells.
 PIPE_CLOSED = 141
@@ -67,8 +67,7 @@ def _command(given: Sequence[str]) -> int:
         sys.stderr.write(welcome())
         return 2
     SIGNALS.defer()  # until the command can report how it ended
-    with CollectorOff():
-        command = parse(given)
+    command = parse(given)
     try:
         return command.start()
     except ProgramError as error:  # for a machine that cannot be built from the command line

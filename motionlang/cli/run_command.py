@@ -25,7 +25,7 @@ from motionlang.kernel.lang.scheduler import Outside
 from motionlang.kernel.report import assumptions, failure, pieces
 from motionlang.kernel.result import Run, who_ended
 from motionlang.kernel.source import STDIN, Source, name_of
-from motionlang.kernel.tools import CollectorOff, MissingExtra
+from motionlang.kernel.tools import MissingExtra
 from motionlang.views.formatting import clock_time
 from motionlang.views.questions import ask
 from motionlang.views.report import render, run_document
@@ -68,10 +68,6 @@ class Simulated(Output, World, Program):
     )
 
     _is_reported: bool = field(default=False, init=False, repr=False)
-
-    def start(self) -> int:
-        with CollectorOff():  # what is loaded stays; the run itself collects
-            return super().start()
 
     def perform(self) -> int:
         """Run the command; there is exactly one complete report, however the run ends."""

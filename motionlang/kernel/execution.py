@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 from collections.abc import Callable, Mapping
 
@@ -35,8 +34,6 @@ from motionlang.kernel.tools import StackSpace
 
 # The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0
-# New objects between two passes of the garbage collector.
-GARBAGE = 200_000
 # The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -311,11 +308,6 @@ def _execute(
 ) -> None:
     """Run to the end or to an error; earlier results remain in `result`."""
     scheduler = result.machine.scheduler
-    # The log of a run lives as long as the run: repeated collections would find nothing.
-    thresholds, collecting = _thresholds(), gc.isenabled()
-    if thresholds:
-        gc.set_threshold(GARBAGE, *thresholds[1:])
-    gc.enable()
     try:
         if scheduler is None:
             if outside is not None:
@@ -354,13 +346,3 @@ def _execute(
             each for each in result.diagnostics if (each.code, each.line, each.column) != where
         ]
         result.diagnostics.append(diagnostic)
-    finally:
-        if thresholds:
-            gc.set_threshold(*thresholds)
-        if not collecting:
-            gc.disable()
-
-
-def _thresholds() -> tuple[int, ...]:
-    """Return the garbage collector's thresholds; () if it has none, as in PyPy."""
-    return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()

@@ -6,7 +6,6 @@ Python version: the builtin `sum` rounds differently from Python 3.12 on.
 
 from __future__ import annotations
 
-import gc
 from _thread import allocate_lock
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
@@ -247,18 +246,3 @@ class StackSpace:
             setrecursionlimit(max(_limits))
             if len(_limits) == 1:
                 _limits.clear()
-
-
-class CollectorOff:
-    """A block in which the collector does not run.
-
-    The objects that such a block creates remain in use, so the collector would only scan them repeatedly.
-    """
-
-    def __enter__(self) -> None:
-        self._was_on = gc.isenabled()
-        gc.disable()
-
-    def __exit__(self, *_: object) -> None:
-        if self._was_on:
-            gc.enable()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import gc
 import logging
 import os
 import socket
@@ -151,13 +150,8 @@ class _Limited:
 
 
 def prepare() -> None:
-    """Load the keywords, and exempt all present objects from garbage collection.
-
-    Repeated scans of these objects would take a third of the time of a parse.
-    """
+    """Load the keywords."""
     from motionlang.kernel.lang.dialect import dialect, dialects
 
     for name in dialects():
         len(dialect(name).table().rows)
-    gc.collect()
-    gc.freeze()

@@ -20,7 +20,7 @@ from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import CollectorOff, StackSpace
+from motionlang.kernel.tools import StackSpace
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64
@@ -123,7 +123,7 @@ def checked_program(
 
     The values of the names in `given` are set when it starts; see `override`. With `is_debug` a debugger can stop it.
     """
-    with CollectorOff(), StackSpace():
+    with StackSpace():
         module = parsed(source, lambda readable: check_module(readable, settings))
         if overrides or given:
             override(module, overrides or {}, given)

@@ -27,7 +27,7 @@ from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import CollectorOff, StackSpace
+from motionlang.kernel.tools import StackSpace
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
@@ -35,7 +35,7 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Return all errors of a program and, if it has none, all warnings."""
-    with CollectorOff(), StackSpace():
+    with StackSpace():
         return _check(source, dict(settings or {}))
 
 

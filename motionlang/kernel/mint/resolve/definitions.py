@@ -35,7 +35,7 @@ from motionlang.kernel.mint.syntax.recovery import readable
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import CollectorOff, StackSpace
+from motionlang.kernel.tools import StackSpace
 
 # A name, and what records it.
 Use = tuple[Word, Callable[[], None]]
@@ -48,7 +48,7 @@ _NOT_RENAMED = "an event handler has the name of its event"
 
 def names(source: Source) -> Names:
     """Return the names of a program; unreadable lines contribute none."""
-    with CollectorOff(), StackSpace():
+    with StackSpace():
         complete = True
         try:
             module = parse(source)

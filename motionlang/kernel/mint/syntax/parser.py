@@ -20,7 +20,6 @@ from motionlang.kernel.mint.syntax.nesting import (
 from motionlang.kernel.mint.syntax.nodes import Call, Label, Module
 from motionlang.kernel.mint.syntax.tokens import PARSER, ended
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import CollectorOff
 
 # `NAME:` on a line of its own. The grammar takes it for a call.
 _LABEL = re.compile(r"^[ \t]*+([A-Za-z_][A-Za-z0-9_]*+)[ \t]*+:[ \t]*+(?:'.*)?$", re.MULTILINE)
@@ -31,8 +30,7 @@ _CONTINUED = re.compile(r"[\\_][ \t]*(?:'.*)?$", re.MULTILINE)
 def parse(source: Source) -> Module:
     """Return the tree of a program; raise ProgramError with all errors of the text."""
     try:
-        with CollectorOff():  # a tree has no cycles
-            module = cast(Module, PARSER.parse(ended(source.text)))
+        module = cast(Module, PARSER.parse(ended(source.text)))
     except (UnexpectedInput, Misuse):
         raise diagnose(source) from None
     module.source = source
