@@ -27,8 +27,8 @@ from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log.records import GRAVE
 from motionlang.kernel.log.track import WholeTrack, axes_of
+from motionlang.kernel.planners.curve import pieces_of
 from motionlang.kernel.planners.ramps import Piece
-from motionlang.kernel.planners.sample import pieces_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of

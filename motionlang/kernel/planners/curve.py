@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass
+from itertools import chain, islice
 from math import copysign, inf, sin
 
 from motionlang.kernel.planners import crossing as _crossing
@@ -429,6 +430,30 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
     elif hasattr(profile, "_curve"):
         made._curve = profile._curve
     return made
+
+
+def pieces_of(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[list[float], list[Piece]]:
+    """Return the times at which the pieces of profiles begin, and the pieces.
+
+    Each is valid until the next one begins. The first one is the standstill before the first profile; if a profile
+    ends before the next one begins, a piece for the time after its end follows.
+    """
+    begins: list[float] = []
+    pieces: list[Piece] = []
+    following = chain(islice(starts, 1, None), (inf,))
+    for start, end, profile in zip(starts, following, profiles, strict=False):
+        if not pieces:
+            begins.append(start)
+            pieces.append((profile.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        knots, curve, _ = profile.curve
+        for knot, piece in zip(knots, curve, strict=False):
+            if start + knot < end:
+                begins.append(start + knot)
+                pieces.append(piece)
+        if start + profile.duration < end:
+            begins.append(start + profile.duration)
+            pieces.append((profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
+    return begins, pieces
 
 
 def far_end(position: float, velocity: float) -> float:

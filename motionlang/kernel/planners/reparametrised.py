@@ -263,7 +263,6 @@ def travelled(along: Profile, path: Profile, shape: str = "", lift: float = 0.0)
 
 
 def _uniform_speed(along: Profile) -> float | None:
-    """Return the speed of a uniform motion, or None if it is not uniform."""
     if not along.pieced or len(along.pieces) != 1 or any(along.pieces[0][2:5]):
         return None
     return abs(along.pieces[0][1])

@@ -3,43 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain, islice
 from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.planners.curve import Profile, pieces_of
 from motionlang.kernel.planners.evaluate import evaluate, piece_values
-from motionlang.kernel.planners.ramps import Piece
 
 Array = NDArray[np.float64]
 
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
-
-
-def pieces_of(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[list[float], list[Piece]]:
-    """Return the times at which the pieces of profiles begin, and the pieces.
-
-    Each is valid until the next one begins. The first one is the standstill before the first profile; if a profile
-    ends before the next one begins, a piece for the time after its end follows.
-    """
-    begins: list[float] = []
-    pieces: list[Piece] = []
-    following = chain(islice(starts, 1, None), (inf,))
-    for start, end, profile in zip(starts, following, profiles, strict=False):
-        if not pieces:
-            begins.append(start)
-            pieces.append((profile.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-        knots, curve, _ = profile.curve
-        for knot, piece in zip(knots, curve, strict=False):
-            if start + knot < end:
-                begins.append(start + knot)
-                pieces.append(piece)
-        if start + profile.duration < end:
-            begins.append(start + profile.duration)
-            pieces.append((profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
-    return begins, pieces
 
 
 class PieceTable:

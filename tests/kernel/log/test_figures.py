@@ -13,7 +13,7 @@ from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.log.order import Tie
 from motionlang.kernel.log.trace import Trace, quantity_of
 from motionlang.kernel.log.track import WholeTrack, axes_of
-from motionlang.kernel.planners.sample import pieces_of
+from motionlang.kernel.planners.curve import pieces_of
 from tests.kernel.log.test_trace import ballscrew
 
 

@@ -23,7 +23,7 @@ from motionlang.kernel.log.stream import Store
 from motionlang.kernel.log.time_slices import TimeSliceStream
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
-from motionlang.kernel.planners.sample import pieces_of
+from motionlang.kernel.planners.curve import pieces_of
 from tests.kernel.log.test_figures import machine
 
 

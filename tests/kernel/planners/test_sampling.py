@@ -16,9 +16,9 @@ from motionlang.kernel.planners import (
     plan_trapezoid,
     plan_velocity,
 )
-from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.planners.curve import from_curve, pieces_of
 from motionlang.kernel.planners.evaluate import evaluate
-from motionlang.kernel.planners.sample import ORDERS, PieceTable, pieces_of
+from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from tests.kernel.planners.cases import Move, moves, quick
 
 
