@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
 import pytest
 
 from tests.cases import cases
-from tests.sizes import CLASSES, Classes
 from tests.trees import nodes_of, tree_of
 
 pytestmark = pytest.mark.slow
@@ -51,8 +50,6 @@ WHOLE_SUMS = {
     "kernel/mint/runtime/environment.py",
     "views/table.py",
 }
-# A function with fewer lines needs no docstring.
-SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
 
 
@@ -68,22 +65,6 @@ def imports(path: Path) -> set[str]:
             if node.module == "motionlang":
                 found.update(f"motionlang.{alias.name}" for alias in node.names)
     return found
-
-
-# How many fields each of the classes that a newcomer reads first may have, with its bases and the objects that
-# only it makes. `Watches` is older than the limit.
-FIELDS = {"Axis": 50, "Scheduler": 18}
-OLDER = frozenset(("Watches",))
-
-
-@cache
-def classes() -> Classes:
-    return Classes({path.relative_to(PACKAGE).as_posix(): tree_of(path) for path in FILES})
-
-
-@cases("name", sorted(FIELDS))
-def test_the_centre_has_few_fields(name: str) -> None:
-    assert classes().with_owned(name, CLASSES[name], OLDER) <= FIELDS[name]
 
 
 # Methods that change a list, a set or a dictionary.
@@ -257,38 +238,6 @@ def roots() -> tuple[Path, ...]:
 @cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", "\n".join(PAGES)))))
 def test_the_pages_about_the_architecture_name_what_there_is(named: str) -> None:
     assert any((root / named).exists() for root in roots()), f"the pages about the architecture name {named}"
-
-
-# What a command may override: its base says what each does.
-OVERRIDDEN = {
-    node.name for file in ("command", "option_groups", "run_command", "run_to_file")
-    for node in nodes_of(PACKAGE / f"cli/{file}.py")
-    if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) is not None
-}  # fmt: skip
-
-
-def public(
-    body: list[ast.stmt], overridden: Collection[str] = ()
-) -> Iterator[ast.FunctionDef | ast.ClassDef]:
-    """Yield public functions and classes, and their public methods, without those of a command that override."""
-    for node in body:
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
-            if node.name not in overridden:
-                yield node
-            if isinstance(node, ast.ClassDef):
-                yield from public(node.body, OVERRIDDEN if node.bases else ())
-
-
-@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
-def test_what_is_public_says_what_it_does(path: Path) -> None:
-    tree = tree_of(path)
-    silent = [
-        node.name
-        for node in public(tree.body)
-        if ast.get_docstring(node) is None and (node.end_lineno or 0) - node.lineno >= SPEAKS_FOR_ITSELF
-    ]
-    assert silent == []
-    assert ast.get_docstring(tree)
 
 
 def is_whole(node: ast.expr) -> bool:
