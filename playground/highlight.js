@@ -1,4 +1,4 @@
-// Highlighting of Mint and MCCL by the tables of the package, which keywords.json has (python -m tests.derived).
+// Highlighting of Mint and MCCL by the tables of the package, which keywords.json has (python -m tools.derived).
 
 import { StreamLanguage } from "@codemirror/language";
 import { tags } from "@lezer/highlight";

@@ -23,7 +23,6 @@ import pytest
 import motionlang
 from motionlang import Loop, Motor, Source, Track
 from motionlang.kernel.tools import MissingExtra
-from tests import report_types
 
 # 200 uu at 100 uu/s with 1000 uu/s²: 0.1 s up, 1.9 s slew, 0.1 s down.
 FEED = Source(
@@ -169,11 +168,6 @@ def test_a_report_is_data() -> None:
     again = pickle.loads(pickle.dumps(report))
     assert again == report == json.loads(json.dumps(report))
     assert "<table>" in again._repr_html_()
-
-
-def test_the_types_of_a_report_are_those_of_the_schema() -> None:
-    pytest.importorskip("ruff")
-    assert report_types.MODULE.read_text(encoding="utf-8") == report_types.written()
 
 
 def test_moves_are_columns() -> None:

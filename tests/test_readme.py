@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 
-from tests.scope_picture import PICTURE, PROGRAM, ROOT, digest, recorded, with_digest
+from tools.scope_picture import PICTURE, PROGRAM, ROOT, digest, recorded, with_digest
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 ORDER = ["Install", "One minute of use", "Accuracy", "Documentation", "Built with"]
@@ -44,7 +44,7 @@ def test_every_extra_of_users_is_named() -> None:
 
 def test_the_picture_is_of_the_program_as_it_is() -> None:
     png = PICTURE.read_bytes()
-    assert recorded(png) == digest(), "python -m tests.scope_picture draws it again"
+    assert recorded(png) == digest(), "python -m tools.scope_picture draws it again"
     assert len(png) < 200_000
 
 

@@ -10,16 +10,10 @@ from typing import Any
 import pytest
 
 from motionlang.kernel.lang.dialect import dialect, dialects
-from tests import vscode_grammars
+from tools import vscode_grammars
 
 FOLDER = Path(__file__).parent.parent / "editors" / "vscode"
 PACKAGE: dict[str, Any] = json.loads((FOLDER / "package.json").read_text(encoding="utf-8"))
-
-
-def test_the_grammars_are_those_of_the_tables() -> None:
-    """`python -m tests.derived` writes them."""
-    for name, text in vscode_grammars.written().items():
-        assert (vscode_grammars.FOLDER / name).read_text(encoding="utf-8") == text
 
 
 def test_each_language_has_its_files() -> None:

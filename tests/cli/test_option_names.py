@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import motionlang
-from tests.command_pages import parsers
 from tests.trees import nodes_of
+from tools.command_pages import parsers
 
 PACKAGE = Path(motionlang.__file__).parent
 # Of argparse, of a linker and of another library's script.

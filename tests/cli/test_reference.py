@@ -4,17 +4,8 @@ from __future__ import annotations
 
 import re
 
-import pytest
-
 from motionlang.cli.commands import COMMANDS
-from tests.command_pages import FOLDER, pages, parsers, written
-
-
-@pytest.mark.parametrize("page", pages(), ids=lambda each: each.stem)
-def test_the_tables_are_those_of_the_classes(page: object) -> None:
-    """If this fails, run `python -m tests.command_pages`."""
-    text = page.read_text(encoding="utf-8")  # type: ignore[attr-defined]
-    assert written(text) == text
+from tools.command_pages import FOLDER, pages, parsers
 
 
 def test_each_command_has_a_page_with_its_options() -> None:

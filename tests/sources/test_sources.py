@@ -14,7 +14,7 @@ from motionlang.cli import commands
 from tests.cases import cases
 from tests.cli.notes import NAMES, answer
 from tests.cli.programs import parser_of
-from tests.sources.page import PAGE, ROOT, Entry, entries, page
+from tools.sources_page import ROOT, Entry, entries
 
 ENTRIES = [each for each in entries() if each.kind != "context"]
 COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "page "))]
@@ -97,7 +97,3 @@ def test_each_row_names_a_test_that_exists(entry: Entry) -> None:
 def test_no_row_is_without_a_proof() -> None:
     assert all(each.command and each.shows and each.test for each in ENTRIES)
     assert len({each.document for each in ENTRIES}) == 4  # of TN1069 there are two scans
-
-
-def test_the_page_is_that_of_the_table() -> None:
-    assert PAGE.read_text(encoding="utf-8") == page(), "python -m tests.sources.page writes it"

@@ -7,7 +7,7 @@ import re
 from motionlang.kernel.mccl.keywords import table as mccl_table
 from motionlang.kernel.mint.keywords import table as mint_table
 from tests.cases import cases
-from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages
+from tools.mint_manual import CHAPTERS, FOLDER, heading, pages
 
 PAGES = pages()
 MCCL = sorted((FOLDER.parent / "mccl").glob("*.mcl"))
@@ -24,12 +24,8 @@ def test_a_page_begins_with_its_subject(name: str) -> None:
 
 
 def test_every_page_is_in_a_chapter() -> None:
-    """Add the name of a new page to CHAPTERS of tests/mint_manual.py."""
+    """Add the name of a new page to CHAPTERS of tools/mint_manual.py."""
     assert sorted(" ".join(CHAPTERS.values()).split()) == PAGES
-
-
-def test_the_contents_are_those_of_the_pages() -> None:
-    assert INDEX.read_text(encoding="utf-8") == contents(), "python -m tests.derived writes them anew"
 
 
 def test_every_simulated_keyword_of_mint_is_on_a_page() -> None:

@@ -1,7 +1,7 @@
 """The header of MCAPI 4.4.1: its constants, structures and functions, with MCCL and remarks.
 
 The methods of the Python class (`binding.py`) are made from this table when they are imported. The C header, the
-C stubs and the page of functions are derived files (`tests/mcapi_files.py`). The dispatcher checks the arguments
+C stubs and the page of functions are derived files (`tools/mcapi_files.py`). The dispatcher checks the arguments
 of a call against it. The implementation of a call is in `calls/`, unless the column of MCCL is sufficient, such
 as `aMA{position}`: `a` is the axis, and the braces name the argument that is the parameter.
 

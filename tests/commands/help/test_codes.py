@@ -12,7 +12,6 @@ import motionlang
 from motionlang.commands.help.explanations import EXAMPLES, FIXES, WITHOUT_EXAMPLE, Example
 from motionlang.kernel.errors import CODES
 from tests.cli.programs import Cell
-from tests.diagnostics_page import PAGE, written
 
 # Codes in brackets, and in JSON.
 _CODE = re.compile(r'(?:error|warning)\[([\w-]+)\]|"code": "([\w-]+)"')
@@ -56,10 +55,6 @@ def test_every_code_that_is_raised_exists() -> None:
     raised = re.compile(r"\b(?:Rejected|Diagnostic)\(\s*\"([a-z-]+)\"")
     files = Path(motionlang.__file__).parent.rglob("*.py")
     assert {found[1] for path in files for found in raised.finditer(path.read_text("utf-8"))} <= CODES.keys()
-
-
-def test_the_page_is_written_from_the_examples() -> None:
-    assert PAGE.read_text(encoding="utf-8") == written()
 
 
 @pytest.mark.parametrize("code", CODES)

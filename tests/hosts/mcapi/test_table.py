@@ -1,15 +1,12 @@
-"""The table of functions: its size, its structures, and the files made from it."""
+"""The table of functions: its size and its structures."""
 
 from __future__ import annotations
-
-from pathlib import Path
 
 import pytest
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
 from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES
-from tests.mcapi_files import FILES
 
 # The bytes of each structure in C, with four-byte packing, from PMC's header compiled on 64-bit Linux.
 SIZES = {
@@ -38,12 +35,6 @@ def size(name: str) -> int:
         step = min(each, 4)
         at = -(-at // step) * step + each * field.count
     return -(-at // 4) * 4
-
-
-@pytest.mark.parametrize("path", FILES, ids=lambda path: Path(path).name)
-def test_a_generated_file_is_that_of_the_table(path: Path) -> None:
-    """If this fails, run `python -m tests.mcapi_files`."""
-    assert path.read_text(encoding="utf-8") == FILES[path]()
 
 
 def test_it_has_all_functions() -> None:

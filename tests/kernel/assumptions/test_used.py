@@ -13,17 +13,11 @@ from motionlang.commands.probe.entries import assumptions
 from motionlang.kernel.assumptions.used import depended_on
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.source import Source
-from tests import assumption_index
+from tools import assumption_index
 
 
 def used(text: str, language: str = "mint", **settings: object) -> list[str]:
     return depended_on(dialect(language), text, settings)
-
-
-def test_the_table_is_what_the_entries_say() -> None:
-    assert assumption_index.TABLES.read_text(encoding="utf-8") == assumption_index.written(), (
-        "python -m tests.derived writes it"
-    )
 
 
 @pytest.mark.parametrize(("words", "text"), [("x" * 69, '"{}"'), ("x" * 70, '"""\n{}\n"""')])

@@ -1,6 +1,6 @@
 /* Functions, structures and constants of MCAPI 4.4.1, for hosts of a virtual board.
  *
- * Written by `python -m tests.mcapi_files`, not by hand. Hosts ask for the guards of several versions.
+ * Written by `python -m tools.derived`, not by hand. Hosts ask for the guards of several versions.
  */
 #ifndef MCAPI_H
 #define MCAPI_H

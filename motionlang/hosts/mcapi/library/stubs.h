@@ -1,4 +1,4 @@
-/* The stubs of the functions, written by `python -m tests.mcapi_files`, not by hand. */
+/* The stubs of the functions, written by `python -m tools.derived`, not by hand. */
 
 static const structure STRUCTURES[] = {
     {"ciiiiiidddddddddi", {16, 0}}, /* MCAXISCONFIG */

@@ -1,6 +1,6 @@
 """The keywords of each file, in lower case.
 
-Written by `python -m tests.keyword_index`; do not edit.
+Written by `python -m tools.derived`; do not edit.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@ import pytest
 import motionlang
 from motionlang.kernel.lang.machine.file import read_machine
 from motionlang.kernel.source import Source
-from tests.machine_page import PAGE, written
 
 
 def read(text: str) -> dict[str, object]:
@@ -49,10 +48,6 @@ def test_tables_of_tables_are_read() -> None:
 
 def test_an_empty_file_is_all_defaults() -> None:
     assert read("") == {}
-
-
-def test_machine_file_page_matches_its_vocabulary() -> None:
-    assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.derived writes it anew"
 
 
 @pytest.mark.parametrize(

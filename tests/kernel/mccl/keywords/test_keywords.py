@@ -5,8 +5,8 @@ from __future__ import annotations
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mccl.keywords import table
 from tests.cases import cases
-from tests.keyword_pages import machine_of
 from tests.mccl_runs import Runner
+from tools.keyword_pages import machine_of
 
 SIMULATED = [row for row in table() if row.simulated]
 KNOWN = [row for row in table() if not row.simulated]

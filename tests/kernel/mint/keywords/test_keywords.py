@@ -16,7 +16,7 @@ from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.keywords import ORDER, index, no_effect, table, unsimulated
 from motionlang.kernel.source import Source
 from tests.cases import cases
-from tests.keyword_pages import machine_of
+from tools.keyword_pages import machine_of
 
 LIBRARY = Path(index.__file__).with_name("type_library")
 SIMULATED = [row for row in table() if row.simulated and row.example]

@@ -19,7 +19,7 @@ HEAD = """\
 [What is confirmed](../fidelity.md) is the short version of this page. Nothing here has been checked on a real
 controller. `motionlang help KEYWORD` shows what is known about a keyword and from which source. This page lists the
 rest: each assumption that was made where the sources are silent, with the reason why a user of the real controller
-would expect it. `python -m tests.derived` writes it from the evidence files.
+would expect it. `python -m tools.derived` writes it from the evidence files.
 
 The column *evidence* is a *manual*, running *code*, a *sibling* (another product of the same maker, or one in the same
 style whose rule is printed), *memory* (high, medium or low confidence) or a *choice* where there was no evidence.

@@ -1,4 +1,4 @@
-"""Writer of `playground/keywords.json`: `python -m tests.highlight_tables`.
+"""Writer of `playground/keywords.json`.
 
 The file lists the keywords of both languages by kind, for the editor of the playground. The kinds are those
 of `motionlang.views.highlight`.
@@ -33,5 +33,5 @@ def _kinds(name: str) -> dict[str, str]:
     return {kind: " ".join(sorted(found[kind])) for kind in sorted(found)}
 
 
-if __name__ == "__main__":
-    FILE.write_text(written(), encoding="utf-8", newline="\n")
+def files() -> dict[Path, str]:
+    return {FILE: written()}

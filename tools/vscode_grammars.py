@@ -107,20 +107,8 @@ def suffixes(language: str) -> list[str]:
     return [suffix.removeprefix(".") for suffix in dialect(language).suffixes]
 
 
-def written() -> dict[str, str]:
-    """Return the text of each grammar by its file name."""
+def files() -> dict[Path, str]:
     return {
-        f"{name}.tmLanguage.json": json.dumps(grammar, indent=1, ensure_ascii=False) + "\n"
+        FOLDER / f"{name}.tmLanguage.json": json.dumps(grammar, indent=1, ensure_ascii=False) + "\n"
         for name, grammar in (("mint", mint()), ("mccl", mccl()))
     }
-
-
-def main() -> None:
-    """Write both grammars."""
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    for name, text in written().items():
-        (FOLDER / name).write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,7 +1,4 @@
-"""Writer of docs/contributing/one-statement.md: `python -m tests.stages_page`.
-
-The page follows one statement through every stage.
-"""
+"""Writer of docs/contributing/one-statement.md, which follows one statement through every stage."""
 
 from __future__ import annotations
 
@@ -43,7 +40,7 @@ TEXT = """\
 # One statement through every stage
 
 This page follows `{statement}`, line {line} of the program below, from its text to the log of the run. It is generated
-by `python -m tests.stages_page`, and a test compares it, so what you see is what the code does.
+by `python -m tools.derived`, and a test compares it, so what you see is what the code does.
 
 ```mint
 {program}```
@@ -209,5 +206,5 @@ def _log(source: Source) -> str:
     )
 
 
-if __name__ == "__main__":
-    PAGE.write_text(written(), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {PAGE: written()}

@@ -1,6 +1,6 @@
 """Writer of tests/spec/mint/README.md, the table of contents of the Mint manual.
 
-Run it with `python -m tests.mint_manual`. The chapters are listed here; the subject of a page is the first
+The chapters are listed here; the subject of a page is the first
 sentence of its initial comment.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-FOLDER = Path(__file__).parent / "spec" / "mint"
+FOLDER = Path(__file__).parents[1] / "tests" / "spec" / "mint"
 INDEX = FOLDER / "README.md"
 
 INTRODUCTION = """\
@@ -106,5 +106,5 @@ def contents() -> str:
     return INTRODUCTION + "".join(chapters)
 
 
-if __name__ == "__main__":
-    INDEX.write_text(contents(), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {INDEX: contents()}

@@ -1,7 +1,4 @@
-"""The table of the source documents.
-
-`python -m tests.sources.page` writes docs/sources.md.
-"""
+"""Writer of docs/sources.md, the table of the source documents."""
 
 from __future__ import annotations
 
@@ -9,8 +6,8 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-ROOT = Path(__file__).parents[2]
-DATA = Path(__file__).with_name("entries.txt")
+ROOT = Path(__file__).parents[1]
+DATA = ROOT / "tests" / "sources" / "entries.txt"
 PAGE = ROOT / "docs" / "sources.md"
 KINDS = ("statement", "formula", "table row", "figure", "code", "context")
 HEAD = """\
@@ -114,5 +111,5 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-if __name__ == "__main__":
-    PAGE.write_text(page(), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {PAGE: page()}

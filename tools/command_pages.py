@@ -1,4 +1,4 @@
-"""Writer of the tables of options in docs/commands: `python -m tests.command_pages`.
+"""Writer of the tables of options in docs/commands.
 
 The tables come from the classes of the commands, through their parsers. A page has hand-written text around sections
 that begin with `<!-- options: COMMAND -->` or, in its README, `<!-- commands -->`, and end with `<!-- end -->`. Only
@@ -92,6 +92,5 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-if __name__ == "__main__":
-    for page in pages():
-        page.write_text(written(page.read_text(encoding="utf-8")), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {page: written(page.read_text(encoding="utf-8")) for page in pages()}

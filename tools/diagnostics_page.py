@@ -1,4 +1,4 @@
-"""Writer of docs/diagnostics.md: `python -m tests.diagnostics_page`."""
+"""Writer of docs/diagnostics.md."""
 
 from __future__ import annotations
 
@@ -33,5 +33,5 @@ def _section(code: str) -> str:
     return "".join([*sections, f"\nFix: {FIXES[code]}.\n"])
 
 
-if __name__ == "__main__":
-    PAGE.write_text(written(), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {PAGE: written()}

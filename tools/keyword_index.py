@@ -1,11 +1,7 @@
-"""Writer of `index.py` of both languages: `python -m tests.keyword_index`.
-
-It lists the keywords of each file.
-"""
+"""Writer of `index.py` of both languages, which lists the keywords of each file."""
 
 from __future__ import annotations
 
-import sys
 from importlib import import_module
 from pathlib import Path
 from textwrap import fill
@@ -15,7 +11,7 @@ from motionlang.kernel.lang.keyword import Keyword
 PACKAGES = ("motionlang.kernel.mint.keywords", "motionlang.kernel.mccl.keywords")
 _HEAD = '''"""The keywords of each file, in lower case.
 
-Written by `python -m tests.keyword_index`; do not edit.
+Written by `python -m tools.derived`; do not edit.
 """
 
 from __future__ import annotations
@@ -50,7 +46,5 @@ def _entry(name: str, rows: tuple[Keyword, ...]) -> str:
     return f'    "{name}": """\n{fill(" ".join(_words(rows)), 110)}\n""",\n'
 
 
-if __name__ == "__main__":
-    for each in PACKAGES:
-        index_path(each).write_text(written(each), encoding="utf-8", newline="\n")
-        sys.stdout.write(f"{each}: {len(list(import_module(each).table()))} keywords\n")
+def files() -> dict[Path, str]:
+    return {index_path(package): written(package) for package in PACKAGES}

@@ -1,7 +1,6 @@
-"""Writer of docs/keywords/ and of its menu: `python -m tests.keyword_pages`.
+"""Writer of docs/keywords/ and of its menu.
 
-The menu is in mkdocs.yml, with that of the rest of the site. Pages of groups that no longer exist are
-deleted.
+The menu is in mkdocs.yml, with that of the rest of the site.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.source import Source
 from motionlang.views.formatting import dialect_name
-from tests.keyword_page_texts import menu, pages
+from tools.keyword_page_texts import menu_of, pages
 
 ROOT = Path(__file__).parent.parent
 FOLDER = ROOT / "docs" / "keywords"
@@ -62,17 +61,23 @@ def with_menu(text: str) -> str:
 def _menu() -> Iterator[str]:
     for language in dialects():
         yield f"      - {dialect_name(language)}:\n"
-        for title, path in menu(dialect(language).table().rows, language):
+        for title, path in menu_of(dialect(language).table().rows, language):
             yield f'          - "{title}": keywords/{path}\n'
 
 
-if __name__ == "__main__":
-    for name in dialects():
-        (FOLDER / name).mkdir(parents=True, exist_ok=True)
-        required = written(name)
-        for path in (FOLDER / name).glob("*.md"):
-            if path.relative_to(FOLDER).as_posix() not in required:
-                path.unlink()
-        for path_, text_ in required.items():
-            (FOLDER / path_).write_text(text_, encoding="utf-8")
-    MENU.write_text(with_menu(MENU.read_text(encoding="utf-8")), encoding="utf-8")
+def mint() -> dict[Path, str | None]:
+    return _files("mint")
+
+
+def mccl() -> dict[Path, str | None]:
+    return _files("mccl")
+
+
+def menu() -> dict[Path, str]:
+    return {MENU: with_menu(MENU.read_text(encoding="utf-8"))}
+
+
+def _files(language: str) -> dict[Path, str | None]:
+    """Return the pages of a language, with None for pages of groups that no longer exist."""
+    found: dict[str, str | None] = {**dict.fromkeys(stored(language)), **written(language)}
+    return {FOLDER / path: text for path, text in found.items()}

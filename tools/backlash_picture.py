@@ -1,4 +1,4 @@
-"""Drawing of docs/images/backlash.png: `python -m tests.backlash_picture`.
+"""Drawing of docs/images/backlash.png: `python -m tools.backlash_picture`.
 
 It needs the extra `plot`. The motor curve is the value of ENCODER while the program runs. The load curve is
 computed from it: the motor pushes the load with one flank of the backlash or the other.

@@ -1,4 +1,4 @@
-"""Drawing of docs/images/scope.png: `python -m tests.scope_picture`.
+"""Drawing of docs/images/scope.png: `python -m tools.scope_picture`.
 
 It needs Chromium. The picture shows the scope page of a gallery program with two cursors. It contains a
 digest of the program, so that a test detects a picture of an older version.

@@ -1,4 +1,4 @@
-"""Writer of the tables of docs/machine-file.md: `python -m tests.machine_page`."""
+"""Writer of the tables of docs/machine-file.md."""
 
 from __future__ import annotations
 
@@ -74,5 +74,5 @@ def _table(rows: dict[str, str]) -> str:
     return "".join(["| key | |\n|---|---|\n", *(f"| `{key}` | {help} |\n" for key, help in rows.items())])
 
 
-if __name__ == "__main__":
-    PAGE.write_text(written(), encoding="utf-8")
+def files() -> dict[Path, str]:
+    return {PAGE: written()}
