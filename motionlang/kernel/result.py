@@ -364,7 +364,6 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
 
 
 def _others(result: Run, task: Task) -> list[Task]:
-    """Return the other waiting tasks."""
     scheduler = result.machine.scheduler
     assert scheduler is not None
     return [each for each in scheduler.tasks if each is not task and each.wait is not None]

@@ -408,7 +408,6 @@ def _markers(curve: Curve, points: Sequence[Point]) -> list[list[Point]]:
 
 
 def _head_of(tail: Point, tip: Point) -> list[Point]:
-    """Return the head of an arrow that ends at `tip`."""
     angle = atan2(tip[1] - tail[1], tip[0] - tail[0])
     ends = [(tip[0] - 7.0 * cos(angle + turn), tip[1] - 7.0 * sin(angle + turn)) for turn in (-0.4, 0.4)]
     return [tip, *ends]

@@ -159,7 +159,6 @@ examples:
         return found
 
     def _groups(self, name: str) -> dict[str, list[Keyword]]:
-        """Return the keywords of a group in each language that has it."""
         return {each: members for each, table in self._tables().items() if (members := table.group(name))}
 
     def _tables(self) -> dict[str, Vocabulary]:

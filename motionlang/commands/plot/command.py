@@ -80,7 +80,6 @@ examples:
 
 
 def _motors(result: Result) -> dict[int, ServoTrace]:
-    """Return the traces of the simulated motors of a run, by axis."""
     if all(axis.feedback is None for axis in result.controller.axes.values()):
         return {}
     from motionlang.kernel.log.history import servo_traces

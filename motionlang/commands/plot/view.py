@@ -185,7 +185,6 @@ def _darker(colour: str) -> str:
 
 
 def _time_unit(end: float) -> tuple[str, float]:
-    """Return the unit of the time axis and its length in seconds."""
     if end >= 3 * 3600.0:
         return "h", 3600.0
     return ("min", 60.0) if end >= 600.0 else ("s", 1.0)

@@ -112,7 +112,6 @@ def alone(assumption: Assumption, axis: int, motion: Motion | None = None) -> st
 
 
 def _wrapped(line: str) -> list[str]:
-    """Return a remark of the program, wrapped into lines."""
     return [line] if line.startswith("  ") else textwrap.wrap(line, 110)
 
 

@@ -255,7 +255,6 @@ class Polls:
         return times[index] if index >= 0 and times[index] > begin else None
 
     def _starts(self, lines: frozenset[int], begin: float, end: float) -> list[float]:
-        """Return the start times of the motion that the given lines commanded."""
         first = bisect_left(self._started, (begin + ROUNDING,))
         last = bisect_left(self._started, (end - ROUNDING,))
         return [start for start, line in self._started[first:last] if line in lines]

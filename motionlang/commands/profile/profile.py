@@ -162,7 +162,6 @@ def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[
 
 
 def _kind(link: Link) -> str:
-    """Return the kind of a link's time."""
     if not link.is_motion:
         return link.cause
     axes = ", ".join(map(str, link.axes))

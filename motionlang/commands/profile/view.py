@@ -202,7 +202,6 @@ def _waiting(causes: Mapping[str, float]) -> list[str]:
 
 
 def _phases(causes: Mapping[str, float]) -> str:
-    """Return the duration of each phase of a move."""
     if len(causes) < 2:
         return ""
     return ", ".join(f"{name} {_seconds(causes[name])}" for name in MOVING if name in causes)
@@ -250,7 +249,6 @@ def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
 
 
 def _seconds(value: float) -> str:
-    """Format seconds for a column."""
     return f"{value:.4f}"
 
 

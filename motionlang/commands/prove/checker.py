@@ -324,7 +324,6 @@ def _at_instant(a: WholeTrack, time: float, stated: float, last: float) -> float
 
 
 def _end(move: Move) -> float:
-    """Return when an entry ends."""
     return move.start_time + (move.profile.duration if move.profile is not None else 0.0)
 
 

@@ -239,7 +239,6 @@ def _on(curve: Profile, along: float) -> float:
 
 
 def _offset(run: Run, a: WholeTrack, time: float) -> float:
-    """Return the total of superposed offsets at a time."""
     offsets = run.offsets.get(a.index)
     return 0.0 if offsets is None else offsets.travelled(time)
 

@@ -375,7 +375,6 @@ class MintConsole(HostConsole[MintPort]):
             port.send(text, MAX_PRINTED)
 
     def _end_line(self) -> None:
-        """End an unfinished line of output."""
         self.machine.terminal.close()
 
     def _forget(self) -> bool:

@@ -140,7 +140,6 @@ def _words(data: bytes, count: int) -> tuple[int, ...]:
 
 
 def _values(data: bytes, count: int) -> tuple[int, ...]:
-    """Return the register values that follow their byte count."""
     if not data or data[0] != 2 * count:
         raise Rejected(ILLEGAL_VALUE)
     return _words(data[1:], count)

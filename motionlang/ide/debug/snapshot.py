@@ -207,7 +207,6 @@ def _contents_of_cell(cell: CellType) -> tuple[Any, ...]:
 
 
 def _held_by_function(x: Any) -> Collection[Any]:
-    """Return what a function holds."""
     if isinstance(x, FunctionType):
         return (*(x.__closure__ or ()), *(x.__defaults__ or ()), *(x.__kwdefaults__ or {}).values())
     if isinstance(x, partial):

@@ -175,7 +175,6 @@ def _detail(row: Keyword) -> str:
 
 
 def _plain(parameter: str) -> str:
-    """Return the name of a parameter from its declaration."""
     return parameter.removeprefix("ByRef ").partition(" ")[0].removesuffix("()")
 
 

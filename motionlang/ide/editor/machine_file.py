@@ -92,7 +92,6 @@ def hover_machine_file(source: Source, offset: int) -> Hover | None:
 
 
 def _code(line: str) -> str:
-    """Return a line without its comment."""
     found = re.match(r"""(?:[^#"']|"[^"]*"?|'[^']*'?)*""", line)
     return "" if found is None else found[0]
 
@@ -107,7 +106,6 @@ def _section(source: Source, offset: int) -> tuple[str, bool]:
 
 
 def _row(section: str, is_table: bool, key: str) -> _Row | None:
-    """Return a key of a section, None if there is none."""
     rows = _rows(section, True) if is_table else _all()
     wanted = key if is_table or not section else f"{section}.{key}"
     return next((row for row in rows if row.name == generic(wanted)), None)

@@ -271,7 +271,6 @@ class ExpectedMotion:
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
-        """True if a path in progress was planned at the current time."""
         courses = () if action.run is None else action.run.courses
         return any(each.here is action and each.planned_at == self._controller.clock.now for each in courses)
 

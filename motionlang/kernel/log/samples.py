@@ -47,7 +47,6 @@ class AnalogueChanges(Iterable[Changed]):
                 yield each
 
     def _samples(self, channel: int) -> Iterator[Changed]:
-        """Yield all samples of a channel."""
         for each in self._sampled:
             if each.channel == channel:
                 _, profile = self._axes[each.axis].in_force(each.start)

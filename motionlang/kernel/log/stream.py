@@ -347,7 +347,6 @@ class Stream(Records[T]):
         return made
 
     def _number(self, row: int) -> int:
-        """Return the number of the record of a row."""
         k = bisect_right(self._repetitions, row, key=_row)
         last = self._repetitions[k - 1] if k else None
         before, number = self._oldest if last is None else (last.row, last.end)

@@ -106,7 +106,6 @@ class PvtStream(Sent, Output):
         return 0
 
     def _start_position(self, move: Move) -> float:
-        """Return the start position of the simulated motor: as given, or that of the move."""
         if self.start_ is not None:
             return self.start_
         first = move.points[0]

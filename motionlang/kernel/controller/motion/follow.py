@@ -368,7 +368,6 @@ class Gear(Follow):
         self._halt = done, self.controller.clock.now
 
     def _log_offset(self, profile: Profile) -> None:
-        """Extend the log entry of the offset by a profile."""
         entry = self.offset_entry
         if entry is None or entry.profile is None:
             return

@@ -67,5 +67,4 @@ class Takeup:
 
 
 def _next_knot(profile: Profile, after: float) -> float | None:
-    """Return the time of the next knot of a profile; None after the last one."""
     return next((knot for knot in profile.knots if knot > after), None)

@@ -160,7 +160,6 @@ def _access(row: Keyword) -> str:
 
 
 def _parameter(command: Command) -> str:
-    """Return the parameter as text; "?" if it is in a register."""
     if command.kind == REGISTER:
         return f"@{int(command.value)}"
     return "" if command.kind != NUMBER else f"{command.value:.10g}"

@@ -282,7 +282,6 @@ class Capture:
 
 
 def _channel_or_trigger(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
-    """Return the channel or trigger whose attribute a keyword sets."""
     if row.index == "trigger":
         return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
     return capture.channels[checked(number, LAST_CHANNEL, "capture channel")]

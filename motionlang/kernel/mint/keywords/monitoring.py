@@ -74,7 +74,6 @@ class Monitors:
             self._update_errors(axis, pattern)
 
     def _update_errors(self, axis: int, pattern: int) -> None:
-        """Set or clear the error of the axis for each input of a pattern."""
         beyond = self.beyond(axis)
         for k in range(MONITORED):
             if pattern >> k & 1:

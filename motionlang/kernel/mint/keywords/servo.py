@@ -39,7 +39,6 @@ class Loops:
 
 
 def _report_no_effect(environment: Environment, row: Keyword, axes: tuple[int, ...]) -> None:
-    """Report a keyword that has no effect because no axis has a motor."""
     if not any(environment.controller.has_motor(axis) for axis in axes):
         environment.machine.without_effect.setdefault(row.name, [])
 

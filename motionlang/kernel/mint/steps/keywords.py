@@ -106,7 +106,6 @@ def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
 
 
 def _given(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
-    """Return a value that is written to a keyword."""
     found = expressions.value(w, node)
     if row.unit == "text":
         return found
