@@ -11,7 +11,7 @@ from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.controller.verbs import VERBS
+from tests.verbs import VERBS
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.readers import Reader, Subscriber, Writer

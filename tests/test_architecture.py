@@ -152,7 +152,7 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
 
 
 def test_no_dialect_reaches_into_the_controller() -> None:
-    """A language changes an axis only through verbs (`kernel/controller/verbs.py`).
+    """A language changes an axis only through verbs (`tests/verbs.py`).
 
     It reads an axis only through bound readers.
     """

@@ -77,7 +77,7 @@ waits and is done again. It pays for the statement when it is done.
 
 At run time `kernel/lang/step_task.py` does one step after another. The function of this one was bound to the row of its
 keyword when the steps were written (`kernel/mint/runtime/binding.py`). It checks the value and calls verbs of the
-controller (`kernel/controller/verbs.py`) in counts and seconds: 25 user units are 250 counts.
+controller (`tests/verbs.py`) in counts and seconds: 25 user units are 250 counts.
 
 ```text
 {verbs}

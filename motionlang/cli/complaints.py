@@ -16,19 +16,16 @@ from motionlang.views.terminal import wants_colour, width_of
 
 def unreadable(file: str, error: OSError) -> Diagnostic:
     """Return the diagnostic of a file that cannot be read."""
-
     return Diagnostic("file", f"{file} cannot be read: {reason(error)}")
 
 
 def unwritten(file: str, error: OSError) -> Diagnostic:
     """Return the diagnostic of a file that cannot be written."""
-
     return Diagnostic("file", f"{file} cannot be written: {reason(error)}")
 
 
 def no_dialect(file: str) -> Diagnostic:
     """Return the diagnostic of a file whose extension does not identify its language."""
-
     name = "standard input" if file == STDIN else file
     suffix = os.path.splitext(file)[1]
     what = f"no language has the extension {suffix}" if suffix else "it has no extension"

@@ -49,13 +49,11 @@ def _position(run: Run, axis: int) -> float:
 
 
 def _peak(run: Run, axis: int) -> float:
-
     return peak_speed(run.controller.axes[axis], run.time)
 
 
 def _extreme(which: str) -> Reader:
     def read(run: Run, axis: int) -> float:
-
         found: float = getattr(extremes(run.controller.axes[axis], run.time), which).value
         return found
 
@@ -67,13 +65,11 @@ def _events(run: Run, number: int) -> int:
 
 
 def _margin(run: Run, number: int) -> float | None:
-
     return least_margin(certificate(run.controller, run.machine.settings, run.time))
 
 
 def _motor(column: str, rms: bool = False) -> Reader:
     def read(run: Run, axis: int) -> float | None:
-
         found = motor_peak(run.controller.axes[axis], run.time, column, rms=rms)
         return None if found is None else found.value
 

@@ -111,7 +111,7 @@ def run(
         source, overrides, remarks, wrong = _with_literals(source, language, overrides)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
-        settings = _with_entries(settings, inputs, analog, answers, keys)
+        settings = with_entries(settings, inputs, analog, answers, keys)
     virtual = Machine(
         settings,
         first_axis=language.first_axis,
@@ -153,14 +153,6 @@ def run_on(
     _perform(result, program, last, None, None, None, False, False)
     _finish(result, machine.settings)
     return result
-
-
-def _with_entries(
-    settings: dict[str, object], inputs: Given, analog: Given, answers: Given, keys: Given
-) -> dict[str, object]:
-    """Return settings with the inputs, answers and keys that are given for one run."""
-
-    return with_entries(settings, inputs, analog, answers, keys)
 
 
 def _perform(
@@ -205,7 +197,6 @@ def _with_literals(
 
     Also returns the other overrides, remarks, and the errors of addresses.
     """
-
     try:
         return *edited(source, language, overrides), []
     except ProgramError as error:

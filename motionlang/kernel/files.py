@@ -31,7 +31,6 @@ def scratch() -> IO[bytes]:
 
     It is deleted when it is closed or the process ends.
     """
-
     return TemporaryFile(prefix="motionlang-")
 
 

@@ -306,7 +306,6 @@ def assumptions(run: Run) -> list[str]:
 
     Their names are those in docs/contributing/assumptions.md.
     """
-
     return depended_on(run.dialect, run.source.text, run.machine.settings)
 
 
@@ -397,7 +396,6 @@ def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator
 
 def _encoder() -> Callable[[object], str]:
     """Return a function that converts a value to a line of JSON."""
-
     encode = JSONEncoder(allow_nan=False).encode
 
     def line(value: object) -> str:

@@ -155,7 +155,6 @@ def _in_lines(lines: list[int]) -> str:
 
 def open_nonvolatile(result: Run, path: str) -> bool:
     """Lock and read the nv file; on failure report it and return False: do not run."""
-
     try:
         result.machine.nv = NonVolatile(path)
     except InUse:

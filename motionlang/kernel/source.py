@@ -63,7 +63,6 @@ def _utf16(data: bytes) -> str:
 
 def _with_blanks(text: str) -> str:
     """Replace form feeds and DOS end-of-file marks outside strings by blanks."""
-
     return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
 
 
@@ -127,7 +126,6 @@ class Source:
 
     def location(self, offset: int) -> tuple[int, int]:
         """Return line and column of a character offset, both counted from 1."""
-
         if self._ends is None:
             # Computed once: a file may have an error on each of its lines.
             self._ends, end = [-1], self.text.find("\n")

@@ -49,7 +49,6 @@ class Spellings:
 
         Its `difflib` ratio is at least `cutoff`, and it differs by few letters or is abbreviated by `word`.
         """
-
         word = word.lower()
         size, letters = len(word), _letters(word)
         likely = [

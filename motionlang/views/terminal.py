@@ -122,7 +122,6 @@ def shower(stream: TextIO) -> Callable[[str], object]:
 
 
 def _between_screens(text: str) -> list[str]:
-
     return split(_SCREEN, text)
 
 

@@ -275,14 +275,6 @@ EXAMPLES: dict[str, Pair] = {
     ),
 }
 
-# By code: why there is no example.
-WITHOUT_EXAMPLE = {
-    "crash": "no program is known that causes one",
-    "interrupted": "it takes a key press or a signal",
-    "limit": "it takes a log of several gigabytes",
-    "proof": "it takes 200 000 profiles of motion, or a mistake of motionlang",
-}
-
 # By code: what to do about it.
 FIXES: dict[str, str] = {
     "syntax": 'write what the hint names at the mark, such as a missing ) or "; motionlang help WORD shows how a '

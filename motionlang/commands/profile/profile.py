@@ -53,7 +53,6 @@ class TimeProfile:
 
     def waits(self) -> dict[str, Iterator[Waited]]:
         """Return the waits of each task in order of time, including loops that waited."""
-
         return {name: map(Waited._make, reported(waits)) for name, waits in self._waits.items()}
 
     @property
@@ -79,7 +78,6 @@ class TimeProfile:
 
         Lines outside all subs belong to the program.
         """
-
         positions = self._positions
 
         def names(link: Link) -> Iterable[tuple[str, int]]:
@@ -92,7 +90,6 @@ class TimeProfile:
 
     def kinds(self) -> list[Share]:
         """Return the path by kind: travel by axes, dwells, waits, computing."""
-
         return self._shares(lambda link: ((_kind(link), 0),), own=True)
 
     def waited_lines(self) -> list[Share]:

@@ -137,7 +137,6 @@ class Sweep:
 
     def _check(self, source: Source, language: Dialect) -> None:
         """Report the mistakes of every variant once, before any run."""
-
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
             problem = check_setting(name, value) if "." in name else None

@@ -98,13 +98,9 @@ def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report)
             progress(done / total)
 
 
-def _write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    write_mcap(trace, file, rate, progress)
-
-
 _WRITERS = {
     ".csv": _write_csv,
-    ".mcap": _write_mcap,
+    ".mcap": write_mcap,
     ".npz": _write_npz,
     ".parquet": _write_parquet,
     ".vcd": write_vcd,

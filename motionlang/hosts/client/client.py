@@ -134,7 +134,6 @@ class Client(Connection):
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
         """Send the lines of a file without its comments; return all answers."""
-
         answer: list[str] = []
         for number, line in enumerate(Source("", text).text.split("\n"), 1):
             line = without_comment(line).strip()

@@ -2,7 +2,7 @@
 
 It works in the same way with a real, a served and a virtual controller:
 
-    from motionlang.hosts.client import MintClient
+    from motionlang.client import MintClient
 
     with MintClient.open("127.0.0.1:5300") as line:     # or "/dev/ttyUSB0", or MintClient.virtual(program)
         line.write(1, 250.0)

@@ -126,7 +126,6 @@ def _rows(section: str, is_table: bool) -> Iterator[_Row]:
 
 def _all() -> Iterator[_Row]:
     """Yield all plain keys, and those of a simulated motor with their defaults."""
-
     for name, (kind, help) in KEYS.items():
         models = [each for language in dialects() for each in dialect(language).models()]
         choices = tuple(models) if name == "controller.model" else CHOICES.get(kind, ())

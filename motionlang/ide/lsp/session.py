@@ -34,7 +34,6 @@ class Worker(Protocol):
     """Carries out the jobs of a server."""
 
     async def do(self, job: Job) -> Result | None: ...
-
     def stop(self) -> None: ...
 
 

@@ -269,7 +269,6 @@ class AxisVerbs(Core):
 
         With `ends`, a jog to velocity 0 is over when the axis is at rest.
         """
-
         a = self.movable(axis)
         jog(self, a, velocity, command, line, rates, ends)
         if self.expected_motion is not None:

@@ -332,7 +332,6 @@ class Controller(AxisVerbs):
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
         """Ramp an encoder channel to `velocity`, counts/s, at `accel`; 0 means no ramp."""
-
         turn(self, self.encoder(channel), velocity, accel)
 
     def _master(self, number: int, encoder: bool) -> Axis:

@@ -56,7 +56,6 @@ def parse(text: str, language: str) -> object:
     A tree is a `Module` of `motionlang.kernel.mint.syntax.nodes` or of `motionlang.kernel.mccl.syntax.tree`. Raises
     ProgramError with all syntax errors, and ValueError for another language.
     """
-
     return dialect(language).parse(Source("", text))
 
 
@@ -65,7 +64,6 @@ def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str]
 
     Returns None if it is known. Without a language those of all languages are known.
     """
-
     languages = [dialect(each) for each in dialects()] if language is None else [language]
     if any(each.knows_model(name) for each in languages):
         return None

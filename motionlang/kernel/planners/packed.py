@@ -82,7 +82,6 @@ def _unpacked_component(component: object) -> object:
 
 
 def _formula(name: str, components: tuple[object, ...]) -> Profile:
-
     made: Profile = {
         "Extrapolated": Extrapolated,
         "ProfileSequence": ProfileSequence,

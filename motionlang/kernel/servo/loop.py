@@ -124,11 +124,6 @@ class Loop:
         return FULL_SCALE / (1 << (self.dac_bits - 1)) if self.dac_bits else 0.0
 
     @property
-    def has_feed_forward(self) -> bool:
-        """True if the commanded velocity or acceleration contributes to the output."""
-        return bool(self.velocity_ff or self.accel_ff or self.decel_ff)
-
-    @property
     def has_integral(self) -> bool:
         """True if the integral can contribute."""
         return self.integral != 0.0 and self.integral_limit > 0.0 and self.integral_mode != "never"

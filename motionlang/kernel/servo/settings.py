@@ -219,7 +219,6 @@ def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
 
     Raises ValueError for an invalid entry.
     """
-
     given = _checked(values, SERVO, "servo")
     override = {
         name: given.pop(name)

@@ -9,10 +9,17 @@ from pathlib import Path
 import pytest
 
 import motionlang
-from motionlang.commands.help.explanations import EXAMPLES, FIXES, WITHOUT_EXAMPLE, Example
+from motionlang.commands.help.explanations import EXAMPLES, FIXES, Example
 from motionlang.kernel.errors import CODES
 from tests.cli.programs import Cell
 
+# By code: why there is no example.
+WITHOUT_EXAMPLE = {
+    "crash": "no program is known that causes one",
+    "interrupted": "it takes a key press or a signal",
+    "limit": "it takes a log of several gigabytes",
+    "proof": "it takes 200 000 profiles of motion, or a mistake of motionlang",
+}
 # Codes in brackets, and in JSON.
 _CODE = re.compile(r'(?:error|warning)\[([\w-]+)\]|"code": "([\w-]+)"')
 

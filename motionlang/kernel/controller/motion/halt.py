@@ -69,7 +69,6 @@ def check_stop(controller: Core, a: Axis) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """Return the motion from the state of the axis to rest."""
-
     now, (speed, own_accel, own_decel) = controller.clock.now, a.speed_and_rates(a.move)
     jerks = a.jerks(speed, own_accel, own_decel)
     accel = None if keeps_rates(a.move) else min(own_accel, a.max_accel)

@@ -460,7 +460,6 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
 
 
 def _refuse_long_keys(source: Source) -> None:
-
     found = re.search(_LONG_KEY, source.text)
     if found is not None:
         location, hint = source.location(found.start()), f"no key has more than {_MAX_DEPTH + 1}"
@@ -468,7 +467,6 @@ def _refuse_long_keys(source: Source) -> None:
 
 
 def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
-
     text = str(error)
     found = re.search(r"\(at line (\d+), column (\d+)\)", text)
     line, column = (int(found[1]), int(found[2])) if found else source.location(len(source.text.rstrip()))
@@ -479,7 +477,6 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
 
 def _too_many_digits(source: Source) -> Diagnostic:
     """Return the diagnostic for a number with more digits than Python can parse."""
-
     digits = re.search("[0-9_]{1000,}", source.text)
     line, column = source.location(digits.start()) if digits else (0, 0)
     return Diagnostic("machine-file", "a number has too many digits", line, column, hint="1e6 is a million")
@@ -490,7 +487,6 @@ def _refuse_nesting(source: Source) -> None:
 
     Brackets in strings and comments do not count.
     """
-
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
     most, deepest = _deepest(plain)
     if most > _MAX_OPEN:

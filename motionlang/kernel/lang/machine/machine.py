@@ -131,7 +131,6 @@ class Machine:
 
     def _hurried(self, move: Move, count: int, span: float) -> None:
         """Warn about a line that starts one move after another without waiting."""
-
         message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
         hint = "wait for each to end, or let time pass between them"
         if not any(
@@ -242,7 +241,6 @@ class Machine:
 
 def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> None:
     """Raise ProgramError if the settings name axes that do not exist."""
-
     if wrong := missing_axes(settings, axes, first_axis):
         raise ProgramError(wrong)
 

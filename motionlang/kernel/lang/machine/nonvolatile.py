@@ -45,7 +45,6 @@ class NonVolatile:
                 raise
 
     def _read(self, path: str) -> None:
-
         try:
             with open(path, "rb") as file:
                 tree: Any = loads(contents(file))

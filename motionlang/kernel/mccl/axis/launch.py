@@ -99,7 +99,6 @@ def _going_on(
 
     It is the beginning of the trapezoid that would come to rest beyond the target.
     """
-
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)
     until_braking = whole.cut(whole.duration - low / decel)

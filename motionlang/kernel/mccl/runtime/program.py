@@ -144,7 +144,6 @@ def remark_on(source: Source, task: CommandTask) -> str:
 
 def override(task: CommandTask, values: dict[str, float | str]) -> None:
     """Set registers by the names R0 to R255, for `--set`."""
-
     for name, value in values.items():
         number = name[1:]
         if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):

@@ -47,7 +47,6 @@ def answers(known: Callable[..., object]) -> Maker:
 
 
 def version(environment: Environment) -> str:
-
     return f"motionlang {__version__}"
 
 
@@ -88,7 +87,6 @@ class Calendar:
 
     def set(self, text: str, now: float) -> None:
         """Set date and time; raise Rejected for an invalid date."""
-
         try:
             self.date = datetime.strptime(text, _DATE)
         except ValueError:
@@ -99,7 +97,6 @@ class Calendar:
 
     def text(self) -> str:
         """Return date and time in whole seconds."""
-
         try:
             return (self.date + timedelta(seconds=int(self.clock.now - self.since + 1e-9))).strftime(_DATE)
         except OverflowError:

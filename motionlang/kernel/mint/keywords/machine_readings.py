@@ -54,7 +54,6 @@ def _numbers(where: str) -> tuple[object, ...]:
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
     """Return what is wrong with an entry and a hint, None if the entry is valid."""
-
     word, _, where = key[len(SECTION) :].partition(".")
     row = table().get(word)
     rows = [each for each in table() if can_be_supplied(each)]
@@ -77,7 +76,6 @@ def _why_not(row: Keyword) -> str:
 
 
 def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:
-
     brackets = 0 if row.index == "none" else len(row.index.split(", "))
     given = len(where.split(",")) if where else brackets
     if given != brackets:

@@ -53,7 +53,6 @@ def finite(row: Keyword, value: float) -> None:
 
 def do_go(environment: Environment, row: Keyword) -> Operation:
     """GO: start the axes; if one does not exist, none starts."""
-
     known, start = environment.controller.axes, environment.controller.go
 
     def go(axes: tuple[int, ...], line: int) -> None:

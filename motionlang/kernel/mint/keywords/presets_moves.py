@@ -93,7 +93,6 @@ def _position(preset: Preset) -> None:
 
 
 def _speed(preset: Preset) -> None:
-
     controller = preset.presets.controller
     scale = controller.axes[preset.axis].scale
     velocity = scale.to_counts(preset.value("PRESETMOVESPEED"), "uu/s")

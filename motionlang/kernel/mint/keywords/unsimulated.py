@@ -91,7 +91,6 @@ def _end(row: Keyword, message: str, at: object, with_hint: bool = False) -> NoR
 
     With `with_hint` the message suggests a machine file entry.
     """
-
     hint = f"{row.name}: {row.help.rstrip('.')}"
     if with_hint:
         example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")

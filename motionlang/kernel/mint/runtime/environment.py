@@ -41,7 +41,6 @@ DAY = 86400.0
 
 def _apply_mint_settings(controller: Controller) -> None:
     """Apply Mint's settings to the axes; an axis with an error accepts no motion."""
-
     for axis in controller.axes:
         mint_settings(controller, axis)
         controller.lock(axis, ALL)

@@ -67,5 +67,4 @@ def shows_float(machine: Machine) -> Callable[[float], str]:
 
 
 def _is_older(model: str) -> bool:
-
     return age(model) == V4

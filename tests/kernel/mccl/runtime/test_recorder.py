@@ -8,12 +8,12 @@ import pytest
 
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.listeners import Listeners
-from motionlang.kernel.controller.verbs import VERBS
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler
 from motionlang.kernel.mccl.runtime.program import MacroFile
 from motionlang.kernel.source import Source
 from tests.recorder import Recorder
+from tests.verbs import VERBS
 
 # Readings, and the board's calls at power-up, are not the subject of a test.
 QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time",

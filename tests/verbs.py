@@ -1,4 +1,4 @@
-"""The narrow interface: all commands of a language.
+"""The verbs of the controller: the only methods of it that a language calls.
 
 Lengths are counts, times are seconds, axes are numbered like in the dialect (Mint from 0, MCCL from 1).
 """
