@@ -10,7 +10,6 @@ from motionlang import __version__
 from tests.cli.programs import ALL, Cell
 
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
-PLAN = ("--distance", "20", "--time", "0.6", "--rule", "third")
 SWEEP = ("a.mnt", "--vary", "rate=1,2", "--keep", "time")
 
 

@@ -37,11 +37,6 @@ def report(program: str) -> dict[str, object]:
     return found
 
 
-def changed_lines(old: dict[str, object], new: dict[str, object]) -> set[str]:
-    found = difference(old, new)
-    return {line for change in changes(found) for line in change_lines(found, change)}
-
-
 @pytest.mark.parametrize("edit", EDITS)
 def test_a_rejected_change_is_the_only_difference_left(edit: str) -> None:
     program = CYCLE

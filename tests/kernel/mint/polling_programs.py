@@ -1,7 +1,4 @@
-"""Random polling programs: tasks, an event, subs, Goto, and a scenario of inputs.
-
-There are one to three tasks. Some have a loop that stores the values that it reads.
-"""
+"""Random polling programs: tasks, an event, subs, Goto, and a scenario of inputs; one to three tasks."""
 
 from __future__ import annotations
 
@@ -130,52 +127,3 @@ def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
                  f"If v{k} <= VEL(0) Then v{k} = VEL(0)", "STOP(0)", f"COMMS({k + 2}) = POS(0) - {k}")[kind - 6]
             ]  # fmt: skip
     return out
-
-
-_KEPT = (
-    "TIME",
-    "POSREMAINING(1)",
-    "POS(0)",
-    "POS(1)",
-    "VEL(0)",
-    "VEL(1)",
-    "POSDEMAND(1)",
-    "FOLERROR(0)",
-    "AUXENCODER(0)",
-)
-
-
-def keeping(seed: int) -> str:
-    """Return a program of two moves whose loop stores counts, extremes and copies.
-
-    Some of these decide a branch.
-    """
-    random = Random(seed)
-    distances = [random.choice((5, -8, 12, -3)) for _ in range(3)]
-    lines = [
-        "Dim n0 As Float, n1 As Float, n2 As Float, k0 As Integer, k1 As Integer",
-        "Define far = n1 > 20",
-        "SPEED(0, 1) = 20, 35 : ACCEL(0, 1) = 200, 300 : DECEL(0, 1) = 90, 100",
-        f"MOVER(0) = {distances[0]} : MOVER(1) = {distances[1]} : MOVER(0) = {distances[2]} : GO(0, 1)",
-        *(f"n{k} = {random.choice((0, 50, -7, 3))}" for k in range(3)),
-        "TIME = 0",
-        "Repeat",
-        *(f"  {_keeps(random)}" for _ in range(random.randint(1, 5))),
-        f"Until TIME > {random.choice((400, 900))}",
-        'PRINT n0, " ", n1, " ", n2, " ", k0, " ", k1, " ", TIME, OUTX(1), OUTX(2)',
-    ]
-    return "\n".join(lines)
-
-
-def _keeps(random: Random) -> str:
-    kept, count = random.choice(("n0", "n1", "n2")), random.choice(("k0", "k1", "n0"))
-    reading, other, sign = random.choice(_KEPT), random.choice(_KEPT), random.choice(("<", ">", "<=", ">="))
-    extreme = f"If {reading} {sign} {kept} Then {kept} = {reading}"
-    return random.choice(
-        (f"{kept} = {reading}", f"{count} = {count} {random.choice('+-')} {random.randint(1, 3)}", extreme,
-         f"If {kept} {sign} {reading} Then {kept} = {reading}", f"If {reading} {sign} {kept} Then {kept} = {other}",
-         f"If {reading} > 2 Then {count} = {count} + 1 Else {kept} = {other}", "If far Then OUTX(1) = 1",
-         f"If INX(0) Then {kept} = 0", f"{extreme} Else {count} = {count} + 1", f"{extreme} : {count} = {count} + 1",
-         f"If {kept} > 4 Then OUTX(2) = 1", f"If {count} {sign} 300 Then OUTX(1) = 1",
-         f"If {count} = 900 Then k1 = k1 + 1")
-    )  # fmt: skip
