@@ -141,9 +141,9 @@ def _word(
                    default=None if unit == "text" else default, group="identity")  # fmt: skip
 
 
-def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) -> Keyword:
-    given = " Writing it clears nothing." if "W" in access else ""
-    return _word(name, short, access, index, unit, _NOTHING_WRONG, f"{help} 0: nothing went wrong.{given}")
+def _fine(name: str, unit: str, help: str) -> Keyword:
+    text = f"{help} 0: nothing went wrong. Writing it clears nothing."
+    return _word(name, "", "RW", "none", unit, _NOTHING_WRONG, text)
 
 
 ROWS = (
@@ -164,8 +164,8 @@ ROWS = (
     _word("MINTEXECUTING", "", "R", "none", "bool", _FIT, "1: the program runs.", 1.0),
     _word("SUPPORTSMINT", "", "R", "none", "bool", _FIT, "1: the controller runs programs.", 1.0),
     _word("PHASESEARCHSTATUS", "", "R", "axis", "bool", _FIT, "1: the motor is commutated.", 1.0),
-    _fine("INITERROR", "", "RW", "none", "integer", "Error of the start of the controller, an _ie constant."),
-    _fine("INITWARNING", "", "RW", "none", "bits", "Warnings of the start of the controller."),
+    _fine("INITERROR", "integer", "Error of the start of the controller, an _ie constant."),
+    _fine("INITWARNING", "bits", "Warnings of the start of the controller."),
     Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis as VEL has it: there is no noise to average.",
             "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, group="state"),
