@@ -2,10 +2,10 @@
 
 ` ```console ` blocks hold `$ motionlang …` and `$ python examples/notes/…` lines, each followed by its exact
 output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
-exist. `< FILE` is standard input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a
-diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show
-a program in an editor, which `tests/ide/lsp/test_documented_session.py` compares. Blocks of other kinds, such as
-`sh` for set-up, are not run.
+exist. `< FILE` is standard input. `--update` writes what differs. ` ```mint ` and ` ```mccl ` blocks are programs
+that run without a diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed.
+` ```editor ` blocks show a program in an editor, which `tests/ide/lsp/test_documented_session.py` compares. Blocks of
+other kinds, such as `sh` for set-up, are not run.
 """
 
 from __future__ import annotations
@@ -95,6 +95,7 @@ def test_console(
 ) -> None:
     if _IMAGE.search(text):
         request.getfixturevalue("unrendered")
+    now = ""
     for command, shown in commands_of(text):
         words = shlex.split(command, comments=True)
         if words[0] == "cat" and not Path(words[1]).exists():
@@ -106,7 +107,13 @@ def test_console(
         output, errors = answer(words, capsys)
         # On a terminal, messages may come before or after the printed output.
         found = matches(shown, output + errors) or matches(shown, errors + output)
-        assert found, f"$ {command}\n{output}{errors}"
+        assert found or request.config.getoption("--update"), f"$ {command}\n{output}{errors}"
+        now += f"$ {command}\n" + (shown if found else output + errors)
+    if now != text:
+        for page in PAGES:
+            page.write_text(
+                page.read_text(encoding="utf-8").replace(text, now), encoding="utf-8", newline="\n"
+            )
 
 
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` updates output."""
+"""The formulas of the pages on PMC's and ABB's notes, and the output of commands."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ import contextlib
 import io
 import re
 import shlex
-import tempfile
 from math import cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.cli import main
-from tests.lab.copley.docs import BLOCK, ROOT, blocks
-from tests.lab.notes.examples import printed
+from tests.lab.notes.examples import ROOT, printed
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -49,19 +47,3 @@ def answer(command: str) -> str:
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), contextlib.suppress(SystemExit):
         main(words)
     return "".join(stream.buffer.getvalue().decode() for stream in (out, err))
-
-
-def rewritten(text: str) -> str:
-    """Return the page with all outputs replaced by the present ones."""
-
-    def fresh(match: re.Match[str]) -> str:
-        ((pairs),) = blocks(match[0])
-        return "```console\n" + "".join(f"$ {command}\n{answer(command)}" for command, _ in pairs) + "```"
-
-    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-        return BLOCK.sub(fresh, text)
-
-
-if __name__ == "__main__":
-    for page in PAGES.values():
-        page.write_text(rewritten(page.read_text(encoding="utf-8")), encoding="utf-8")

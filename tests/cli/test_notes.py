@@ -1,28 +1,13 @@
-"""docs/tn1069.md and docs/an00115.md: all commands and formulas are correct."""
+"""The formulas of docs/tn1069.md and docs/an00115.md are correct; `tests/test_docs.py` runs the commands."""
 
 from __future__ import annotations
-
-from pathlib import Path
 
 import pytest
 
 from tests.cases import cases
-from tests.cli.notes import PAGES, answer, numbers, worked_out
-from tests.lab.copley.docs import blocks
+from tests.cli.notes import PAGES, numbers, worked_out
 
-COMMANDS = [
-    pair for page in PAGES.values() for block in blocks(page.read_text(encoding="utf-8")) for pair in block
-]
 FORMULAS = [pair for page in PAGES.values() for pair in numbers(page.read_text(encoding="utf-8"))]
-
-
-@pytest.mark.parametrize(("command", "shown"), COMMANDS, ids=[command[11:70] for command, _ in COMMANDS])
-def test_a_command_prints_what_it_shows(
-    command: str, shown: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert answer(command) == shown
-    assert shown
 
 
 @cases(("formula", "number"), FORMULAS)
@@ -39,4 +24,4 @@ def test_no_formula_is_passed_over() -> None:
         for page in PAGES.values()
         for line in page.read_text(encoding="utf-8").splitlines()
     )
-    assert (len(COMMANDS), len(FORMULAS)) == (11, 59)
+    assert len(FORMULAS) == 59
