@@ -9,9 +9,12 @@ from dataclasses import dataclass, field
 from motionlang.commands.map.comments import Named
 from motionlang.kernel.lang.keyword import CHANNELS
 from motionlang.kernel.lang.program_graph import READ, WRITE, ChannelUse, Structure
+from motionlang.kernel.lang.wait_causes import Read
 
 # The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
+# The channels that a loop may poll, by the kind of reading.
+DEVICES = {"input": "input", "analogue": "analogue input", "encoder": "encoder", "operator": "key"}
 # The tables of the machine file whose entries may name a channel.
 _TABLES = {"input": "input", "analogue input": "analog"}
 
@@ -83,15 +86,20 @@ def lines(numbers: Iterable[int]) -> str:
 
 
 def channels(
-    structure: Structure, settings: Mapping[str, object], names: Sequence[Named], comments: Mapping[int, str]
+    structure: Structure,
+    settings: Mapping[str, object],
+    names: Sequence[Named],
+    comments: Mapping[int, str],
+    polled: Mapping[int, frozenset[Read]],
 ) -> list[Channel]:
     """Return the channels of a program, in the order of `CHANNELS` and their numbers.
 
     `names` are those of the comments that list channels, `comments` the comments at the end of lines with code.
+    `polled` has the readings of each statement of a loop that polls.
     """
     found: dict[tuple[str, str], Channel] = {}
     uses = [
-        (use, bool(statement.waits) or statement.polls)
+        (use, bool(statement.waits) or _is_polled(use, polled.get(statement.at, frozenset())))
         for statement in structure.statements.values()
         for use in statement.channels
     ]
@@ -111,12 +119,20 @@ def channels(
             given = found.setdefault(("input", str(value)), Channel("input", str(value)))
             given.starts.append(f"{wired[2].replace('_', ' ')} of axis {wired[1]} (machine file)")
     for unit in structure.units:
-        if unit.trigger is not None:
-            trigger = unit.trigger.channel, unit.trigger.number
-            found.setdefault(trigger, Channel(*trigger)).starts.append(unit.title)
+        for trigger in unit.triggers:
+            key = trigger.channel, trigger.number
+            found.setdefault(key, Channel(*key)).starts.append(unit.title)
     for channel in found.values():
         _name(channel, settings, names, comments)
     return sorted(found.values(), key=_place)
+
+
+def _is_polled(use: ChannelUse, readings: Iterable[Read]) -> bool:
+    """True if a loop that tests these readings polls a channel."""
+    return any(
+        DEVICES.get(kind) == use.channel and use.number in (str(number), "0" if number is None else "")
+        for kind, number in readings
+    )
 
 
 def _enter(channel: Channel, use: ChannelUse, line: int, waits: bool) -> None:

@@ -55,17 +55,21 @@ def postdominators(
             comes_from.setdefault(each, []).append(node)
     reached, _ = ordered([ends], lambda node: comes_from.get(node, ()))
     ending = set(reached)
-    place = {node: k for k, node in enumerate(order)}
-    for head in sorted({head for _, head in back}, key=place.__getitem__):  # outer loops first
-        stack = [node for node, to in back if to == head and node not in ending]
-        for node in stack:
-            leads_to[node].append(ends)
-            comes_from[ends].append(node)
-        while stack:
-            each = stack.pop()
-            if each not in ending:
-                ending.add(each)
-                stack += comes_from.get(each, ())
+    leads_back: dict[int, list[int]] = {}
+    for node, head in back:
+        leads_back.setdefault(head, []).append(node)
+    for last in reversed(order):
+        # The last node that leads to no end leads back in a loop that nothing leaves.
+        for head in [] if last in ending else list(leads_to[last]):
+            stack = [node for node in leads_back[head] if node not in ending]
+            for node in stack:
+                leads_to[node].append(ends)
+                comes_from[ends].append(node)
+            while stack:
+                each = stack.pop()
+                if each not in ending:
+                    ending.add(each)
+                    stack += comes_from.get(each, ())
     reached, _ = ordered([ends], lambda node: comes_from.get(node, ()))
     number = {node: k for k, node in enumerate(reached)}
     found: dict[int, int] = {ends: ends}

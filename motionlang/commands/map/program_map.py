@@ -60,15 +60,16 @@ def program_map(
     listed, at_ends = _comments(source, language)
     names = named(listed)
     made, unreached = units(structure)
+    drawn = diagrams(structure)
     return ProgramMap(
         source,
         language,
         structure,
-        channels(structure, settings, names, at_ends),
+        channels(structure, settings, names, at_ends, drawn.polled),
         axes(structure, names),
         made,
         variables(structure, language.names(source, settings).definitions),
-        diagrams(structure),
+        drawn,
         unreached,
     )
 
@@ -86,7 +87,8 @@ def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -
 def channels_of(source: Source, language: Dialect, settings: Mapping[str, object]) -> list[Channel]:
     """Return only the channels of a program; ProgramError with all errors of the text."""
     listed, at_ends = _comments(source, language)
-    return channels(language.structure(source, settings), settings, named(listed), at_ends)
+    structure = language.structure(source, settings)
+    return channels(structure, settings, named(listed), at_ends, diagrams(structure).polled)
 
 
 def names_in_comments(source: Source, language: Dialect) -> list[Named]:

@@ -35,11 +35,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from motionlang.commands.map.paths import ordered, postdominators
 from motionlang.kernel.lang.program_graph import Statement, Structure, Unit
 from motionlang.kernel.lang.steps import CALL, END, RETURN
-from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
+from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies, Read
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4
@@ -61,6 +62,8 @@ KINDS_OF_STATES = {
 # Those at which the program does not stop: what their step does is an action behind them.
 _PASSED = ("loop", "meet", "branch")
 _LEAVING = ("return", "end", "jump")
+# A condition on the path of a transition, or an action.
+Step = TypeVar("Step", "Action", "Action | Condition")
 # The branches on a path: the key of each point, and which of its successors follows.
 Branches = tuple[tuple[tuple[str, int], int], ...]
 
@@ -80,11 +83,12 @@ class Action:
 
 @dataclass(eq=False, slots=True)
 class Condition:
-    """A condition on a transition, and whether it holds."""
+    """A condition on a transition, and whether it holds; `select` is the offset of the Select that it is a Case of."""
 
     at: int
     text: str
     holds: bool
+    select: int = -1
 
     def __str__(self) -> str:
         if self.holds:
@@ -98,7 +102,7 @@ class State:
     """A state of a diagram: `kind` is one of `KINDS_OF_STATES`.
 
     `cause` is one of `record.records.CAUSES`, "" if it does not wait. `unit` is the title of what a call or a jump
-    enters. `meanwhile` is what a polling loop does in each iteration.
+    enters. A loop that polls has its readings, and `meanwhile` is what it does in each iteration.
     """
 
     id: str
@@ -108,17 +112,17 @@ class State:
     text: str
     cause: str = ""
     unit: str = ""
+    readings: frozenset[Read] = frozenset()
     meanwhile: list[Action] = field(default_factory=list)
 
 
 @dataclass(eq=False, slots=True)
 class Transition:
-    """A path from one state to another: its conditions, its actions, and the branches that identify it."""
+    """A path from one state to another: conditions and actions in the order of a run, and its branches."""
 
     source: State
     target: State
-    conditions: list[Condition]
-    actions: list[Action]
+    path: list[Action | Condition]
     branches: Branches
 
 
@@ -136,13 +140,15 @@ class Diagrams:
     """All diagrams of a program, and where a run is seen.
 
     `states` has the state of each point at which one is entered, `owners` the number of the diagram of each point.
-    `branches` maps each point whose choice matters to the steps to which it may lead.
+    `branches` maps each point whose choice matters to the steps to which it may lead, `polled` the offset of each
+    statement of a loop that polls to the readings that the loop tests.
     """
 
     diagrams: list[Diagram]
     states: dict[tuple[str, int], State]
     branches: dict[tuple[str, int], list[int]]
     owners: dict[tuple[str, int], int]
+    polled: dict[int, frozenset[Read]] = field(default_factory=dict)
 
 
 def diagrams(structure: Structure) -> Diagrams:
@@ -172,6 +178,7 @@ class _Builder:
         for number, unit in enumerate(self.structure.units):
             made = _DiagramBuilder(self, number, unit, targets)
             found.diagrams.append(made.diagram)
+            found.polled |= made.polled
             found.states |= {self.points[p].key: state for p, state in made.states.items()}
             for p in made.branches:
                 found.branches[self.points[p].key] = [self.points[q].key[1] for q in self.points[p].next]
@@ -266,6 +273,7 @@ class _DiagramBuilder:
         for q, first in self._merged.items():
             self._members.setdefault(first, []).append(q)
         self._after: dict[int, list[int]] = {}
+        self.polled: dict[int, frozenset[Read]] = {}
         # What is folded into one action at a point.
         self._folded: dict[int, list[Action]] = {}
         entry = program.entries[number]
@@ -273,7 +281,7 @@ class _DiagramBuilder:
         self.diagram = Diagram(unit, [start], [])
         self._jumps: dict[int, State] = {}
         if program.owner[entry] != number:
-            self._add(start, self._jump(entry), [], (), ())
+            self._add(start, self._jump(entry), [], ())
             return
         self.entry = self._merged.get(entry, entry)
         order, back = ordered([self.entry], self.after)
@@ -290,6 +298,9 @@ class _DiagramBuilder:
             if p in self.states:
                 self.diagram.states.append(self.states[p])
                 self._walk(self.states[p], self.after(p), p)
+        for each in self.diagram.transitions:
+            if each.source.kind == "loop" and not each.source.cause and each.target is not each.source:
+                each.source.kind = "meet"  # the loop has an end
         self.diagram.states += self._jumps.values()
         reached = {id(each.target) for each in self.diagram.transitions}
         shown = [each for each in self.diagram.states[1:] if id(each) in reached]
@@ -396,9 +407,16 @@ class _DiagramBuilder:
         if polled is None:
             self._folded[p] = actions
             return
-        causes = {KINDS[kind] for kind, _ in polled.leaves}
-        self._state(p, "poll", causes.pop() if len(causes) == 1 else "condition")
+        self._state(p, "poll")
+        self._poll(self.states[p], polled.leaves, self._offsets(inside))
         self.states[p].meanwhile = [each for each in actions if not each.is_condition or each.depth]
+
+    def _poll(self, state: State, readings: frozenset[Read], offsets: Iterable[int]) -> None:
+        """Let a state wait for the readings that its loop tests."""
+        causes = {KINDS[kind] for kind, _ in readings}
+        state.cause = causes.pop() if len(causes) == 1 else "condition" if causes else ""
+        state.readings = readings
+        self.polled |= dict.fromkeys(offsets, readings)
 
     def _offsets(self, inside: set[int]) -> set[int]:
         """Return the offsets of points and of the silent points between them."""
@@ -454,6 +472,12 @@ class _DiagramBuilder:
             found.append(Action(self.points[p].at, f"repeat while {self._condition(p)}", 0, True))
         return _without_repeats(found)
 
+    def _conditions(self, p: int, side: int) -> list[Action | Condition]:
+        """Return the condition of a branch on one of its sides."""
+        statement = self.program.statement(p)
+        select = statement.select if statement is not None else -1
+        return [Condition(self.points[p].at, self._condition(p), side == 0, select)]
+
     def _condition(self, p: int) -> str:
         statement = self.program.statement(p)
         return (statement.condition or statement.text) if statement is not None else "?"
@@ -478,11 +502,25 @@ class _DiagramBuilder:
         return roots + [q for p in self.states for q in self._between(p)]
 
     def _cut_loops(self) -> None:
-        """Make a state of the first point of each loop that has none."""
-        _, back = ordered(self._roots(), self._between)
-        for _, first in back:
-            if first not in self.states:
-                self._state(first, "loop")
+        """Make a state of the first point of each loop that has none; it waits for what the loop tests."""
+        order, back = ordered(self._roots(), self._between)
+        before: dict[int, list[int]] = {p: [] for p in order}
+        for p in order:
+            for q in self._between(p):
+                before[q].append(p)
+        for first in dict.fromkeys(first for _, first in back):
+            inside = {first}
+            stack = [p for p, to in back if to == first]
+            while stack:
+                p = stack.pop()
+                if p not in inside:
+                    inside.add(p)
+                    stack += before[p]
+            offsets = self._offsets(inside)
+            loops = [self.program.structure.polls(at) for at in sorted(offsets) if at >= 0]
+            self._state(first, "loop")
+            within = (each.within for each in loops if each is not None)
+            self._poll(self.states[first], frozenset[Read]().union(*within), offsets)
 
     def _cut_paths(self) -> None:
         """Make a state of each point to which too many paths lead."""
@@ -508,57 +546,55 @@ class _DiagramBuilder:
 
     def _walk(self, source: State, firsts: list[int], own: int | None = None) -> None:
         """Add the transitions from a state to the first states after it; `own` is the point of the state."""
-        stack: list[tuple[int, Branches, list[Condition], list[Action]]] = []
-        acts = self._acts(own) if own is not None and source.kind in _PASSED else []
+        stack: list[tuple[int, Branches, list[Action | Condition]]] = []
+        acts: list[Action | Condition] = []
+        if own is not None and source.kind in _PASSED:
+            acts += self._acts(own)
         if own is not None and len(set(firsts)) > 1:
             self.branches.add(own)
         for k, p in reversed(list(enumerate(firsts))):
             if own in self.branches and own is not None:
-                condition = Condition(self.points[own].at, self._condition(own), k == 0)
-                stack.append((p, ((self.points[own].key, k),), [condition], list(acts)))
+                stack.append((p, ((self.points[own].key, k),), [*acts, *self._conditions(own, k)]))
             else:
-                stack.append((p, (), [], list(acts)))
+                stack.append((p, (), acts))
         while stack:
-            p, branches, conditions, actions = stack.pop()
+            p, branches, path = stack.pop()
             if self._is_foreign(p):
-                self._add(source, self._jump(p), conditions, actions, branches)
+                self._add(source, self._jump(p), path, branches)
                 continue
             if p in self.states:
-                self._add(source, self.states[p], conditions, actions, branches)
+                self._add(source, self.states[p], path, branches)
                 continue
-            actions = [*actions, *self._acts(p)]
+            path = [*path, *self._acts(p)]
             sides = self.after(p)
             is_branch = len(set(sides)) > 1
             if is_branch:
                 self.branches.add(p)
             for k, each in reversed(list(enumerate(sides))):
                 if is_branch:
-                    condition = Condition(self.points[p].at, self._condition(p), k == 0)
                     more = (*branches, (self.points[p].key, k))
-                    stack.append((each, more, [*conditions, condition], actions))
+                    stack.append((each, more, [*path, *self._conditions(p, k)]))
                 elif k == 0:
-                    stack.append((each, branches, conditions, actions))
+                    stack.append((each, branches, path))
 
     def _add(
         self,
         source: State,
         target: State,
-        conditions: Sequence[Condition],
-        actions: Sequence[Action],
+        path: Sequence[Action | Condition],
         branches: Branches,
     ) -> None:
-        own = list(actions)
+        own = list(path)
         # What a target does itself is no action on the way to it.
-        while own and own[-1].at == target.at and target.kind != "jump":
+        while own and isinstance(own[-1], Action) and own[-1].at == target.at and target.kind != "jump":
             own.pop()
-        made = Transition(source, target, list(conditions), _without_repeats(own), branches)
-        self.diagram.transitions.append(made)
+        self.diagram.transitions.append(Transition(source, target, _without_repeats(own), branches))
 
 
-def _without_repeats(actions: Sequence[Action]) -> list[Action]:
-    """Return actions without those of further steps of the same statement."""
-    found: list[Action] = []
-    for each in actions:
+def _without_repeats(path: Sequence[Step]) -> list[Step]:
+    """Return a path without further steps of the same statement."""
+    found: list[Step] = []
+    for each in path:
         if not found or found[-1].at != each.at or found[-1].text != each.text:
             found.append(each)
     return found

@@ -15,7 +15,7 @@ _VALUES = ("variable", "parameter", "constant", "define", "register")
 
 @dataclass(eq=False, slots=True)
 class UnitMap:
-    """A unit of a program: what it calls and starts, by title, with the lines; and the lines that call it.
+    """A unit of a program: what it calls and starts, by title with the lines, and what calls and starts it.
 
     `is_reached` is False if nothing leads to it.
     """
@@ -26,7 +26,7 @@ class UnitMap:
     calls: dict[str, list[int]] = field(default_factory=dict)
     called_by: dict[str, list[int]] = field(default_factory=dict)
     starts: dict[str, list[int]] = field(default_factory=dict)
-    trigger: str = ""
+    started_by: dict[str, list[int]] = field(default_factory=dict)
     is_reached: bool = True
 
 
@@ -50,7 +50,8 @@ def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
     by_title = {each.title: each for each in made.values()}
     for k, unit in enumerate(structure.units):
         own = made[id(unit)]
-        own.trigger = f"{unit.trigger.channel} {unit.trigger.number}".strip() if unit.trigger else ""
+        for trigger in unit.triggers:
+            own.started_by.setdefault(f"{trigger.channel} {trigger.number}".strip(), [])
         own.is_reached = k in reader.reached_units
         for at, callee in reader.calls[k]:
             title = structure.units[callee].title
@@ -61,7 +62,7 @@ def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
             _add(own.starts, title, structure.line(at))
             for each in by_title.values():
                 if is_meant(each.title, title):
-                    _add(each.called_by, own.title, structure.line(at))
+                    _add(each.started_by, own.title, structure.line(at))
     return list(made.values()), reader.unreached_lines()
 
 

@@ -104,6 +104,7 @@ class Keyword:
                language
     `driven`   the section of the machine file that sets the value read, such as "input"
     `channel`  the device, one of `CHANNELS`, that the brackets number, or the parameter of a command without an axis
+    `output`   what a command writes to its channel, as text
     `selects`  the device that the value numbers, such as the input of a home switch; without a value the axis
                numbers it
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
@@ -137,6 +138,7 @@ class Keyword:
         tunes: str = "",
         driven: str = "",
         channel: str = "",
+        output: str = "",
         selects: str = "",
         waits: str = "",
         tests: str = "",
@@ -155,7 +157,8 @@ class Keyword:
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes, self.meant, self.family = tunes, meant, family
         self.every, self.optional = every, optional
-        self.channel, self.selects, self.waits = channel or self._device(), selects, waits
+        self.channel, self.output, self.selects = channel or self._device(), output, selects
+        self.waits = waits
         self.topic, self.tests = topic or self._default_topic(), tests
 
     @property

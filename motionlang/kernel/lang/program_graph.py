@@ -81,7 +81,8 @@ class Statement:
 
     `condition` is the text of what it tests, "" if it tests nothing. `waits` is one of `record.records.CAUSES` if a
     task waits at it, and `what` has the numbers of the axes that it waits for. `is_silent` is True for a declaration
-    and the like, `polls` for one of a loop that tests a reading until it changes. `starts` and `ends` are the tasks
+    and the like, `select` is the offset of the Select of a Case, -1 for any other statement.
+    `starts` and `ends` are the tasks
     that it starts and ends.
     """
 
@@ -92,7 +93,7 @@ class Statement:
     waits: str = ""
     what: tuple[int, ...] = ()
     is_silent: bool = False
-    polls: bool = False
+    select: int = -1
     channels: list[ChannelUse] = field(default_factory=list)
     axes: list[AxisUse] = field(default_factory=list)
     starts: list[str] = field(default_factory=list)
@@ -128,14 +129,14 @@ class Unit:
     """A part of a program that is started or called by itself.
 
     `kind` is "program", "sub", "function", "task", "event", "subroutine" (a label that a Gosub calls) or "macro".
-    `trigger` is the channel that starts a handler, None for anything else. `line` is 0 for the program.
+    `triggers` are the channels that start a handler. `line` is 0 for the program.
     """
 
     name: str
     kind: str
     line: int
     entry: int
-    trigger: ChannelUse | None = None
+    triggers: Sequence[ChannelUse] = ()
 
     @property
     def title(self) -> str:

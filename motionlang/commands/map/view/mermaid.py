@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Diagram, State, Transition
-from motionlang.commands.map.view.words import does, waits_for, when
+from motionlang.commands.map.view.words import does, segments, waits_for
 
 # The brackets of a node in Mermaid, and its shape in DOT, by kind of state.
 _BRACKETS = {
@@ -38,7 +38,7 @@ COLOURS = {"axis": "#dbeafe", "input": "#dcf5df", "operator": "#fdeccb", "time":
 # The attributes of an edge that a run took.
 TAKEN = 'color="#0b57a4" penwidth=1.6'
 # The longest text of a node or an edge; the tables have the rest.
-MAX_ACTIONS = 4
+MAX_LINES = 5
 MAX_TEXT = 48
 
 
@@ -107,15 +107,14 @@ def label(made: ProgramMap, state: State) -> list[str]:
 
 def edge_label(made: ProgramMap, transition: Transition) -> list[str]:
     """Return the lines of an edge: condition, actions, and how often a run took it."""
-    condition = when(transition)
-    found = [clipped(f"{condition}:")] if condition else []
-    actions = [
-        clipped("  " * each.depth + each.text + (":" if each.is_condition else ""))
-        for each in transition.actions
-    ]
-    found += actions[:MAX_ACTIONS]
-    if len(actions) > MAX_ACTIONS:
-        found.append(f"… {len(actions) - MAX_ACTIONS} more")
+    found: list[str] = []
+    for condition, actions in segments(transition):
+        found += [clipped(f"{condition}:")] if condition else []
+        found += [
+            clipped("  " * each.depth + each.text + (":" if each.is_condition else "")) for each in actions
+        ]
+    if len(found) > MAX_LINES:
+        found[MAX_LINES:] = [f"… {len(found) - MAX_LINES} more"]
     taken = made.taken(transition)
     if taken is not None:
         found.append(f"{taken.count} ×")

@@ -13,7 +13,7 @@ from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Diagram, State
 from motionlang.commands.map.view.layout import Layout, layout
 from motionlang.commands.map.view.mermaid import dot, edge_label, label
-from motionlang.commands.map.view.words import does, when
+from motionlang.commands.map.view.words import then, when
 
 # Sizes of text in pixels: the width of a character is that of the widest common font at this size.
 FONT, SMALL = 12.0, 11.0
@@ -76,7 +76,7 @@ def _own(made: ProgramMap, diagram: Diagram) -> str:
         taken = made.taken(each)
         style = " taken" if taken is not None else " untaken" if made.observed is not None else ""
         drawn = _edge(placed, k, each.source.id, each.target.id, sizes, lines, style, below.get(k, 0.0))
-        whole = escape(f"{when(each)}: {does(each.actions)}".removeprefix(": "))
+        whole = escape(f"{when(each)}: {then(each)}".removeprefix(": "))
         found += ["<g>", f"<title>{whole}</title>", *drawn, "</g>"]
     for state in diagram.states:
         found += _node(state, placed, sizes[state.id], nodes[state.id])

@@ -10,8 +10,7 @@ from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
 from motionlang.commands.map.channels import lines
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Transition
-from motionlang.commands.map.units import UnitMap
-from motionlang.commands.map.view.words import does, name_of, waits_for, when
+from motionlang.commands.map.view.words import does, name_of, then, waits_for, when
 from motionlang.views.table import Column, Table
 
 
@@ -89,8 +88,10 @@ def units(made: ProgramMap) -> Table:
     columns = [
         Column("unit", get=lambda row: row.title, left=True),
         Column("line", text=lambda line: str(line) if line else ""),
-        Column("called_by", "called by", get=_callers, text=_titles, left=True),
-        Column("calls", get=lambda row: row.calls | row.starts, text=_titles, left=True, drop=1),
+        Column("called_by", "called by", text=_titles, left=True),
+        Column("started_by", "started by", text=_titles, left=True, drop=1),
+        Column("calls", text=_titles, left=True, drop=2),
+        Column("starts", text=_titles, left=True, drop=2),
         Column("is_reached", "", text=lambda is_reached: "" if is_reached else "never reached", left=True),
     ]
     return Table("units", columns, made.units, head="Structure")
@@ -145,7 +146,7 @@ def transitions(made: ProgramMap) -> Table:
         Column("from", get=lambda row: name_of(row.transition.source), left=True),
         Column("to", get=lambda row: name_of(row.transition.target), left=True),
         Column("when", get=lambda row: when(row.transition), left=True),
-        Column("does", get=lambda row: does(row.transition.actions), left=True),
+        Column("does", get=lambda row: then(row.transition), left=True),
     ]
     if made.observed is not None:
         columns += [
@@ -173,10 +174,6 @@ def _lines(key: str, title: str) -> Column:
 
 def _computed(is_computed: bool) -> str:
     return "computed" if is_computed else ""
-
-
-def _callers(row: UnitMap) -> dict[str, list[int]]:
-    return row.called_by | ({row.trigger: []} if row.trigger else {})
 
 
 def _titles(units: Mapping[str, list[int]]) -> str:

@@ -8,7 +8,7 @@ from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Diagram, State, Transition
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.mermaid import clipped, mermaid
-from motionlang.commands.map.view.words import does, name_of, waits_for, when
+from motionlang.commands.map.view.words import does, name_of, then, waits_for, when
 from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
@@ -59,7 +59,7 @@ def _diagram(made: ProgramMap, diagram: Diagram, width: int, colour: bool) -> li
 def _state(made: ProgramMap, state: State) -> str:
     if state.kind == "start":
         return "begin"
-    what = {"call": f"runs {state.unit}", "loop": "runs for ever", "meet": ""}.get(state.kind, "")
+    what = {"call": f"runs {state.unit}", "loop": "runs for ever"}.get(state.kind, "")
     if state.cause and state.cause != "time":
         what = f"waits for {waits_for(made, state)}"
     notes = [what, f"meanwhile {does(state.meanwhile)}" if state.meanwhile else ""]
@@ -71,10 +71,10 @@ def _state(made: ProgramMap, state: State) -> str:
 
 
 def _transition(made: ProgramMap, each: Transition) -> str:
-    condition, actions = when(each), does(each.actions)
+    condition, actions = when(each), then(each)
     target = each.target
     goes = target.text if target.kind in ("return", "end", "jump") else clipped(name_of(target))
-    parts = [f"{condition}:" if condition else "", f"{actions};" if actions else "", f"-> {goes}"]
+    parts = [f"{condition}:" if condition else "", actions if not actions or actions.endswith(":") else f"{actions};", f"-> {goes}"]
     taken = made.taken(each)
     if taken is not None:
         parts.append(f"({taken.count} x)" if taken.count > 1 else "(once)")

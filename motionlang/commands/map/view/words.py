@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
+from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.commands.map.states import Action, State, Transition
+from motionlang.commands.map.states import Action, Condition, State, Transition
 from motionlang.kernel.lang.program_graph import READ
+from motionlang.kernel.lang.wait_causes import KINDS
 
 # What a task waits for, by cause.
 CAUSES = {
@@ -26,21 +28,16 @@ def waits_for(made: ProgramMap, state: State) -> str:
         return ""
     statement = made.structure.statements.get(state.at)
     found: dict[str, None] = {}
-    polled = made.structure.polls(state.at)
     if statement is not None:
         used = {(use.channel, use.number) for use in statement.channels if use.access == READ}
+        used |= {(DEVICES[kind], str(n)) for kind, n in state.readings if kind in DEVICES}
         known = [each for each in made.channels if (each.kind, each.number) in used and each.kind != "answer"]
-        level = (
-            statement.condition.rpartition(" ")[2] if statement.condition.endswith((" on", " off")) else ""
-        )
-        found |= dict.fromkeys(f"{each.known_as} to be {level}" if level else each.known_as for each in known)
-        axes = statement.what or (
-            tuple(n for kind, n in polled.leaves if kind in ("axis", "position") and n is not None)
-            if polled
-            else ()
-        )
+        is_level = not state.readings and statement.condition.endswith((" on", " off"))
+        level = f" to be {statement.condition.rpartition(' ')[2]}" if is_level else ""
+        found |= dict.fromkeys(f"{each.known_as}{level}" for each in known)
+        axes = {n for kind, n in state.readings if KINDS[kind] == "axis" and n is not None}
         titles = {each.axis: each.title for each in made.axes}
-        found |= dict.fromkeys(titles.get(axis, f"axis {axis}") for axis in sorted(axes))
+        found |= dict.fromkeys(titles.get(axis, f"axis {axis}") for axis in sorted(axes.union(statement.what)))
     if state.cause == "operator":
         return "the operator"
     return ", ".join(found) or CAUSES[state.cause]
@@ -53,12 +50,39 @@ def name_of(state: State) -> str:
     return f"{state.line} {state.text}"
 
 
-def when(transition: Transition) -> str:
-    """Return the conditions of a transition, such as "if a > 1" or "unless a > 1", "" if it has none."""
-    conditions = transition.conditions
+def segments(transition: Transition) -> list[tuple[str, list[Action]]]:
+    """Return the path of a transition as conditions, such as "if a > 1", and the actions that follow each of them.
+
+    "" is no condition. A Case that holds says it alone, without the ones before it.
+    """
+    selected = {each.select for each in transition.path if isinstance(each, Condition) and each.holds}
+    found: list[tuple[list[Condition], list[Action]]] = [([], [])]
+    for each in transition.path:
+        if isinstance(each, Action):
+            found[-1][1].append(each)
+        elif each.holds or each.select < 0 or each.select not in selected:
+            if found[-1][1]:
+                found.append(([], []))
+            found[-1][0].append(each)
+    return [(_when(conditions), actions) for conditions, actions in found]
+
+
+def _when(conditions: Sequence[Condition]) -> str:
     if len(conditions) == 1 and not conditions[0].holds and not conditions[0].text.startswith("not ("):
         return f"unless {conditions[0].text}"
     return "if " + " and ".join(dict.fromkeys(map(str, conditions))) if conditions else ""
+
+
+def when(transition: Transition) -> str:
+    """Return the conditions that hold before the first action of a transition, such as "if a > 1"."""
+    return segments(transition)[0][0]
+
+
+def then(transition: Transition) -> str:
+    """Return what follows these conditions, in the order of a run: "n = n + 1; if n = 3: Print n"."""
+    (_, first), *more = segments(transition)
+    parts = [does(first), *(f"{condition}: {does(actions)}".rstrip() for condition, actions in more)]
+    return "; ".join(part for part in parts if part)
 
 
 def does(actions: Iterable[Action]) -> str:

@@ -31,6 +31,9 @@ def repeat(line: LineWriter, command: Command) -> None:
     Without n, or with 0, it repeats for ever.
     """
     index, once = line.index, line.board.assumptions.get("mccl.repeat-for-ever") == "once"
+    if command.number == 0 and not once:
+        line.act(BACK, None, to=0)
+        return
 
     def again(task: CommandTask, command: Command) -> bool:
         count = task.whole(command)

@@ -179,9 +179,9 @@ _reports_row = Group("reports").row
 
 ROWS = (
     _row("CN", "command", "W", "none", "number", channel_on, "Switch an output channel on.", "CT9,CN9", low=1,
-         high=255, channel="output"),
+         high=255, channel="output", output="1"),
     _row("CF", "command", "W", "none", "number", channel_off, "Switch an output channel off.", "CT9,CF9", low=1,
-         high=255, channel="output"),
+         high=255, channel="output", output="0"),
     _row("CI", "command", "W", "none", "number", channel_input, "Make the channel an input.", "CI1", low=1,
          high=255, channel="digital"),
     _row("CT", "command", "W", "none", "number", channel_output, "Make the channel an output.", "CT9", low=1,
@@ -210,7 +210,7 @@ ROWS = (
          "GA1,TR0", low=1, high=255, channel="analogue input"),
     _row("OA", "command", "W", "none", "number", set_analog,
          "Put the accumulator out on an analogue channel, volts.",
-         "AL5,OA1", low=1, high=255, channel="analogue output"),
+         "AL5,OA1", low=1, high=255, channel="analogue output", output="accumulator"),
     _reports_row("TC", "reading", "R", "none", "number", tell_channel, "Tell a digital channel: 1 on, 0 off.", "TC1",
                  low=1, high=255, channel="input"),
     _reports_row("TA", "reading", "R", "none", "number", tell_analog, "Tell an analogue input, volts.", "TA1",

@@ -316,7 +316,7 @@ ROWS = (
          "Start: run in velocity mode, or release the contour paths that wait.", "1MN,1VM,1GO,WA0.1,1ST",
          topic="move"),
     _row("DI", "setting", "W", "axes", "bool", direction, "Direction of velocity mode: 0 positive, 1 negative.",
-         "1DI1", default=0, low=0, high=1),
+         "1DI1", default=0, low=0, high=1, topic="move"),
     _row("ST", "command", "C", "axes", "", stop, "Stop at the programmed deceleration.", "1ST", meant="STOP",
          topic="stop"),
     _row("AB", "command", "C", "axes", "", abort, "Abort: stop at once, the motor stays on.", "1AB", meant="ABORT",

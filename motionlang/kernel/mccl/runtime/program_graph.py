@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from itertools import pairwise
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -59,13 +59,10 @@ def structure(source: Source, settings: Mapping[str, object]) -> Structure:
     bodies = [(number, body) for number, found in sorted(macros.items()) for body in found]
     for steps in [*foreground, *(body for _, body in bodies)]:
         _link(steps, macros)
-    started = {each.number for line in lines for each in line.commands if each.verb == "start_task"}
-    roots = _roots(foreground, bodies, started)
     for number, body in bodies:
         entry = graph.add(body)
-        if id(body) in roots:
-            again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
-            units.append(Unit(f"{number}{again}", "macro", body.line.number, entry))
+        again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
+        units.append(Unit(f"{number}{again}", "macro", body.line.number, entry))
     points = graph.points(dict(pairwise(firsts)), _computed)
     writes = frozenset(
         at + len(command.text) - len(str(command.number))
@@ -74,37 +71,6 @@ def structure(source: Source, settings: Mapping[str, object]) -> Structure:
         if command.verb == "store"
     )
     return Structure(source, statements, points, units, writes, asked(source), has_one_series=True)
-
-
-def _roots(
-    lines: Sequence[LineSteps], bodies: Sequence[tuple[int, LineSteps]], started: Collection[int | None]
-) -> set[int]:
-    """Return the macros, by their ids, that are units.
-
-    A macro that others only jump to continues those. Of macros that nothing reaches, the first one is a unit.
-    """
-    sent = [line for line in lines if line.line.commands[0].verb != "define_macro"]
-    called = {id(each) for line in sent for each, _ in line.called.values()}
-    called |= {id(body) for number, body in bodies if number in started}
-    jumps: dict[int, list[int]] = {id(body): [] for _, body in bodies}
-    for _, body in bodies:
-        for pc, (other, _) in body.called.items():
-            if body[pc].kind == ENTER:
-                jumps[id(body)].append(id(other))
-            else:
-                called.add(id(other))
-    roots, reached = set[int](), set[int]()
-    all_bodies = [body for _, body in bodies]
-    for body in [*(each for each in all_bodies if id(each) in called), *all_bodies]:
-        if id(body) in called or id(body) not in reached:
-            roots.add(id(body))
-            stack = [id(body)]
-            while stack:
-                each = stack.pop()
-                if each not in reached:
-                    reached.add(each)
-                    stack += jumps[each]
-    return roots
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
@@ -139,7 +105,8 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
     elif branches and not row.waits:
         made.condition = command.text
     if row.channel:
-        made.channels.append(ChannelUse(row.channel, _parameter(command), _access(row), at, name_at=at))
+        number = _parameter(command)
+        made.channels.append(ChannelUse(row.channel, number, _access(row), at, value=row.output, name_at=at))
     if row.selects:
         made.channels.append(
             ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)

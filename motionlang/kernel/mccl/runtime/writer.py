@@ -83,9 +83,11 @@ class LineWriter:
         """The index of the line's end."""
         return len(self.line.commands)
 
-    def act(self, kind: int, action: Callable[[Any, Command], Any], to: int = -1) -> int:
-        """Append a step of the present command, and return its index."""
+    def act(self, kind: int, action: Callable[[Any, Command], Any] | None, to: int = -1) -> int:
+        """Append a step of the present command, and return its index; a BACK without an action always goes back."""
         board, command = self.board, self.command
+        if action is None:
+            return self.steps.add(kind, None, to, self._at, uses_of(command))
 
         def do(values: Values) -> Any:
             return action(board.running, command)

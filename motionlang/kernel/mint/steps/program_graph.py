@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
@@ -75,7 +75,7 @@ def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -
         if function.kind == "main":
             yield Unit("program", "program", 0, entry)
         elif function.kind == "event":
-            yield Unit(function.name, "event", line, entry, _trigger(reader, function.name, function.at))
+            yield Unit(function.name, "event", line, entry, _triggers(reader, function.name, function.at))
         else:
             is_function = isinstance(function.node, nodes.Sub) and function.node.function
             yield Unit(function.name, "function" if is_function else function.kind, line, entry)
@@ -86,19 +86,21 @@ def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -
             if is_handler or (index in called):
                 at = reader.labels.get((function, label.lower()), function.at)
                 kind = "event" if is_handler else "subroutine"
-                trigger = _trigger(reader, label, at) if is_handler else None
-                yield Unit(label, kind, reader.line(at), graph.index(steps, index), trigger)
+                triggers = _triggers(reader, label, at) if is_handler else ()
+                yield Unit(label, kind, reader.line(at), graph.index(steps, index), triggers)
 
 
-def _trigger(reader: _Reader, name: str, at: int) -> ChannelUse | None:
-    """Return the channel whose change starts a handler."""
+def _triggers(reader: _Reader, name: str, at: int) -> Sequence[ChannelUse]:
+    """Return the channels whose change starts a handler."""
     found = kind_and_number(name)
     row = reader.names.table.get(RAISED_BY[found[0]]) if found is not None and found[0] in RAISED_BY else None
     if row is None or found is None:
-        return None
+        return ()
+    if row.selects:
+        return list({use.number: use for use in reader.selected if use.value.startswith(row.name)}.values())
     channel = row.channel.removesuffix(" bank")
     number = str(found[1]) if found[1] >= 0 else _UNKNOWN
-    return ChannelUse(channel, number, READ, at) if channel else None
+    return (ChannelUse(channel, number, READ, at),) if channel else ()
 
 
 class _Reader:
@@ -110,6 +112,8 @@ class _Reader:
         self.writes: set[int] = set()
         # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
+        # The channels that the program assigns to a function of an axis.
+        self.selected: list[ChannelUse] = []
         # The offset of each Repeat by that of its condition.
         self.repeats: dict[int, int] = {}
 
@@ -138,6 +142,7 @@ class _Reader:
                     tests = ", ".join(map(self._text, case.tests)) or "Else"
                     made = self._add(case.start, f"Case {tests}", list(case.tests))
                     made.condition = f"{subject} is {tests}" if case.tests else ""
+                    made.select = node.start
                     self._block(function, case.body)
             case nodes.For():
                 values = [node.first, node.stop, *([node.step] if node.step is not None else [])]
@@ -149,14 +154,12 @@ class _Reader:
                 self._block(function, node.body)
             case nodes.While():
                 self._head(node.start, node.condition, "While {}", node.condition)
-                self.statements[node.start].polls = self._polls(node.start)
                 self._block(function, node.body)
             case nodes.Repeat():
                 self._add(node.start, "Repeat", []).is_silent = True
                 made = self._add(
                     node.condition.start, f"Until {self._text(node.condition)}", [node.condition]
                 )
-                made.polls = self._polls(node.start)
                 self.repeats[made.at] = node.start
                 # The step tests if the loop goes on.
                 made.condition = f"not ({self._text(node.condition)})"
@@ -166,10 +169,6 @@ class _Reader:
                 self._block(function, node.body)
             case _:
                 self._simple(function, node)
-
-    def _polls(self, at: int) -> bool:
-        found = self.polls(at)
-        return found is not None and bool(found.leaves)
 
     def _head(self, at: int, condition: nodes.Expr, form: str, *parts: nodes.Node) -> None:
         text = self._text(condition)
@@ -204,6 +203,8 @@ class _Reader:
                 made.starts.append(f"task {node.name}")
             case nodes.End() if node.name is not None:
                 made.ends.append(f"task {node.name}")
+            case nodes.Define():
+                pass  # its expression is read where its name is
             case nodes.Label():
                 self.labels[function, node.name.lower()] = node.start
             case nodes.Dim():
@@ -314,9 +315,9 @@ class _Reader:
                 by = f"{row.name}({self._number(args[k])})" if k < len(args) else row.name
                 number = self._number(each)
                 if not number.startswith("-"):
-                    made.channels.append(
-                        ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
-                    )
+                    use = ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
+                    made.channels.append(use)
+                    self.selected.append(use)
         if (is_of_axes or row.does("all")) and access == WRITE and row.topic:
             self._axes(made, row, args, kinds, values)
 
