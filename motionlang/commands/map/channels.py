@@ -120,8 +120,8 @@ def channels(
             given.starts.append(f"{wired[2].replace('_', ' ')} of axis {wired[1]} (machine file)")
     for unit in structure.units:
         for trigger in unit.triggers:
-            key = trigger.channel, trigger.number
-            found.setdefault(key, Channel(*key)).starts.append(unit.title)
+            place = trigger.channel, trigger.number
+            found.setdefault(place, Channel(*place)).starts.append(unit.title)
     for channel in found.values():
         _name(channel, settings, names, comments)
     return sorted(found.values(), key=_place)

@@ -40,7 +40,7 @@ def sizes(program: str) -> tuple[int, int, int]:
     """Return the numbers of states, transitions and actions of a program."""
     made = program_map(Source("a.mnt", program), dialect("mint"))
     transitions = [each for diagram in made.diagrams.diagrams for each in diagram.transitions]
-    actions = sum(len(each.actions) + len(each.conditions) for each in transitions)
+    actions = sum(len(each.path) for each in transitions)
     return sum(len(diagram.states) for diagram in made.diagrams.diagrams), len(transitions), actions
 
 

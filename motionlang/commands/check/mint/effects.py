@@ -12,6 +12,7 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.resolve.flowgraph import Graph, Step
 from motionlang.kernel.mint.resolve.folding import Known, fold
+from motionlang.kernel.mint.resolve.handlers import handled
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -85,6 +86,13 @@ class Facts:
         self._touched: dict[frozenset[str], dict[Function, set[Key]]] = {}
         self.default_axes = names.uses_axes  # then a keyword without brackets may mean any axis
         self.writers = self._writers()
+        # The variables that labels which handle events assign to.
+        self.handled = {
+            self.symbol(name)
+            for function in self.functions
+            for node in handled(function)
+            for name in self.written(node)
+        }
         self.roots = self._roots()
         self.retained, self.begun = self._find_retained()
         variables = [

@@ -174,7 +174,7 @@ class Reachability:
             return False
         if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
             return True
-        if symbol in self.facts.hosted:
+        if symbol in self.facts.hosted or symbol in self.facts.handled:
             return True
         mine = self.facts.roots[function]
         if len(mine) != 1:

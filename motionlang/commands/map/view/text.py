@@ -74,7 +74,8 @@ def _transition(made: ProgramMap, each: Transition) -> str:
     condition, actions = when(each), then(each)
     target = each.target
     goes = target.text if target.kind in ("return", "end", "jump") else clipped(name_of(target))
-    parts = [f"{condition}:" if condition else "", actions if not actions or actions.endswith(":") else f"{actions};", f"-> {goes}"]
+    end = "" if not actions or actions.endswith(":") else ";"
+    parts = [f"{condition}:" if condition else "", f"{actions}{end}", f"-> {goes}"]
     taken = made.taken(each)
     if taken is not None:
         parts.append(f"({taken.count} x)" if taken.count > 1 else "(once)")

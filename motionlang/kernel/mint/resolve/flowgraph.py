@@ -46,7 +46,7 @@ once for each bit, and once more.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from heapq import heappop, heappush
 from typing import TypeVar
 
@@ -92,7 +92,7 @@ class Graph:
         self.labels: dict[str, Step] = {}
         self.handlers: dict[str, Step] = {}
         self._jumps: list[tuple[Step, nodes.Jump]] = []
-        self._after_gosub: list[Step] = []
+        self._after_gosub: dict[Step, Step] = {}
         self._returns: list[Step] = []
         self._exits: list[tuple[str, Open]] = []
         self.start = self._new(START, None, [])
@@ -114,6 +114,20 @@ class Graph:
                 found.add(step)
                 stack.extend(step.next)
         return found
+
+    def handled(self) -> Iterator[nodes.Node]:
+        """Yield the statements and conditions that the handlers execute, up to their Return."""
+        found: set[Step] = set()
+        stack = list(self.handlers.values())
+        while stack:
+            step = stack.pop()
+            if step in found:
+                continue
+            found.add(step)
+            if step.node is not None:
+                yield step.node
+            if type(step.node) is not nodes.Return:
+                stack += [*step.next, *([self._after_gosub[step]] if step in self._after_gosub else ())]
 
     def forward(
         self,
@@ -291,7 +305,7 @@ class Graph:
         if node.kind != "gosub":
             return []
         after = self._new(DO, None, [])
-        self._after_gosub.append(after)
+        self._after_gosub[step] = after
         return [(after, "next")]
 
     def _return(self, node: nodes.Return, edges: Open) -> Open:
@@ -309,7 +323,7 @@ class Graph:
                 self.handlers[name] = step
         if self._after_gosub:
             back = self._new(DO, None, [])
-            back.next = self._after_gosub
+            back.next = list(self._after_gosub.values())
         for step in self._returns:
             step.next.append(back if type(step.node) is nodes.Return and self._after_gosub else self.leave)
 

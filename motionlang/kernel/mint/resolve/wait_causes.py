@@ -22,8 +22,9 @@ from math import inf
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
+from motionlang.kernel.mint.keywords.event_kinds import label_event
 from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
+from motionlang.kernel.mint.resolve.handlers import handled, raised_by
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
@@ -82,7 +83,14 @@ class _Survey:
         self._roots = [
             list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
         ]
+        # The variables that labels which handle events assign, as an Event does.
+        self._handled: set[Symbol | None] = set()
         for function in functions:
+            found = list(self._reached(handled(function)))
+            if found:
+                self._roots.append(found)
+                assigned = (node.target for node in found if isinstance(node, nodes.Assign))
+                self._handled |= {getattr(target, "symbol", None) for target in assigned}
             for node in walk(function.body):
                 if isinstance(node, (*LOOPS, nodes.Pause)):
                     self._nodes[node.start] = node
@@ -146,7 +154,7 @@ class _Survey:
                         given = _given(symbol, body)
                         rest += given
                         counts = counts or bool(given)
-                        if not given and symbol.shared:
+                        if not given and (symbol.shared or symbol in self._handled):
                             others.add(symbol)
         if not counts and any(self._is_written(symbol, body) for symbol in others):
             found.add(("task", None))
@@ -291,17 +299,22 @@ def input_reads(source: Source) -> list[InputRead]:
         found += _inputs(module, body, banks, function.kind == "event")
         found += _keys(module, body)
         found += _choices(module, body)
-        event = kind_and_number(function.name) if function.kind == "event" else None
-        if event is not None and event[0] == "in" and event[1] >= 0:
+        if function.kind == "event":
             line = module.line(function.at)
             first = min((module.line(node.start) for node in body), default=line)
-            found.append(InputRead("event", event[1], None, line, first))
+            found += _events(names, function.name, line, first)
         for label in (node for node in body if isinstance(node, nodes.Label)):
-            event = label_event(label.name)
-            if event is not None and event[0] == "in" and event[1] >= 0:
+            if label_event(label.name) is not None:
                 line = module.line(label.start)
-                found.append(InputRead("event", event[1], None, line, line))
+                found += _events(names, label.name, line, line)
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
+
+
+def _events(names: Names, name: str, line: int, last: int) -> Iterator[InputRead]:
+    """Yield the inputs whose change calls a handler."""
+    for kind, number in raised_by(names, name):
+        if kind == "input" and number >= 0:
+            yield InputRead("event", number, None, line, last)
 
 
 class _Banks:

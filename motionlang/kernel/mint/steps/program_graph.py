@@ -19,9 +19,8 @@ from motionlang.kernel.lang.program_graph import (
 )
 from motionlang.kernel.lang.steps import CALL
 from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
-from motionlang.kernel.mint.keywords.event_kinds import RAISED_BY, kind_and_number
 from motionlang.kernel.mint.resolve.folding import fold
-from motionlang.kernel.mint.resolve.handlers import label_handlers
+from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
 from motionlang.kernel.mint.resolve.wait_causes import finder
@@ -92,15 +91,10 @@ def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -
 
 def _triggers(reader: _Reader, name: str, at: int) -> Sequence[ChannelUse]:
     """Return the channels whose change starts a handler."""
-    found = kind_and_number(name)
-    row = reader.names.table.get(RAISED_BY[found[0]]) if found is not None and found[0] in RAISED_BY else None
-    if row is None or found is None:
-        return ()
-    if row.selects:
-        return list({use.number: use for use in reader.selected if use.value.startswith(row.name)}.values())
-    channel = row.channel.removesuffix(" bank")
-    number = str(found[1]) if found[1] >= 0 else _UNKNOWN
-    return (ChannelUse(channel, number, READ, at),) if channel else ()
+    return [
+        ChannelUse(channel, str(number) if number >= 0 else _UNKNOWN, READ, at)
+        for channel, number in raised_by(reader.names, name)
+    ]
 
 
 class _Reader:
@@ -112,8 +106,6 @@ class _Reader:
         self.writes: set[int] = set()
         # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
-        # The channels that the program assigns to a function of an axis.
-        self.selected: list[ChannelUse] = []
         # The offset of each Repeat by that of its condition.
         self.repeats: dict[int, int] = {}
 
@@ -315,9 +307,9 @@ class _Reader:
                 by = f"{row.name}({self._number(args[k])})" if k < len(args) else row.name
                 number = self._number(each)
                 if not number.startswith("-"):
-                    use = ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
-                    made.channels.append(use)
-                    self.selected.append(use)
+                    made.channels.append(
+                        ChannelUse(row.selects, number, SET_UP, made.at, _alias(each), by, name.start)
+                    )
         if (is_of_axes or row.does("all")) and access == WRITE and row.topic:
             self._axes(made, row, args, kinds, values)
 
