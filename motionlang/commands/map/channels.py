@@ -52,11 +52,13 @@ class Channel:
 
     @property
     def direction(self) -> str:
-        """ "in", "out" or "in/out", as the program uses it."""
-        is_read = bool(self.reads or self.waits or (self.starts and "output" not in self.kind))
+        """ "in" or "out"; "in/out" of what a program may write and read."""
+        if "output" in self.kind or "relay" in self.kind:
+            return "out"
+        is_read = bool(self.reads or self.waits or self.starts)
         if self.writes:
             return "in/out" if is_read else "out"
-        return "in" if is_read or "input" in self.kind else "out" if "output" in self.kind else ""
+        return "in" if is_read or "input" in self.kind else ""
 
     @property
     def lines(self) -> list[int]:

@@ -1,13 +1,14 @@
-"""Names of channels and axes in the comments of a program.
+"""Names of channels, axes and registers in the comments of a program.
 
 Old programs list their channels at the head, in one of a few forms:
 
     REM IN 0 product eye   IN 1 label gap eye          ; in 1 bar in gripper  2 gripper closed
     REM OUT 0 clamp 1 spindle 2 coolant                 ' inputs  1 lock pin out   2 lock pin in
 
-A name is what follows a number up to the next number that could be one of a list, a sign that ends a list, or two
-blanks. A line without a word such as IN continues the line above it. The caller keeps only the names of numbers that
-the program uses, because a comment may be about anything.
+A name is what follows a number up to the next number that could be one of a list, a sign that ends a list, two blanks,
+or a word such as IN with a number, in capitals if the first one of the comment is. A line without a word such as IN
+continues the line above it. The caller keeps only the names of numbers that the program uses, because a comment may be
+about anything.
 """
 
 from __future__ import annotations
@@ -23,10 +24,11 @@ _WORDS = {
     "analogue input": "adc|ai|ain|analogue? in(?:put)?s?",
     "analogue output": "dac|ao|aout|analogue? out(?:put)?s?",
     "axis": "ax(?:is|es)",
+    "register": "reg(?:ister)?s?",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
 # A word that begins a list, with its first number: "IN 0", "in1", "out 33".
-_BEGIN = re.compile(rf"(?:^|(?<=\s\s)|(?<=[,;|.]\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
+_BEGIN = re.compile(rf"(?:^|(?<=\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
 _ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name>[A-Za-z].*)", re.DOTALL)
 _UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
 # Where the name ends: at the next number of the list, at two blanks, or at a sign.
@@ -55,11 +57,11 @@ def named(comments: Iterable[tuple[int, str]]) -> list[Named]:
     found: list[Named] = []
     kind, last = "", 0
     for line, comment in comments:
-        text = _MARKS.sub("", comment)
+        text = without_marks(comment)
         if line != last + 1:
             kind = ""
         last = line
-        begins = list(_BEGIN.finditer(text))
+        begins = list(_beginnings(text))
         if not begins and not re.match(r"\s*\d", text):
             kind = ""
             found += (Named("axis", int(number), letter, line) for letter, number in _LETTER.findall(text))
@@ -78,6 +80,22 @@ def named(comments: Iterable[tuple[int, str]]) -> list[Named]:
             if of:
                 found += (Named(of, number, name, line) for number, name in _items(piece))
     return found
+
+
+def without_marks(comment: str) -> str:
+    """Return the text of a comment."""
+    return _MARKS.sub("", comment).strip()
+
+
+def _beginnings(text: str) -> Iterator[re.Match[str]]:
+    """Yield the words that begin a list; in the middle of a text they look like the one at its start."""
+    is_list = is_upper = False
+    for match in _BEGIN.finditer(text):
+        starts = not match.start() or re.search(r"\s\s$|[,;|.]\s?$", text[: match.start()])
+        if starts or (is_list and match[0][0].isupper() == is_upper and "  " not in match[0]):
+            yield match
+        if not match.start():
+            is_list, is_upper = True, match[0][0].isupper()
 
 
 def _kind(match: re.Match[str]) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from motionlang.commands.map.axes import AxisMap, axes
 from motionlang.commands.map.channels import Channel, channels
-from motionlang.commands.map.comments import Named, named
+from motionlang.commands.map.comments import Named, named, without_marks
 from motionlang.commands.map.observed import Observed, Taken
 from motionlang.commands.map.states import Diagrams, Transition, diagrams
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
@@ -43,6 +43,10 @@ class ProgramMap:
     run: Run | None = None
     observed: Observed | None = None
 
+    def meaning(self, title: str) -> str:
+        """Return what a comment says about a unit, "" for none."""
+        return next((each.meaning for each in self.units if each.title == title), "")
+
     def taken(self, transition: Transition) -> Taken | None:
         """Return how often and when the run has taken a transition, None if it has not."""
         return self.observed.taken.get(transition) if self.observed is not None else None
@@ -59,7 +63,7 @@ def program_map(
     structure = language.structure(source, settings)
     listed, at_ends = _comments(source, language)
     names = named(listed)
-    made, unreached = units(structure)
+    made, unreached = units(structure, {line: without_marks(text) for line, text in listed})
     drawn = diagrams(structure)
     return ProgramMap(
         source,
@@ -68,7 +72,7 @@ def program_map(
         channels(structure, settings, names, at_ends, drawn.polled),
         axes(structure, names),
         made,
-        variables(structure, language.names(source, settings).definitions),
+        variables(structure, language.names(source, settings).definitions, names),
         drawn,
         unreached,
     )
@@ -135,7 +139,7 @@ def _comments(source: Source, language: Dialect) -> tuple[list[tuple[int, str]],
             continue
         line, column = source.location(at)
         if source.line(line)[: column - 1].strip():
-            shown = text.strip().lstrip("'/;").strip()
+            shown = without_marks(text)
             if len(shown) <= MAX_COMMENT:
                 behind[line] = shown
         else:

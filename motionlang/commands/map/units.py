@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from motionlang.commands.map.comments import Named
 from motionlang.kernel.lang.names import Definition
 from motionlang.kernel.lang.program_graph import Structure, Unit
 from motionlang.kernel.lang.steps import CALL, ENTER
 
+# What a comment above a macro repeats of its definition: "macro 1".
+_MACRO = re.compile(r"^(?:macro|md)\s*\d+\b[\s:.=-]*", re.IGNORECASE)
 # The kinds of definitions that hold a value.
 _VALUES = ("variable", "parameter", "constant", "define", "register")
 
@@ -17,7 +21,7 @@ _VALUES = ("variable", "parameter", "constant", "define", "register")
 class UnitMap:
     """A unit of a program: what it calls and starts, by title with the lines, and what calls and starts it.
 
-    `is_reached` is False if nothing leads to it.
+    `is_reached` is False if nothing leads to it. `meaning` is the comment in the line above a macro.
     """
 
     title: str
@@ -28,11 +32,15 @@ class UnitMap:
     starts: dict[str, list[int]] = field(default_factory=dict)
     started_by: dict[str, list[int]] = field(default_factory=dict)
     is_reached: bool = True
+    meaning: str = ""
 
 
 @dataclass(eq=False, slots=True)
 class Variable:
-    """A name with a value, and the lines that read and write it; `home` is the sub that declares it, "" for all."""
+    """A name with a value, and the lines that read and write it.
+
+    `home` is the sub that declares it, "" for all. `meaning` is the name that a comment gives a register.
+    """
 
     name: str
     kind: str
@@ -41,10 +49,19 @@ class Variable:
     reads: list[int]
     writes: list[int]
     is_retained: bool = False
+    meaning: str = ""
+
+    @property
+    def is_used(self) -> bool:
+        """False if nothing reads or writes it."""
+        return bool(self.reads or self.writes)
 
 
-def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
-    """Return the units of a program, and the first and last lines of statements that nothing reaches."""
+def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitMap], list[tuple[int, int]]]:
+    """Return the units of a program, and the first and last lines of statements that nothing reaches.
+
+    `comments` are those with a line of their own.
+    """
     reader = _Reader(structure)
     made = {id(unit): UnitMap(unit.title, unit.kind, unit.line) for unit in structure.units}
     by_title = {each.title: each for each in made.values()}
@@ -53,6 +70,8 @@ def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
         for trigger in unit.triggers:
             own.started_by.setdefault(f"{trigger.channel} {trigger.number}".strip(), [])
         own.is_reached = k in reader.reached_units
+        if unit.kind == "macro":
+            own.meaning = _MACRO.sub("", comments.get(unit.line - 1, ""))
         for at, callee in reader.calls[k]:
             title = structure.units[callee].title
             line = structure.line(at)
@@ -66,7 +85,9 @@ def units(structure: Structure) -> tuple[list[UnitMap], list[tuple[int, int]]]:
     return list(made.values()), reader.unreached_lines()
 
 
-def variables(structure: Structure, definitions: Iterable[Definition]) -> list[Variable]:
+def variables(
+    structure: Structure, definitions: Iterable[Definition], names: Iterable[Named]
+) -> list[Variable]:
     """Return the variables, constants and registers of a program, in the order of the text."""
     retained = {
         use.number
@@ -74,6 +95,7 @@ def variables(structure: Structure, definitions: Iterable[Definition]) -> list[V
         for use in each.channels
         if use.channel == "nv word"
     }
+    registers = {str(each.number): each.name for each in names if each.kind == "register"}
     found = []
     for each in definitions:
         if each.kind not in _VALUES:
@@ -95,6 +117,7 @@ def variables(structure: Structure, definitions: Iterable[Definition]) -> list[V
                 reads,
                 writes,
                 each.kind == "variable" and each.name in retained,
+                registers.get(each.name, "") if each.kind == "register" else "",
             )
         )
     return sorted(

@@ -37,12 +37,19 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
         ),
         ("REM   0 = table (36000 counts/rev)    1 = feed", "axis 0 table (36000 counts/rev), axis 1 feed"),
         ("' Gasket glue table, X=0 Y=1 Z=2.", "axis 0 X, axis 1 Y, axis 2 Z"),
+        ("REM OUT1 heat OUT2 knife OUT3 lamp", "output 1 heat, output 2 knife, output 3 lamp"),
+        ("Rem INPUT 4 guard OUTPUT 5 knife", "input 4 guard, output 5 knife"),
+        ("; reg 24 pitch   reg 25 parts", "register 24 pitch, register 25 parts"),
         ("' wait 5 seconds for the 2 clamps", ""),
         ("' Rev C  11/2003", ""),
     ],
 )
 def test_names_in_comments(comment: str, wanted: str) -> None:
     assert ", ".join(f"{each.kind} {each.number} {each.name}" for each in named([(1, comment)])) == wanted
+
+
+def test_the_mark_of_a_comment_is_no_part_of_a_name() -> None:
+    assert channel("OUTX(3) = 1 : REM clamp\n", "output 3").name == "clamp"
 
 
 def test_a_list_goes_on_in_the_next_line() -> None:
@@ -77,7 +84,7 @@ def test_an_input_with_all_its_uses() -> None:
     "line, title, direction",
     [
         ("OUTX(2) = 1", "output 2", "out"),
-        ("PRINT OUTX(2)", "output 2", "in"),
+        ("PRINT OUTX(2)", "output 2", "out"),
         ("OUT(0) = 5", "output bank 0", "out"),
         ("DAC(1) = 50", "analogue output 1", "out"),
         ("AUXDAC(1) = 50", "auxiliary analogue output 1", "out"),
@@ -100,7 +107,7 @@ def test_channels_of_mint(line: str, title: str, direction: str) -> None:
     "line, title, direction",
     [
         ("WN3", "input 3", "in"),
-        ("CN33,IN33,NO,NO", "output 33", "in/out"),
+        ("CN33,IN33,NO,NO", "output 33", "out"),
         ("GA2,TR0", "analogue input 2", "in"),
         ("AL5,OA1", "analogue output 1", "out"),
         ("CN@20", "output @20", "out"),
@@ -150,6 +157,49 @@ def test_variables_have_the_lines_that_read_and_write_them() -> None:
 def test_registers_of_mccl() -> None:
     found = {each.name: each for each in made("AL5,AR20\nRA20,1MN,1MR@20\n", "mccl").variables}
     assert (found["20"].writes, found["20"].reads) == ([1], [2])
+
+
+def test_registers_macros_and_keys_have_names() -> None:
+    found = made("; reg 24 pitch\nAL5,AR24\n; macro 3: advance\nMD3,1MR@24\nMC3\n", "mccl")
+    assert [(each.name, each.meaning) for each in found.variables] == [("24", "pitch")]
+    assert [each.meaning for each in found.units] == ["", "advance"]
+    assert channel("k = INKEY\nSelect Case k\nCase 49\n  PRINT 1\nEnd Select\n", "key 0").name == "'1'"
+
+
+def test_outputs_of_mccl_have_values() -> None:
+    assert channel("CN33\nCF33\n", "output 33", "mccl").values == ["1", "0"]
+    assert channel("AL5,OA1\n", "analogue output 1", "mccl").values == ["accumulator"]
+
+
+def test_a_define_is_no_read() -> None:
+    found = made("Define lamp = OUTX(3)\nDefine spare = 7\nlamp = 1 - lamp\n")
+    output = next(each for each in found.channels if each.title == "output 3")
+    assert (output.direction, output.reads, output.writes) == ("out", [3], [3])
+    assert [each.name for each in found.variables if not each.is_used] == ["spare"]
+
+
+def test_an_input_that_a_loop_polls_is_waited_for() -> None:
+    text = (
+        "While n < 4\n  If INX(1) Then MOVER(0) = 10 : GO(0) : n = n + 1\nEnd While\nIf INX(1) Then PRINT n\n"
+    )
+    found = channel(text, "input 1")
+    assert (found.waits, found.reads) == ([2], [4])
+
+
+def test_a_task_and_a_handler_are_started_not_called() -> None:
+    found = made("MD3,CN33\nGT3\n", "mccl").units[1]
+    assert (found.called_by, found.started_by) == ({}, {"program": [2]})
+    stop = made("STOPINPUT(0) = 2\nPAUSE s\nEND\n#STOP\ns = 1\nRETURN\n")
+    assert stop.units[1].started_by == {"input 2": []}
+    assert next(each for each in stop.channels if each.title == "input 2").starts == [
+        "STOPINPUT(0)",
+        "event STOP",
+    ]
+
+
+def test_the_direction_of_velocity_mode_is_a_fact_of_its_axis() -> None:
+    found = made("1DI1\n", "mccl").axes[0]
+    assert [fact.text for fact in found.of("move")] == ["DI = 1"]
 
 
 @cases("numbers, text", [([], ""), ([3], "3"), ([3, 4], "3, 4"), ([7, 3, 4, 5], "3-5, 7")])

@@ -32,6 +32,8 @@ def check_names(facts: Facts, add: Add) -> None:
     suggestions = _Suggestions()
     for function in facts.functions:
         for symbol in function.scope.names.values():
+            if symbol.kind == "define" and symbol.uses <= 0:
+                add("unused-variable", f"{symbol.name} is defined and never used", symbol.at)
             if symbol.home is not function or symbol.kind != "variable":
                 continue
             if symbol.uses <= own.get(symbol, 0):

@@ -92,6 +92,7 @@ def units(made: ProgramMap) -> Table:
         Column("started_by", "started by", text=_titles, left=True, drop=1),
         Column("calls", text=_titles, left=True, drop=2),
         Column("starts", text=_titles, left=True, drop=2),
+        Column("meaning", left=True, drop=1),
         Column("is_reached", "", text=lambda is_reached: "" if is_reached else "never reached", left=True),
     ]
     return Table("units", columns, made.units, head="Structure")
@@ -101,11 +102,13 @@ def variables(made: ProgramMap) -> Table:
     """Return the table of variables, constants and registers."""
     columns = [
         Column("name", left=True),
+        Column("meaning", left=True, drop=1),
         Column("kind", left=True),
         Column("home", "of", left=True, drop=2),
         Column("value", left=True, drop=1),
         _lines("writes", "written"),
         _lines("reads", "read"),
+        Column("is_used", "", text=lambda is_used: "" if is_used else "unused", left=True, drop=1),
         Column("is_retained", "", text=lambda is_retained: "non-volatile" if is_retained else "", left=True),
     ]
     return Table("variables", columns, made.variables, empty="no variables", head="Variables")

@@ -43,7 +43,9 @@ def render_states(made: ProgramMap, *, width: int, colour: bool = False) -> str:
 def _diagram(made: ProgramMap, diagram: Diagram, width: int, colour: bool) -> list[str]:
     """Return the states of a unit, each with the transitions from it."""
     title = diagram.unit.title
-    found = [styled(f"{title}, line {diagram.unit.line}" if diagram.unit.line else title, "bold", colour)]
+    heading = f"{title}, line {diagram.unit.line}" if diagram.unit.line else title
+    meaning = made.meaning(title)
+    found = [styled(f"{heading}: {meaning}" if meaning else heading, "bold", colour)]
     leaving: dict[int, list[Transition]] = {}
     for each in diagram.transitions:
         leaving.setdefault(id(each.source), []).append(each)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.program_map import ProgramMap
@@ -37,10 +37,24 @@ def waits_for(made: ProgramMap, state: State) -> str:
         found |= dict.fromkeys(f"{each.known_as}{level}" for each in known)
         axes = {n for kind, n in state.readings if KINDS[kind] == "axis" and n is not None}
         titles = {each.axis: each.title for each in made.axes}
-        found |= dict.fromkeys(titles.get(axis, f"axis {axis}") for axis in sorted(axes.union(statement.what)))
+        found |= dict.fromkeys(
+            titles.get(axis, f"axis {axis}") for axis in sorted(axes.union(statement.what))
+        )
     if state.cause == "operator":
         return "the operator"
+    if state.cause == "task":
+        found |= dict.fromkeys(_writers(made, state))
     return ", ".join(found) or CAUSES[state.cause]
+
+
+def _writers(made: ProgramMap, state: State) -> Iterator[str]:
+    """Yield the tasks and handlers that write a variable that a state reads."""
+    lines = {line for each in made.variables if state.line in each.reads for line in each.writes}
+    for diagram in made.diagrams.diagrams:
+        actions = (each for transition in diagram.transitions for each in transition.path)
+        written = {made.structure.line(each.at) for each in actions if isinstance(each, Action)}
+        if lines & written and diagram.unit.kind in ("task", "event"):
+            yield diagram.unit.title
 
 
 def name_of(state: State) -> str:
@@ -68,6 +82,18 @@ def segments(transition: Transition) -> list[tuple[str, list[Action]]]:
 
 
 def _when(conditions: Sequence[Condition]) -> str:
+    first: dict[int, Condition] = {}
+    found: list[Condition] = []
+    for each in conditions:
+        if each.holds or each.select < 0:
+            found.append(each)
+        elif each.select not in first:
+            text = each.text.replace(" is ", " is not ", 1)
+            found.append(Condition(each.at, text, True))
+            first[each.select] = found[-1]
+        else:
+            first[each.select].text += f", {each.text.partition(' is ')[2]}"
+    conditions = found
     if len(conditions) == 1 and not conditions[0].holds and not conditions[0].text.startswith("not ("):
         return f"unless {conditions[0].text}"
     return "if " + " and ".join(dict.fromkeys(map(str, conditions))) if conditions else ""

@@ -394,7 +394,7 @@ class Names:
         if type(target) is not nodes.Name:
             return
         if target.symbol is not None:
-            target.symbol.uses -= 1
+            target.symbol.uses -= target.symbol.kind != "define"
         elif target.row is not None and target.row.name in WRITTEN:
             target.row = written(target.row)
 
@@ -412,6 +412,7 @@ class Names:
             if symbol.home is not function:
                 symbol.shared = True
         elif symbol.kind == "define":
+            symbol.uses += 1
             self._replace(function, node, symbol)
         elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
             function.calls.add(symbol.home)

@@ -61,7 +61,7 @@ class Symbol:
         self.node: object = None
         self.shared = self.boxed = self.by_ref = False
         self.given = False  # a constant whose value is supplied when the program starts
-        self.uses = 0  # the number of reads
+        self.uses = 0  # the number of reads; those of a Define include writes
         self.declared = True
 
     @property

@@ -297,7 +297,8 @@ def input_reads(source: Source) -> list[InputRead]:
     banks = _Banks(node for _, body in bodies for node in body)
     for function, body in bodies:
         found += _inputs(module, body, banks, function.kind == "event")
-        found += _keys(module, body)
+        lines = ((module.line(node.start), code) for node, code in keys(body))
+        found += [InputRead("key", code, None, line, line) for line, code in lines]
         found += _choices(module, body)
         if function.kind == "event":
             line = module.line(function.at)
@@ -502,7 +503,8 @@ def _constant(name: nodes.Name) -> int | None:
     return int(text) if text.isdigit() else None
 
 
-def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
+def keys(body: list[nodes.Node]) -> Iterator[tuple[nodes.Node, int]]:
+    """Yield each comparison of a key with a number, and the number."""
     given: set[Symbol] = set()
     for node in body:
         if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
@@ -510,14 +512,17 @@ def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
             if symbol is not None:
                 given.add(symbol)
     for node in body:
-        if not isinstance(node, nodes.Binary) or node.op not in ("=", "<>"):
-            continue
-        for side, other in ((node.left, node.right), (node.right, node.left)):
+        compared: list[tuple[nodes.Expr, nodes.Node, nodes.Expr]] = []
+        if isinstance(node, nodes.Binary) and node.op in ("=", "<>"):
+            compared = [(node.left, node, node.right), (node.right, node, node.left)]
+        elif isinstance(node, nodes.Select):
+            tests = (test for case in node.cases for test in case.tests if test.op == "=")
+            compared = [(node.subject, test, test.value) for test in tests]
+        for side, at, other in compared:
             code = _whole(other)
             is_read = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
             if is_read and code is not None and FIRST_KEY <= code <= LAST_KEY:
-                line = module.line(node.start)
-                yield InputRead("key", code, None, line, line)
+                yield at, code
 
 
 def _choices(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:

@@ -23,13 +23,13 @@ from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
-from motionlang.kernel.mint.resolve.wait_causes import finder
+from motionlang.kernel.mint.resolve.wait_causes import finder, keys
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter
 from motionlang.kernel.mint.steps.unit import is_stop
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import children, meant
+from motionlang.kernel.mint.syntax.traversal import children, meant, walk
 from motionlang.kernel.source import Source
 
 # Words that the program has for "not known before the run".
@@ -106,6 +106,9 @@ class _Reader:
         self.writes: set[int] = set()
         # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
+        # The code of each key that a node compares with.
+        everything = list(walk(statement for each in names.functions for statement in each.body))
+        self.keys = {id(node): code for node, code in keys(everything)}
         # The offset of each Repeat by that of its condition.
         self.repeats: dict[int, int] = {}
 
@@ -133,7 +136,8 @@ class _Reader:
                     subject = self._text(node.subject)
                     tests = ", ".join(map(self._text, case.tests)) or "Else"
                     made = self._add(case.start, f"Case {tests}", list(case.tests))
-                    made.condition = f"{subject} is {tests}" if case.tests else ""
+                    characters = self._characters(case.tests)
+                    made.condition = f"{subject} is {tests}{characters}" if case.tests else ""
                     made.select = node.start
                     self._block(function, case.body)
             case nodes.For():
@@ -163,8 +167,14 @@ class _Reader:
                 self._simple(function, node)
 
     def _head(self, at: int, condition: nodes.Expr, form: str, *parts: nodes.Node) -> None:
-        text = self._text(condition)
-        self._add(at, form.format(text), list(parts)).condition = text
+        made = self._add(at, form.format(self._text(condition)), list(parts))
+        made.condition = self._text(condition) + self._characters([condition])
+
+    def _characters(self, tests: Sequence[nodes.Node]) -> str:
+        """Return the keys that a condition compares with, such as " ('a', 'b')", "" if none."""
+        compared = sorted((node.start, self.keys[id(node)]) for node in walk(tests) if id(node) in self.keys)
+        found = [repr(chr(code)) for _, code in compared]
+        return f" ({', '.join(found)})" if found else ""
 
     def _simple(self, function: Function, node: nodes.Stmt) -> None:
         made = self._add(node.start, self._text(node), [])
@@ -299,6 +309,10 @@ class _Reader:
                 number = ", ".join(map(self._number, group)) or ("0" if kinds[0] != "none" else "")
                 own = self._text(values[min(k, len(values) - 1)]) if values else value
                 known_as = alias or next((a for a in map(_alias, group) if a), "")
+                if row.channel == "key":
+                    known_as = ", ".join(
+                        dict.fromkeys(repr(chr(code)) for code in sorted(self.keys.values()))
+                    )
                 made.channels.append(
                     ChannelUse(row.channel, number, access, made.at, known_as, own, name.start)
                 )

@@ -44,12 +44,12 @@ QUESTIONS = {
         "what is output 2?": ["output 2 coolant out 40, 51"],
         "how long may the clamp take?": ['if TM > 200: ? "CLAMP!"; OUT.0 = 0;', "35 WAIT = 10"],
         "when does the spindle start?": [
-            "unless INX.1 = 0: TIME = 0; OUTX.0 = 1; TM = 0; OUTX.1 = 1; -> 39 PAUSE INX.2"
+            "TIME = 0; OUTX.0 = 1; TM = 0; unless INX.1 = 0: OUTX.1 = 1; -> 39 PAUSE INX.2"
         ],
         "what if the drill breaks?": ['if INX.6: bad = bad + 1; ? "DRILL BROKEN, HOLE "'],
         "how far does the table turn for each hole?": ["moves MOVER = ang computed 48", "ang variable 25 48"],
         "at what speed does it drill?": ["speeds and rates SPEED = 8 68"],
-        "in how many pecks?": ["if S in 1 To 3: D = 40; D = D + 4; SPEED.1 = 8; MOVEA.1 = D;"],
+        "in how many pecks?": ["D = 40; if S in 1 To 3: D = D + 4; SPEED.1 = 8; MOVEA.1 = D;"],
         "what is counted?": ["parts variable 14, 56 56, 58", "bad variable 15, 47 47"],
         "what must happen before the next plate?": ["60 PAUSE INX.0 = 0 [waits for input 0 (plate present)]"],
     },
@@ -62,7 +62,9 @@ QUESTIONS = {
         "which axis is which?": ["axis 1 (X 2000 counts/mm)", "axis 2 (Z 1000 counts/mm)"],
         "where is the die?": ["moves MA = 900000", "moves MA = 120000"],
         "what if there is no vacuum?": ["CF33; -> 19 WA0.2", "CN33; -> 19 WA0.4"],
-        "after how many tries does it give up?": ["if not (channel 2 on) and accumulator > 2: MJ11; RA31;"],
+        "after how many tries does it give up?": [
+            "MJ11; unless channel 2 on: RA31; AA1; AR31; if accumulator > 2: MJ12; -> goes on in macro 12"
+        ],
         "what ends the alarm?": ["29 WF5 [waits for input 5 (auto/manual (1 = auto)) to be off]"],
         "how is Z homed?": ["homed and zeroed FE = 0 13", "speeds and rates SV = 20000 13"],
         "what does the machine wait for before it lowers on the belt?": [

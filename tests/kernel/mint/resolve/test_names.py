@@ -27,7 +27,6 @@ LOOK_UPS = {
     "check/labels.py": 1,
     "check/model.py": 4,
     "check/unknown_words.py": 1,
-    "steps/program_graph.py": 1,
 }
 
 
