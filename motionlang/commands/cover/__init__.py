@@ -11,6 +11,7 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
+from motionlang.commands.map.units import Reachability
 from motionlang.commands.verify.scenarios import Scenario, scenario_files
 from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
 from motionlang.kernel.execution import dialect_for, settings_next_to
@@ -55,7 +56,8 @@ class Statement:
 class Coverage:
     """The statements, conditions and parts that the runs of a program have reached.
 
-    `worlds` are the scenarios that it ran in, "" for its own world.
+    `worlds` are the scenarios that it ran in, "" for its own world. `unreached` are the first and last lines of
+    statements that nothing leads to; those do not count.
     """
 
     file: str
@@ -64,6 +66,7 @@ class Coverage:
     statements: list[Statement]
     conditions: list[Condition]
     parts: list[Part]
+    unreached: list[tuple[int, int]]
 
     @property
     def lines(self) -> dict[int, int]:
@@ -85,6 +88,8 @@ class Coverage:
         for one in self.conditions:
             if bool(one.true) is not bool(one.false):
                 found.setdefault(one.line, f"never {'false' if one.true else 'true'}: {one.text}")
+        for first, last in self.unreached:
+            found |= dict.fromkeys(range(first, last + 1), "nothing leads here")
         return dict(sorted(found.items()))
 
     @property
@@ -112,7 +117,9 @@ def coverage(
     structure: Structure, offsets: Iterable[int], counts: Mapping[Event, int], worlds: Sequence[str] = ("",)
 ) -> Coverage:
     """Return what events of runs mean for a program with statements at these offsets."""
-    begun = {at: counts.get((at, BEGINS, True), 0) for at in sorted(offsets)}
+    graph = Reachability(structure)
+    reached = graph.reached
+    begun = {at: counts.get((at, BEGINS, True), 0) for at in sorted(offsets) if at in reached}
     statements = [
         Statement(at, structure.line(at), structure.statements[at].text, count) for at, count in begun.items()
     ]
@@ -122,7 +129,8 @@ def coverage(
         if unit.kind != "program"
     ]
     source = structure.source
-    return Coverage(source.name, source, worlds, statements, list(_outcomes(structure, counts)), parts)
+    outcomes = [each for each in _outcomes(structure, counts) if each.at in reached]
+    return Coverage(source.name, source, worlds, statements, outcomes, parts, graph.unreached_lines)
 
 
 def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[Condition]:

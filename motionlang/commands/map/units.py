@@ -62,7 +62,7 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
 
     `comments` are those with a line of their own.
     """
-    reader = _Reader(structure)
+    reader = Reachability(structure)
     made = {id(unit): UnitMap(unit.title, unit.kind, unit.line) for unit in structure.units}
     by_title = {each.title: each for each in made.values()}
     for k, unit in enumerate(structure.units):
@@ -82,7 +82,7 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
             for each in by_title.values():
                 if is_meant(each.title, title):
                     _add(each.started_by, own.title, structure.line(at))
-    return list(made.values()), reader.unreached_lines()
+    return list(made.values()), reader.unreached_lines
 
 
 def variables(
@@ -136,8 +136,8 @@ def _add(to: dict[str, list[int]], title: str, line: int) -> None:
         lines.append(line)
 
 
-class _Reader:
-    """Follows the graph of a program from its units."""
+class Reachability:
+    """The units and statements of a program that the program, a handler or a task leads to."""
 
     def __init__(self, structure: Structure) -> None:
         self.structure = structure
@@ -187,10 +187,15 @@ class _Reader:
                     stack.append(each)
         return found
 
+    @property
+    def reached(self) -> set[int]:
+        """The offsets of the statements that something leads to."""
+        return {self.structure.points[p].at for p in self._reached}
+
+    @property
     def unreached_lines(self) -> list[tuple[int, int]]:
-        """Return the ranges of lines whose statements nothing reaches."""
-        points = self.structure.points
-        reached = {points[p].at for p in self._reached}
+        """The first and last lines of statements that nothing leads to."""
+        points, reached = self.structure.points, self.reached
         written = {point.at for point in points}
         lines: dict[int, bool] = {}
         for at, statement in self.structure.statements.items():

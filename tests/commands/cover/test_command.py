@@ -10,6 +10,8 @@ import pytest
 from motionlang.commands.cover import covered
 from motionlang.commands.cover.suggestions import Search
 from motionlang.commands.cover.view import percentage
+from motionlang.commands.init import guessed
+from motionlang.commands.map.units import Reachability
 from motionlang.commands.worlds import Counts, Event, Worlds
 from motionlang.kernel.execution import dialect_for, run
 from motionlang.kernel.lang.debugging import Hook
@@ -181,6 +183,22 @@ def test_the_page_marks_lines(table: Cell) -> None:
     assert "<span class='missed'><b>0     4</b>    PRINT &quot;many&quot;</span>" in page
 
 
+def test_what_nothing_leads_to_does_not_count(cell: Cell) -> None:
+    """NO behind MJ is skipped with it."""
+    cell.write("a.mcl", "MD2,CN33\nMD1,IN1,MJ2,NO,WA0.01,MJ1\nMC1\n")
+    cell.write("a.machine.toml", "[[input]]\nchannel = 1\nat = 0.5\n")
+    assert cell("cover", "a.mcl").out.splitlines()[-1].split()[-2:] == ["100", "%"]
+
+
+@pytest.mark.parametrize("path", [each for each in OLD if each.name in QUICK], ids=lambda path: path.name)
+def test_the_map_has_every_statement_that_begins_as_reached(path: Path) -> None:
+    source = Source.read(path)
+    language = dialect_for(source, None)
+    worlds = Worlds(source, language)
+    events = worlds.run(guessed(worlds, 20.0, {})[0].settings(20.0), 20.0).events
+    assert {at for at, _, _ in events} <= Reachability(language.structure(source, {})).reached
+
+
 def test_conditions_and_macros_of_mccl(cell: Cell) -> None:
     """IG skips the two commands after it if it is false; macro 9 is never called."""
     cell.write("a.mcl", "MD5,TR0\nMD2,IG5,MC5,NO,TR0\nAL10,MC2\nAL1,MC2\nMD9,TR0\n")
@@ -193,11 +211,11 @@ a.mcl
         1     3  AL10,MC2
         1     4  AL1,MC2
         1     5  MD9,TR0
-                 not reached: TR0
+                 nothing leads here
 
 file   worlds  statements  outcomes   parts  covered  lines to look at
 ──────────────────────────────────────────────────────────────────────
-a.mcl       1    12 of 13    2 of 2  2 of 3     93 %  5
+a.mcl       1    12 of 12    2 of 2  2 of 3    100 %  5
 """
     )
 
