@@ -15,8 +15,8 @@ from motionlang import run
 from motionlang.cli.program_files import programs
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.verify.further import further_checks, sweep_golden
-from motionlang.commands.verify.scenarios import scenario_files
 from motionlang.kernel.result import Run
 
 ROOT = Path(__file__).parent.parent.parent

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from motionlang.commands.map.units import Reachability
-from motionlang.commands.verify.scenarios import Scenario, scenario_files
+from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
 from motionlang.kernel.execution import dialect_for, settings_next_to
 from motionlang.kernel.lang.dialect import Dialect

@@ -23,7 +23,7 @@ from motionlang.commands.cover.suggestions import Search, scenario_text
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.init.summary import tried
 from motionlang.commands.processes.parallel import in_parallel
-from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Event, Worlds
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import language_of

@@ -34,8 +34,8 @@ from motionlang.commands.improve.behaviour import SAME, Behaviour, lines_beside
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.periods import MAX_NAMES, cycle_of, cycles_of
 from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.commands.sweep.job import Job, Worker
-from motionlang.commands.verify.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import Checked, checked_settings, dialect_for, run, settings_next_to
 from motionlang.kernel.lang.dialect import Dialect

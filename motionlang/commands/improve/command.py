@@ -15,7 +15,7 @@ from motionlang.cli.readers import machine_time, whole
 from motionlang.commands.improve import Improver, NotPossible, World
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.profile.periods import FORM, HELP
-from motionlang.commands.verify.scenarios import Scenario, scenario_files
+from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
 from motionlang.kernel.source import STDIN

@@ -18,7 +18,7 @@ from motionlang.commands.init import Guesses, answer_entry, branches, guessed, s
 from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import Run
-from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, Worlds
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of, language_of

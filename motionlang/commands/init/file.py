@@ -14,7 +14,7 @@ from motionlang.commands.init import Guesses, answer_entry
 from motionlang.commands.init.ending import ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
-from motionlang.commands.verify.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, entries
 from motionlang.kernel.lang.dialect import Dialect, Target
 from motionlang.kernel.lang.wait_causes import InputRead

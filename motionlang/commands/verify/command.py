@@ -19,10 +19,10 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.processes.parallel import in_parallel
+from motionlang.commands.scenarios import Scenario, unmet
 from motionlang.commands.verify.further import expectations, further_checks
 from motionlang.commands.verify.log import verify_log
 from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
-from motionlang.commands.verify.scenarios import Scenario, unmet
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import dialect_of, machine_of, run

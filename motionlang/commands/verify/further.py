@@ -10,10 +10,10 @@ from collections.abc import Callable
 from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.diff.golden import differences, golden_files, same, update
+from motionlang.commands.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
-from motionlang.commands.verify.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.files import replacing

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.commands.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.sweep.variants import Variants
-from motionlang.commands.verify.scenarios import Scenario, scenario_files, unmet
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.machine.file import read_machine
