@@ -12,9 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from motionlang.cli.command import Command, Refused, WrongOption, argument, option
+from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.option_groups import Language, Program, World, with_world
+from motionlang.cli.option_groups import Language, Program, World, given_settings, read, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import integer
 from motionlang.cli.signals import SIGNALS
@@ -27,14 +27,18 @@ from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import quantity_names, values_of
+from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import dialect_of, run
+from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.report import build
 from motionlang.kernel.result import Run
+from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
 
 SCHEMA = "motionlang.diff/2"
@@ -45,6 +49,15 @@ RECORDED = (".csv", ".tsv", ".dat")
 Kept = tuple[str, object, object]
 # A report, and the run that it is of, unless it was read from a file.
 Side = tuple[dict[str, Any], Run | None]
+
+
+@dataclass
+class InWorld:
+    """The result of a comparison in one world: the file of a scenario or, for its own world, the program."""
+
+    world: str
+    same: bool
+    differences: str
 
 
 @dataclass
@@ -111,12 +124,14 @@ exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 examples:
   motionlang diff pick.mnt                       compare with the golden files
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
+  motionlang diff old/pick.prg pick.mnt --scenarios     in every world of the old one
   motionlang diff pick.mnt --set-b rate=2000     two values of a constant
   motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct
 """
     a: str = argument("A", "a program, or a report")
     b: str | None = argument("B", "another one", default=None)
+    scenarios: bool = flag("compare in each scenario of A, too")
     tolerance: list[str] = option(
         "WHAT=SIZE",
         "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
@@ -141,6 +156,8 @@ examples:
             return self._recorded(other, tolerance)
         if self.map or self.delay is not None:
             raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
+        if self.scenarios:
+            return self._in_scenarios(other, tolerance)
         if other is None and self.a.lower().endswith(".json"):
             raise WrongOption("a report needs a second report or program: give B")
         if other is None:
@@ -176,6 +193,25 @@ examples:
             status = max(status, written(page, lambda: write_scope(new_run, page, against=old_run)))
         return status
 
+    def _in_scenarios(self, other: str | None, tolerance: Tolerance) -> int:
+        """Compare two programs in the world of each and in the scenarios of A, and return the exit status."""
+        if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
+            raise WrongOption("--scenarios needs two programs")
+        if self.keep or self.plot:
+            raise WrongOption(
+                f"--{'keep' if self.keep else 'plot'} compares in one world, without --scenarios"
+            )
+        worlds: list[InWorld] = []
+        for scenario in ["", *scenario_files(self.a)]:
+            old, new = self._side("a", self.a, scenario)[0], self._side("b", other, scenario)[0]
+            found = difference(old, new, tolerance)
+            lines = _lines(found, None, [], [], self.all, [])
+            worlds.append(InWorld(scenario or self.a, found.same, "\n".join(lines)))
+        table = Table("worlds", list(map(Column, ("world", "same", "differences"))), worlds)
+        shown = (f"{each.world}:{' ' if each.same else chr(10)}{each.differences}\n" for each in worlds)
+        self.show(Document([table]), "".join(shown))
+        return 0 if all(each.same for each in worlds) else 1
+
     def _has_own_b(self) -> bool:
         own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)
         return any(own) or self.variant_b is not None
@@ -189,13 +225,16 @@ examples:
         sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
         return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})
 
-    def _side(self, side: str, path: str) -> Side:
-        """Return the report of one side, and its run if it is a program."""
+    def _side(self, side: str, path: str, scenario: str = "") -> Side:
+        """Return the report of one side, and its run if it is a program, in a scenario if one is given."""
         if path.lower().endswith(".json"):
             return _report(path)
         given = Given.of(self, side, path)
         language = given.known_language()
-        settings = with_world(with_world(given.settings(), self.entries()), given.entries())
+        settings: dict[str, object] = given.settings()
+        if scenario:
+            settings = {**_layered(settings, scenario), **given_settings(given.set, language)}
+        settings = with_world(with_world(settings, self.entries()), given.entries())
         overrides = given.overrides()
         try:
             if given.variant is not None:
@@ -217,6 +256,18 @@ examples:
             missing = Diagnostic("file", f"{self.a}: no {os.path.basename(path)} next to it", hint="give B")
             raise Refused([missing], file=self.a)
         return _report(path)
+
+
+def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
+    """Return settings with those of a scenario on top; Refused if it cannot be read or is invalid."""
+    layer = read(scenario)
+    try:
+        above = read_machine(layer, is_layer=True)
+    except ProgramError as error:
+        raise Refused(error.diagnostics, source=layer, file=scenario) from None
+    both = layered(settings, above)
+    both.pop("expect", None)
+    return both
 
 
 def _variant(

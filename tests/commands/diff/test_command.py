@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 
+from tests.cases import cases
 from tests.cli.programs import Cell
 
 PICK = "Const rate = 1000\nSPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
@@ -118,3 +120,37 @@ def test_a_changed_literal_is_named(cell: Cell) -> None:
     (literal,) = document["literals"]
     assert literal == {"address": "SPEED[0]@1", "old_address": None, "old": "100", "new": "50"}
     assert json.loads(cell("diff", "old.mnt", "old.mnt", "--format", "json").out)["literals"] == []
+
+
+def test_programs_are_compared_in_each_scenario_of_the_first(cell: Cell) -> None:
+    cell.write("old.mnt", 'PAUSE INX(1)\nIf INX(2) Then PRINT "two"\n')
+    cell.write("new.mnt", 'PAUSE INX(1)\nIf INX(2) Then PRINT "2"\n')
+    for folder in ("old", "new"):
+        cell.write(f"{folder}.machine.toml", "[[input]]\nchannel = 1\nat = 0.5\n")
+    (cell.folder / "old.scenarios").mkdir()
+    cell.write("old.scenarios/second.toml", "[[input]]\nchannel = 2\nat = 0.0\n[[expect]]\nprints = 'two'\n")
+    ran = cell("diff", "old.mnt", "new.mnt", "--scenarios")
+    scenario = os.path.join("old.scenarios", "second.toml")
+    assert (ran.status, ran.out) == (
+        1,
+        f"old.mnt: no difference\n{scenario}:\nmissing: printed line 1, 'two'\nnew: printed line 1, '2'\n",
+    )
+    assert cell("diff", "old.mnt", "old.mnt", "--scenarios").status == 0
+    rows = json.loads(cell("diff", "old.mnt", "new.mnt", "--scenarios", "--format", "json").out)["worlds"]
+    assert [(row["world"], row["same"]) for row in rows] == [("old.mnt", True), (scenario, False)]
+
+
+@cases("options", [["old.mnt"], ["old.mnt", "old.mnt", "--plot", "a.html"], ["old.mnt", "old.json"]])
+def test_scenarios_need_two_programs_and_their_differences_only(options: list[str], cell: Cell) -> None:
+    cell.write("old.mnt", "PRINT 1\n")
+    ran = cell("diff", *options, "--scenarios")
+    assert (ran.status, "--scenarios" in ran.err) == (2, True)
+
+
+def test_a_wrong_scenario_is_reported(cell: Cell) -> None:
+    cell.write("old.mnt", "PRINT 1\n")
+    (cell.folder / "old.scenarios").mkdir()
+    cell.write("old.scenarios/wrong.toml", "nothing = 1\n")
+    ran = cell("diff", "old.mnt", "old.mnt", "--scenarios")
+    assert ran.status == 1
+    assert "error[machine-file]" in ran.err
