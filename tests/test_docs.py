@@ -119,10 +119,13 @@ def test_console(
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
     """Return output and errors of one command of a console block.
 
-    The commands other than `motionlang` are `cat`, and `python` for a script of `examples/notes`.
+    The commands other than `motionlang` are `cat`, `cp`, and `python` for a script of `examples/notes`.
     """
     if words[0] == "python":
         return printed(*words[1:]), ""
+    if words[0] == "cp":
+        shutil.copy(words[1], words[2])
+        return "", ""
     if words[0] == "cat":
         return Path(words[1]).read_text(encoding="utf-8"), ""
     assert words[0] == "motionlang", words

@@ -13,7 +13,7 @@ from motionlang.cli.complaints import complain, no_dialect, unwritten
 from motionlang.cli.option_groups import Findings, Jobs, OnMachine, read
 from motionlang.cli.program_files import PATHS, programs
 from motionlang.commands.check.findings import Found, written
-from motionlang.commands.check.fix import Fixed, fix
+from motionlang.commands.check.fix import Fixed, Unfixable, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table
 from motionlang.commands.check.tree_view import render_tree
 from motionlang.commands.probe.assumption import Assumption
@@ -224,16 +224,43 @@ def _checked_and_fixed(options: Check, file: str) -> Checked:
     source, settings = checked.source, checked.settings
     if not options.fix or file == STDIN or settings is None or source is None:
         return checked
-    name = source.name
+    name, language = source.name, dialect(checked.language)
 
     def check(text: str) -> list[Diagnostic]:
-        return dialect(checked.language).check(Source(name, text), settings)
+        return language.check(Source(name, text), settings)
+
+    def differences(text: str) -> list[Diagnostic]:
+        return language.port_differences(source, Source(name, text), settings)
 
     try:
-        fixed = fix(file, checked.diagnostics, check)
+        fixed = fix(file, checked.diagnostics, check, differences)
+        if not fixed:
+            return checked
+        left = _left_of_port(options, language, file, source, settings)
+    except Unfixable as reason:
+        message = f"{file} is not fixed: {reason}"
+        problem = Diagnostic("file", message, hint="save it in UTF-8, as lines of text", severity="warning")
+        return replace(checked, diagnostics=[*checked.diagnostics, problem])
     except OSError as error:
         return replace(checked, diagnostics=[*checked.diagnostics, unwritten(file, error)])
-    return replace(_checked(options, file), fixed=fixed) if fixed else checked
+    done = _checked(options, file)
+    return replace(done, fixed=fixed, diagnostics=[*done.diagnostics, *left])
+
+
+def _left_of_port(
+    options: Check, language: Dialect, file: str, before: Source, settings: dict[str, object]
+) -> list[Diagnostic]:
+    """Return the differences of a ported program that no fix removes, and a model of the machine file that is old."""
+    now = Source.read(file)
+    found = language.port_differences(before, now, settings)
+    path = machine_of(file, options.machine)
+    own = {} if path is None else read_machine(Source.read(path), language=language)
+    model = own.get("controller.model", "")
+    if options.model is not None and any(each.code == "model" for each in language.check(now, own)):
+        message = f'{path} is still for another controller: controller.model = "{model}"'
+        hint = f'write controller.model = "{options.model}"'
+        found.append(Diagnostic("model", message, hint=hint, severity="warning"))
+    return found
 
 
 def _checked(options: Check, file: str) -> Checked:

@@ -13,6 +13,10 @@ _MARK = "\ufeff"
 MAX_PASSES = 1_000
 
 
+class Unfixable(ValueError):
+    """A file that stays as it is; the message says why."""
+
+
 class Fixed(NamedTuple):
     """One correction in a file: its position, and the text before and after."""
 
@@ -26,12 +30,18 @@ class Fixed(NamedTuple):
         return f"{self.line}:{self.column}: fixed[{self.code}]: {self.before} -> {self.after}"
 
 
-def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]) -> list[Fixed]:
+def fix(
+    path: str,
+    found: Sequence[Diagnostic],
+    check: Callable[[str], Sequence[Diagnostic]],
+    then: Callable[[str], Sequence[Diagnostic]] = lambda text: (),
+) -> list[Fixed]:
     """Write the fixes of diagnostics to their file, and return them.
 
     `check(text)` returns the diagnostics of a text. A check stops after a number of errors, so fixing and checking
-    repeat until no fix is left; the file is then written once. Line endings and the encoding do not change. A file in
-    UTF-16, or that has lone carriage returns, does not change. Raises OSError if the file cannot be read or written.
+    repeat until no fix is left, and then again with the diagnostics that `then` finds in the fixed text. The file is
+    written once; line endings and the encoding do not change. Raises Unfixable for a file in UTF-16 or with lone
+    carriage returns, and OSError if the file cannot be read or written.
     """
     if not any(each.fix for each in found):
         return []
@@ -42,19 +52,22 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
         text = data.decode(encoding)
     except UnicodeDecodeError:
         if b"\0" in data:
-            return []
+            raise Unfixable("it is in UTF-16") from None
         encoding = "latin-1"
         text = data.decode(encoding)
     mark = _MARK if text.startswith(_MARK) else ""
     text = text.removeprefix(mark)
     if "\r" in text.replace("\r\n", ""):
-        return []
+        raise Unfixable("some of its lines end with a carriage return alone")
     fixed: list[Fixed] = []
-    for _ in range(MAX_PASSES):
-        text, made, found = _pass(text, found, check)
-        if not made:
-            break
-        fixed += made
+    left = found
+    for again in (check, then):
+        for _ in range(MAX_PASSES):
+            text, made, left = _pass(text, left, again)
+            if not made:
+                break
+            fixed += made
+        left = then(text)
     with replacing(path, only_copy=True) as out:
         out.write((mark + text).encode(encoding))
     return fixed

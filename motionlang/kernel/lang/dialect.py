@@ -184,6 +184,15 @@ class Dialect:
         """Return the controller model that a program is written for."""
         return Target("", [], [])
 
+    def port_differences(
+        self, before: Source, source: Source, settings: Mapping[str, object]
+    ) -> list[Diagnostic]:
+        """Return what a program does differently on the model of the settings, with fixes where they are certain.
+
+        `before` is the program as it was written, for another model; `source` is in the notation of this one.
+        """
+        return []
+
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """Return message and hint for a key of the dialect's own section, None if valid."""
         return None

@@ -110,6 +110,7 @@ class Keyword:
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
     `tests`    the condition of a command that goes on if it holds, or waits for it, with {} for the parameter
     `topic`    what writing it does to an axis, one of `TOPICS`, "" for anything else
+    `renamed`  for a keyword of an older generation: its name in the newer one, with " = VALUE" if it is a setting there
     `word`     the name or the short form by which a program names it, for messages
     """
 
@@ -145,6 +146,7 @@ class Keyword:
         topic: str = "",
         meant: str = "",
         family: str = "",
+        renamed: str = "",
         every: bool = False,
         optional: int = 0,
     ) -> None:
@@ -155,7 +157,7 @@ class Keyword:
         self.default, self.low, self.high, self.below = default, low, high, below
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
-        self.tunes, self.meant, self.family = tunes, meant, family
+        self.tunes, self.meant, self.family, self.renamed = tunes, meant, family, renamed
         self.every, self.optional = every, optional
         self.channel, self.output, self.selects = channel or self._device(), output, selects
         self.waits = waits

@@ -107,6 +107,13 @@ class Mint(Dialect):
 
         return written_for(source)
 
+    def port_differences(
+        self, before: Source, source: Source, settings: Mapping[str, object]
+    ) -> list[Diagnostic]:
+        from motionlang.kernel.mint.check.port import port_differences
+
+        return port_differences(before, source, settings)
+
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         from motionlang.kernel.mint.keywords import machine_readings
         from motionlang.kernel.mint.resolve import aliases

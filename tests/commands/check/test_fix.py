@@ -6,11 +6,16 @@ Line ends and all other text stay unchanged.
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.execution import run
+from motionlang.commands.diff.reports import difference
+from motionlang.commands.diff.view import diff_lines
+from motionlang.commands.init import guessed
+from motionlang.kernel.execution import dialect_of, run, settings_next_to
+from motionlang.kernel.report import build
 from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.cli.programs import Cell
@@ -18,9 +23,10 @@ from tests.cli.programs import Cell
 ROOT = Path(__file__).parents[3]
 V4 = [
     path
-    for folder in ("scripts/mint", "tests/spec/mint")
-    for path in sorted((ROOT / folder).glob("*.mnt"))
-    if {"ENDIF", "ENDW", "ENDL"} & set(path.read_text(encoding="utf-8").upper().split())
+    for folder in ("scripts/mint", "tests/spec/mint", "examples/old")
+    for path in sorted((ROOT / folder).iterdir())
+    if path.suffix in (".mnt", ".prg")
+    and re.search(r"\b(ENDIF|ENDW|ENDL)\b|\bSPEED\.0", path.read_text(encoding="utf-8").upper())
 ]
 
 
@@ -45,10 +51,11 @@ def test_the_notation_of_the_other_age(cell: Cell) -> None:
     assert (cell.folder / "old.prg").read_text() == text
     ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
     assert (cell.folder / "old.prg").read_text() == (
-        "SPEED(0) = 10\nIF INX(1) Then\n  x = 7 Mod 4\nEnd If\nWHILE INX(1)\n  WAIT = 5\nEnd While\nPRINT x\n"
+        "SPEED(0) = 10\nIF INX(1) Then\n  x = 7 Mod 4\nEnd If\nWHILE INX(1)\n  WAIT = 5\nEnd While\n"
+        "PRINT x USING 1, 0\n"
     )
     assert "old.prg:2:10: fixed[model]: DO -> Then\n" in ran.out
-    assert ran.out.endswith("\nold.prg: 7 fixed, no problems\n")
+    assert ran.out.endswith("\nold.prg: 8 fixed, no problems\n")
 
 
 BLOCKS = {
@@ -67,6 +74,11 @@ BLOCKS = {
         "IF a DO\nELSE IF b DO b = 1\nELSEIF b DO\nENDIF\n",
         "IF a Then\nELSE IF b Then b = 1\nELSEIF b Then\nEnd If\n",
     ),
+    "a list of axes": (
+        "SPEED[0,1] = 600, ADC[0] : STOP[ 0, 1 ] ' [both]\n",
+        "SPEED(0,1) = 600, ADC(0) : STOP( 0, 1 ) ' [both]\n",
+    ),
+    "a list of axes in two lines": ("STOP[0, _\n 1]\n", "STOP(0, _\n 1)\n"),
     "a remainder without blanks": ("b = 7%4 + a %b\n", "b = 7 Mod 4 + a Mod b\n"),
     "an index of many digits": ("COMMS.1 = IN.12\n", "COMMS(1) = IN(12)\n"),
     "line ends of DOS": ("IF a DO b = 1 : ENDIF\r\n", "IF a Then\r\n  b = 1 : End If\r\n"),
@@ -88,30 +100,40 @@ def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
 
 def test_more_fixes_than_a_check_reports_mistakes(cell: Cell) -> None:
     """A check stops at 100 errors, in the middle of a block."""
-    path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = SPEED.0\nENDIF\n" * 150 + "PRINT a\n")
+    path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = INX.0\nENDIF\n" * 40 + "OUT.0 = a\n")
     ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
-    assert ran.out.splitlines()[-1] == "old.prg: 450 fixed, no problems"
-    assert path.read_text() == "a = 1\n" + "IF a Then\n a = SPEED(0)\nEnd If\n" * 150 + "PRINT a\n"
+    assert ran.out.splitlines()[-1] == "old.prg: 121 fixed, no problems"
+    assert path.read_text() == "a = 1\n" + "IF a Then\n a = INX(0)\nEnd If\n" * 40 + "OUT(0) = a\n"
 
 
 @pytest.mark.parametrize("path", V4, ids=[path.stem for path in V4])
-def test_a_fixed_program_means_the_same(path: Path, cell: Cell) -> None:
-    """The programs are those of the gallery and the manual in the notation of Mint v4."""
-    old, check = path.read_text(encoding="utf-8"), ("check", "old.mnt", "--model", "mintmt", "--fix")
-    written = cell.write("old.mnt", old)
-    cell(*check)
-    new = written.read_text(encoding="utf-8")
-    assert new != old
-    assert "fixed" not in cell(*check).out
-    machine = {"controller.model": "mintmt"}  # each generation prints numbers in its own way
-    runs = [run(Source("old.mnt", text), machine=machine, until=60.0) for text in (old, new)]
-    assert runs[1].report["diagnostics"] == runs[0].report["diagnostics"]
-    prints = [[(printed.time, printed.text) for printed in each.machine.log.prints] for each in runs]
-    assert prints[0] == prints[1]
-    ends = [
-        [(move.axis, move.start_time, move.target) for move in each.controller.log.moves] for each in runs
+def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
+    """The programs are those of the gallery, the manual and the old machines in the notation of Mint v4.
+
+    What differs is the number of decimals of what the port has reported.
+    """
+    before = Source.read(path)
+    language = dialect_of(path.name)
+    assert language is not None
+    machine = settings_next_to(path)
+    if path.parent.name == "old":
+        machine = guessed(before, language, 20.0, {})[0].settings(20.0)
+    old = language.written_for(before).model or "mintmt"  # the notation of both: it stays MintMT
+    written = cell.folder / path.name
+    written.write_bytes(path.read_bytes())
+    ran = cell("check", path.name, "--model", "mintmt", "--fix")
+    after = Source.read(written)
+    assert after.text != before.text
+    assert "fixed" not in cell("check", path.name, "--model", "mintmt", "--fix").out
+    reports = [
+        build(run(source, machine={**machine, "controller.model": model}, until=20.0))
+        for source, model in ((before, old), (after, "mintmt"))
     ]
-    assert ends[0] == ends[1]
+    if "with as many as it needs" in ran.out:
+        for report in reports:
+            report["output"] = [re.sub("[.0]", "", line) for line in report["output"]]
+    found = difference(reports[0], reports[1])
+    assert found.same, diff_lines(found, None, [], colour=False, most=9)
 
 
 def test_what_is_not_certain_stays(cell: Cell) -> None:
@@ -133,6 +155,85 @@ def test_json_has_what_was_fixed(cell: Cell) -> None:
     assert json.loads(cell("check", "a.mnt", "--fix", "--format", "json").out)["fixed"] == []
     assert cell("check", "a.mnt", "--fix").out == "a.mnt: no problems\n"
     assert "fixed" not in json.loads(cell("check", "a.mnt", "--format", "json").out)
+
+
+PORTED = {
+    "whole numbers": (
+        "n = 1 : k = n * 2\nPRINT n, (n + k) , -k;\n",
+        "PRINT n USING 1, 0, (n + k) USING 1, 0 , -k USING 1, 0;",
+    ),
+    "a format of its own": ("n = 1\nPRINT n USING 4\n", "PRINT n USING 4"),
+    "words of MintMT": ('PRINT INX(0), TIME, "n"\n', 'PRINT INX(0), TIME, "n"'),
+    "a mode of motion": ("PRINT MODE.0\n", "PRINT AXISMODE(0)"),
+    "a mode of paths": ("CONTOURON[0, 1]\n", "CONTOURMODE(0, 1) = 1;"),
+    "a mode of one axis": ("CONTOUROFF.1\n", "CONTOURMODE(1) = 0"),
+    "an error in its handler": ("END\n#ONERROR\nPRINT ERR, ERL\n", "PRINT ERRCODE, ERRLINE"),
+}
+
+
+@pytest.mark.parametrize("name", PORTED)
+def test_what_mintmt_does_in_its_own_way_is_ported(name: str, cell: Cell) -> None:
+    old, new = PORTED[name]
+    path = cell.write("old.prg", f"OUTX.4 = 1\n{old}")
+    ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
+    assert ran.out.endswith(" fixed, no problems\n")
+    assert path.read_text().splitlines()[-1] == new
+
+
+def test_more_prints_than_a_check_reports(cell: Cell) -> None:
+    path = cell.write("old.prg", "OUTX.4 = 1 : n = 1\n" + "PRINT n\n" * 150)
+    ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
+    assert ran.out.splitlines()[-1] == "old.prg: 151 fixed, no problems"
+    assert path.read_text() == "OUTX(4) = 1 : n = 1\n" + "PRINT n USING 1, 0\n" * 150
+
+
+LEFT = {
+    "n = 1 / 3\nPRINT n\n": "MintMT prints n with four decimals, Mint v4 with as many as it needs",
+    'INPUT "n", n\nPRINT n\n': "MintMT prints n with four decimals, Mint v4 with as many as it needs",
+    "PRINT POS.0\n": "MintMT prints POS(0) with four decimals, Mint v4 with as many as it needs",
+    "PRINT ERR\n": "ERR is a word of Mint v4",
+    "BANK = 1\n": "BANK is a word of Mint v4; MintMT has none for it",
+}
+
+
+@cases("text, message", LEFT.items())
+def test_what_a_port_leaves_is_reported_once(text: str, message: str, cell: Cell) -> None:
+    cell.write("old.prg", f"OUTX.4 = 1\n{text}")
+    check = ("check", "old.prg", "--model", "mintmt", "--fix")
+    assert f"warning[model]: {message}\n" in cell(*check).out
+    assert cell(*check).out == "old.prg: no problems\n"
+
+
+def test_a_port_reports_a_machine_file_of_the_old_model(cell: Cell) -> None:
+    cell.write("old.prg", "OUTX.4 = 1\n")
+    cell.write("old.machine.toml", 'controller.model = "NextMove BX"\n')
+    ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
+    assert ran.out == (
+        "old.prg:1:1: fixed[model]: OUTX.4 -> OUTX(4)\n"
+        "warning[model]: old.machine.toml is still for another controller: "
+        'controller.model = "NextMove BX"\n --> old.prg\n  hint: write controller.model = "mintmt"\n'
+        "old.prg: 1 fixed, 1 warning\n"
+    )
+
+
+def test_a_program_with_a_line_of_v4_is_not_ported(cell: Cell) -> None:
+    path = cell.write("a.mnt", "OUTX(4) = 1\nx = 1\nWhile x = 1\nx = 2\nENDW\nPRINT x\n")
+    assert "1 fixed, no problems" in cell("check", "a.mnt", "--model", "mintmt", "--fix").out
+    assert path.read_text().endswith("End While\nPRINT x\n")
+
+
+@pytest.mark.parametrize(
+    ("data", "why"),
+    [
+        (b"MOVER(3) = 5\rGo3\rPAUSE IDLE(3)\r\n", "some of its lines end with a carriage return alone"),
+        ("MOVER(3) = 5\r\nGo3\r\n".encode("utf-16"), "it is in UTF-16"),
+    ],
+)
+def test_a_file_that_stays_as_it_is_says_why(data: bytes, why: str, cell: Cell) -> None:
+    path = cell.folder / "a.mnt"
+    path.write_bytes(data)
+    assert f"a.mnt is not fixed: {why}" in cell("check", "a.mnt", "--fix").out
+    assert path.read_bytes() == data
 
 
 def test_a_file_that_cannot_be_written_says_so(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,6 +7,7 @@ of the other.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from motionlang.kernel.controller.io.host_memory import named_product
 from motionlang.kernel.lang.dialect import Target
@@ -25,8 +26,21 @@ from motionlang.kernel.mint.syntax.traversal import names_of, walk
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import as_hint
 
-# An offset, what is there, a hint, and the text that replaces it, "" if that is not certain.
-Found = Iterator[tuple[int, str, str, str]]
+
+class Foreign(NamedTuple):
+    """Notation of the other generation: its offset, what is there, a hint, and its replacement, "" if none is certain.
+
+    The replacement is for the token, or for the text up to `end`.
+    """
+
+    at: int
+    what: str
+    hint: str
+    replacement: str = ""
+    end: int = 0
+
+
+Found = Iterator[Foreign]
 
 # Kinds of tokens that only Mint v4 has: what they are, and the MintMT equivalent.
 _V4_TOKENS = {
@@ -65,8 +79,9 @@ def check_model(
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
     other = MINTMT if wanted == V4 else V4
-    for at, what, hint, replacement in find(module, source, table):
-        add("model", f"{what} is {other}: it does not compile on {wanted}", at, hint, fix=replacement)
+    for at, what, hint, replacement, end in find(module, source, table):
+        message = f"{what} is {other}: it does not compile on {wanted}"
+        add("model", message, at, hint, fix=replacement, end=end)
     product = named(model)
     if product is not None:
         for at, what, hint in _lacking(module, product, table):
@@ -115,10 +130,24 @@ def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
         word, *channels = text.split(".")
         if channels:
             meant = f"{word}({', '.join(channels)})"
-            yield name.start, text, f"write {meant}", meant
+            yield Foreign(name.start, text, f"write {meant}", meant)
         else:
-            inside = ", ".join(_shown(each) for each in name.args or ())
-            yield name.start, f"{name.name}[{inside}]", f"write {name.name}({inside})", ""
+            yield from _square_brackets(source, name)
+
+
+def _square_brackets(source: Source, name: nodes.Name) -> Found:
+    """Find `MOVER[0, 1]`; one that is continued on another line has a replacement for each bracket."""
+    shown = ", ".join(_shown(each) for each in name.args or ())
+    what, hint = f"{name.name}[{shown}]", f"write {name.name}({shown})"
+    written = source.text[name.start : name.end]
+    opening = written.index("[") + 1
+    if "\n" not in written:
+        meant = f"{written[: opening - 1]}({written[opening:-1]})"
+        yield Foreign(name.start, what, hint, meant, name.end)
+    else:
+        meant = f"{written[: opening - 1]}("
+        yield Foreign(name.start, what, hint, meant, name.start + opening)
+        yield Foreign(name.end - 1, "]", "write )", ")")
 
 
 def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
@@ -133,17 +162,13 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
         if brackets and row.kind not in ("function", "constant", "statement"):
             shown = ", ".join(_shown(each) for each in name.args or ())
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
-            yield (
-                name.start,
-                f"{name.name}({shown})",
-                f"write {dotted}" if shown else f"write {name.name}",
-                "",
-            )
+            what, meant = f"{name.name}({shown})", dotted if shown else name.name
+            yield Foreign(name.start, what, f"write {meant}")
         elif row.verb == "choice":
-            yield name.start, "IIf", "write IF … DO", ""
+            yield Foreign(name.start, "IIf", "write IF … DO")
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:
-            yield node.start, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop", ""
+            yield Foreign(node.start, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop")
 
 
 def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[int, str, str]]:
@@ -204,7 +229,8 @@ def _v4_tokens(source: Source, tokens: Tokens) -> Found:
             replacement = (
                 f"Then\n{_indentation(source, start)} "  # Then opens a block only at the end of a line
             )
-        yield start, what, f"write {hint}", _apart(source.text, start, tokens.ends[at], replacement)
+        meant = _apart(source.text, start, tokens.ends[at], replacement)
+        yield Foreign(start, what, f"write {hint}", meant)
 
 
 def _indentation(source: Source, at: int) -> str:
@@ -234,7 +260,7 @@ def _mt_tokens(tokens: Tokens) -> Found:
         is_reported = is_reported and kind not in ("_NL", "COLON")
         if kind in _MT_TOKENS and before not in ("END", "EXIT") and not (is_reported and kind == "AS"):
             is_reported = True
-            yield tokens.starts[at], *_MT_TOKENS[kind], ""
+            yield Foreign(tokens.starts[at], *_MT_TOKENS[kind])
         before = kind
 
 
@@ -243,9 +269,10 @@ def _ends(tokens: Tokens) -> Found:
     before = ""
     for at, kind in enumerate(tokens.kinds):
         if before == "END" and kind in _END_OF:
-            yield tokens.starts[at - 1], f"End {tokens.texts[at].capitalize()}", f"write {_END_OF[kind]}", ""
+            what = f"End {tokens.texts[at].capitalize()}"
+            yield Foreign(tokens.starts[at - 1], what, f"write {_END_OF[kind]}")
         elif before == "THEN" and kind == "_NL":
-            yield tokens.starts[at - 1], "Then at the end of a line", "write DO", ""
+            yield Foreign(tokens.starts[at - 1], "Then at the end of a line", "write DO")
         before = kind
 
 

@@ -63,31 +63,33 @@ _FAIL = "\nEnd\nEvent ONERROR\n  PRINT {0}\nEnd Event"
 _CONTOUR = "CONTOURMODE(0) = {}\n{}(0)\nPRINT CONTOURMODE(0)"
 
 
-def _last(name: str, actions: Actions, help: str, default: float = 0.0) -> Keyword:
+def _last(name: str, actions: Actions, help: str, default: float = 0.0, renamed: str = "") -> Keyword:
     return Keyword(name, "", "reading", "R", "none", "integer", actions, help,
-                   f"ACCEL(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=default, group=GROUP)  # fmt: skip
+                   f"ACCEL(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=default, group=GROUP,
+                   renamed=renamed)  # fmt: skip
 
 
 def _contour(name: str, before: int, help: str) -> Keyword:
     return Keyword(name, "", "command", "C", "axes", "", _CONTOUR_ACTIONS, help, _CONTOUR.format(before, name),
-                   group=GROUP)  # fmt: skip
+                   group=GROUP, renamed=f"CONTOURMODE = {1 - before}")  # fmt: skip
 
 
 ROWS = (
     _last("ERR", Actions(read=of(Errors, read_error)),
-          "Number of the last error, 0 before the first one (v4; ERRCODE in MintMT)."),
+          "Number of the last error, 0 before the first one (v4; ERRCODE in MintMT).", renamed="ERRCODE"),
     _last("ERL", Actions(read=of(Errors, read_line)),
-          "Line of the last error, 0 before the first one (v4; ERRLINE in MintMT)."),
+          "Line of the last error, 0 before the first one (v4; ERRLINE in MintMT).", renamed="ERRLINE"),
     _last("ERRAXIS", Actions(read=of(Errors, read_axis)),
           "Axis of the last error that an axis had, -1 before the first one (v4).",
           default=-1.0),
     Keyword("MODE", "", "reading", "R", "axis", "bits", AXIS_MODE,
             "Kind of motion of an axis (v4; AXISMODE in MintMT).", "MOVER(0) = 100\nGO(0)\nPRINT MODE(0)",
-            default=0.0, group=GROUP),
+            default=0.0, group=GROUP, renamed="AXISMODE"),
     Keyword("HOLDTOANALOG", "", "setting", "RW", "axis", "%", HOLD,
             "Move an axis so that an analogue input holds this value (v4; HTA).",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHOLDTOANALOG(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
-            default=0.0, low=-100.0, high=100.0, group="motion", effect="act"),
+            default=0.0, low=-100.0, high=100.0, group="motion", effect="act",
+            renamed="HTA"),
     Keyword("BANK", "", "setting", "RW", "none", "integer", _BANK,
             "The bank of inputs or outputs that keywords such as IN, OUT and INPUTDEBOUNCE mean without brackets (v4).",
             "BANK = 1\nINPUTDEBOUNCE = 3\nPRINT INPUTDEBOUNCE(1)", default=0.0, low=0, high=LAST_CHANNEL // BANK,

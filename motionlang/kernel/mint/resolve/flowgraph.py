@@ -115,10 +115,10 @@ class Graph:
                 stack.extend(step.next)
         return found
 
-    def handled(self) -> Iterator[nodes.Node]:
-        """Yield the statements and conditions that the handlers execute, up to their Return."""
+    def handled(self, *labels: str) -> Iterator[nodes.Node]:
+        """Yield the statements and conditions that these handlers, or all, execute up to their Return."""
         found: set[Step] = set()
-        stack = list(self.handlers.values())
+        stack = [step for label, step in self.handlers.items() if not labels or label in labels]
         while stack:
             step = stack.pop()
             if step in found:

@@ -23,9 +23,9 @@ def label_handlers(function: Function) -> set[str]:
     return set(function.graph.handlers) if function.jumps else set()
 
 
-def handled(function: Function) -> Iterator[nodes.Node]:
-    """Yield the nodes of the statements that the handlers among the labels execute."""
-    return walk(function.graph.handled()) if function.jumps else iter(())
+def handled(function: Function, *events: str) -> Iterator[nodes.Node]:
+    """Yield the nodes of the statements that handlers among the labels execute, those of some events or all."""
+    return walk(function.graph.handled(*events)) if function.jumps else iter(())
 
 
 def raised_by(names: Names, event: str) -> list[tuple[str, int]]:

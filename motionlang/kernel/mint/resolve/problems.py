@@ -52,10 +52,12 @@ class Problems:
         severity: str = "error",
         fix: str = "",
         candidates: Sequence[str] = (),
+        end: int = 0,
     ) -> None:
         """Record a problem; each code is reported once per position.
 
-        `fix` is the text that would replace the token. `candidates` are texts that might replace it.
+        `fix` is the text that would replace the token, or the text up to `end`. `candidates` are texts that might
+        replace it.
         """
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
@@ -67,7 +69,7 @@ class Problems:
                     message,
                     line,
                     column,
-                    length=length,
+                    length=end - at if end else length,
                     hint=hint,
                     severity=severity,
                     fix=fix,

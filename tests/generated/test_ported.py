@@ -1,0 +1,87 @@
+"""Generated programs, rewritten in the notation of Mint v4, do the same after `check --fix --model mintmt`."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from motionlang.commands.diff.reports import difference
+from motionlang.commands.diff.view import diff_lines
+from motionlang.kernel.execution import dialect_of, run
+from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.mint.syntax.traversal import names_of
+from motionlang.kernel.report import build
+from motionlang.kernel.source import Source
+from tests.cell import cell
+from tests.cli.programs import Cell
+from tests.generated.motion import UNTIL, generate
+
+__all__ = ["cell"]
+
+# The first seeds, of which two thirds are Mint; with those of the long run 500 programs of v4.
+FIRST, MANY = range(3), range(3, 1000)
+_BLOCKS = {
+    " As Float": "",
+    " As Integer": "",
+    " Then\n": " DO\n",
+    "End If": "ENDIF",
+    "End Event": "RETURN",
+    "Event ": "#",
+}
+
+
+def as_v4(text: str) -> str:
+    """Return a program of MintMT with one task in the notation of Mint v4, and with prints."""
+    for new, old in _BLOCKS.items():
+        text = text.replace(new, old)
+    text = text.replace("WAIT =", '? "at ", faults, " ", faults / 4, " ", POS(0) : WAIT =')
+    rows = table()
+    names = [
+        name
+        for name in names_of(parse(Source("a.mnt", text)))
+        if (row := rows.get(name.name)) is not None
+        and row.kind not in ("function", "constant", "statement")
+        and name.args
+    ]
+    for name in sorted(names, key=lambda each: each.start, reverse=True):
+        inside = text[name.start + len(name.name) + 1 : name.end - 1]
+        index = f".{inside}" if inside.isdigit() else f"[{inside}]"
+        text = f"{text[: name.start]}{name.name}{index}{text[name.end :]}"
+    return text
+
+
+def port(seed: int, cell: Cell) -> bool:
+    """Compare a program of v4 with its port; return False for a seed whose program v4 does not have."""
+    made = generate(seed)
+    if made.language != "mint" or "Task " in made.text:
+        return False
+    old = Source("old.prg", as_v4(made.text))
+    language = dialect_of(old.name)
+    assert language is not None
+    assert language.written_for(old).model == "mint4", old.text
+    written = cell.write("new.prg", old.text)
+    ran = cell("check", "new.prg", "--fix", "--model", "mintmt")
+    assert not re.search(r"^error", ran.out, re.MULTILINE), ran.out
+    new = Source.read(written)
+    models = {"mint4": old, "mintmt": new}
+    before, after = (
+        build(run(source, machine={**made.machine, "controller.model": model}, until=UNTIL))
+        for model, source in models.items()
+    )
+    for report in (before, after):  # the decimals of POS, which the port reports
+        trimmed = (re.sub(r"(\.\d*?)0+\b", r"\1", line) for line in report["output"])
+        report["output"] = [re.sub(r"\.(?!\d)", "", line) for line in trimmed]
+    found = difference(before, after)
+    assert found.same, f"seed {seed}: {diff_lines(found, None, [], colour=False, most=9)}"
+    return True
+
+
+def test_programs_of_the_first_seeds_do_the_same_after_a_port(cell: Cell) -> None:
+    assert sum(port(seed, cell) for seed in FIRST) > 1
+
+
+@pytest.mark.long
+def test_500_programs_do_the_same_after_a_port(cell: Cell) -> None:
+    assert sum(port(seed, cell) for seed in MANY) >= 500
