@@ -33,10 +33,11 @@ linear in the number of steps. Folding visits a step once for each branch around
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.paths import ordered, postdominators
 from motionlang.kernel.lang.program_graph import Statement, Structure, Unit
 from motionlang.kernel.lang.steps import CALL, END, RETURN
@@ -293,6 +294,8 @@ class _DiagramBuilder:
             self._fold(p, backward)
         self._cut_loops()
         self._cut_paths()
+        for p in self.states:
+            self._poll_in_steps(p)
         self._walk(start, [self.entry])
         for p in order:
             if p in self.states:
@@ -400,9 +403,12 @@ class _DiagramBuilder:
         inside, end = self._region(p), self._dominators.get(p, -1)
         if inside is None:
             return
-        loops = any(one in inside and other in inside for one, other in back)
+        heads = {other for one, other in back if one in inside and other in inside}
+        loops = bool(heads)
         polled = self.program.polled(sorted(self._offsets(inside))) if loops else None
         actions = self._outline(p, end, inside, loops)
+        if self._returns(end, heads) and not all(each.is_condition for each in actions):
+            return  # This is a branch of a larger loop with the same head, and acts in it.
         self._after[p] = [end]
         if polled is None:
             self._folded[p] = actions
@@ -410,6 +416,18 @@ class _DiagramBuilder:
         self._state(p, "poll")
         self._poll(self.states[p], polled.leaves, self._offsets(inside))
         self.states[p].meanwhile = [each for each in actions if not each.is_condition or each.depth]
+
+    def _returns(self, first: int, heads: set[int]) -> bool:
+        """True if a path without a state leads from a point to one of `heads`."""
+        seen, stack = {first}, [first]
+        while stack:
+            for each in self._between(stack.pop()):
+                if each in heads:
+                    return True
+                if each not in seen:
+                    seen.add(each)
+                    stack.append(each)
+        return False
 
     def _poll(self, state: State, readings: frozenset[Read], offsets: Iterable[int]) -> None:
         """Let a state wait for the readings that its loop tests."""
@@ -508,19 +526,50 @@ class _DiagramBuilder:
         for p in order:
             for q in self._between(p):
                 before[q].append(p)
+        loops: dict[int, set[int]] = {}
         for first in dict.fromkeys(first for _, first in back):
-            inside = {first}
+            inside = loops[first] = {first}
             stack = [p for p, to in back if to == first]
             while stack:
                 p = stack.pop()
                 if p not in inside:
                     inside.add(p)
                     stack += before[p]
+        for first, inside in sorted(loops.items(), key=lambda each: len(each[1])):
+            if not self._returns(first, {first}):
+                continue  # It passes the state of a loop inside it.
             offsets = self._offsets(inside)
-            loops = [self.program.structure.polls(at) for at in sorted(offsets) if at >= 0]
             self._state(first, "loop")
-            within = (each.within for each in loops if each is not None)
-            self._poll(self.states[first], frozenset[Read]().union(*within), offsets)
+            self._poll(self.states[first], self._tested(offsets), offsets)
+
+    def _tested(self, offsets: Collection[int]) -> frozenset[Read]:
+        """Return the readings that statements of a loop test, without those of a larger loop around them."""
+        structure = self.program.structure
+        statements = [structure.statements[at] for at in offsets if at in structure.statements]
+        lines = {each.line for each in statements}
+        used = {(use.channel, use.number) for each in statements for use in each.channels}
+        found: set[Read] = set()
+        for each in filter(None, (structure.polls(at) for at in sorted(offsets) if at >= 0)):
+            inside = each.lines <= lines
+            found |= {(kind, n) for kind, n in each.within if inside or (DEVICES.get(kind), str(n)) in used}
+        return frozenset(found)
+
+    def _poll_in_steps(self, p: int) -> None:
+        """Find the readings that end a loop whose only state is a wait of a fixed time."""
+        state, structure = self.states[p], self.program.structure
+        if state.cause != "time":
+            return
+        order, _ = ordered(self._between(p), self._between)
+        inside = {p}
+        for q in reversed(order):
+            inside |= {q} if inside.intersection(self.after(q)) else set()
+        if not inside.intersection(self.after(p)):
+            return
+        offsets = self._offsets(inside)
+        loops = filter(None, (structure.polls(at) for at in sorted(offsets) if at >= 0))
+        lines = {structure.line(at) for at in offsets if at >= 0}
+        state.readings = frozenset[Read]().union(*(each.leaves for each in loops if each.lines <= lines))
+        self.polled |= dict.fromkeys(offsets, state.readings)
 
     def _cut_paths(self) -> None:
         """Make a state of each point to which too many paths lead."""

@@ -11,8 +11,8 @@ from motionlang.kernel.lang.names import Definition
 from motionlang.kernel.lang.program_graph import Structure, Unit
 from motionlang.kernel.lang.steps import CALL, ENTER
 
-# What a comment above a macro repeats of its definition: "macro 1".
-_MACRO = re.compile(r"^(?:macro|md)\s*\d+\b[\s:.=-]*", re.IGNORECASE)
+# What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
+_MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)
 # The kinds of definitions that hold a value.
 _VALUES = ("variable", "parameter", "constant", "define", "register")
 

@@ -64,6 +64,8 @@ def _state(made: ProgramMap, state: State) -> str:
     what = {"call": f"runs {state.unit}", "loop": "runs for ever"}.get(state.kind, "")
     if state.cause and state.cause != "time":
         what = f"waits for {waits_for(made, state)}"
+    elif state.readings:
+        what = f"polls {waits_for(made, state)}"
     notes = [what, f"meanwhile {does(state.meanwhile)}" if state.meanwhile else ""]
     again = made.observed.recovered.get(state, 0) if made.observed is not None else 0
     if again:
