@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping
 from motionlang.commands.init import Guesses
 from motionlang.commands.init.ending import ending
 from motionlang.commands.init.file import inline
-from motionlang.commands.map.channels import channels
-from motionlang.commands.map.program_map import names_in_comments
+from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.commands.worlds import TABLES, Worlds, entries
 from motionlang.kernel.lang.program_graph import WRITE, Structure
 from motionlang.kernel.lang.wait_causes import InputRead
@@ -50,7 +49,7 @@ def notes(structure: Structure, guesses: Guesses, worlds: Worlds, result: Run) -
     elif "line" in cycles:
         found.append(f"{cycles['times']} cycles began, in each of which line {cycles['line']} moves an axis")
     found += _unmoved(structure, guesses, worlds.reads, result)
-    found += _unused(structure, result)
+    found += _unused(result)
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
     if worlds.is_over or (worlds.count > 1 and motionless(structure, result)):
@@ -73,12 +72,12 @@ def _unmoved(structure: Structure, guesses: Guesses, reads: list[InputRead], res
     return [f"{text}; unchanged so far: {kept}" if kept else text]
 
 
-def _unused(structure: Structure, result: Run) -> list[str]:
+def _unused(result: Run) -> list[str]:
     """Return the inputs and outputs that comments name and the program does not use.
 
     A channel whose number is only known while the program runs may be any of its kind.
     """
-    used = channels(structure, {}, (), {})
+    used = channels_of(result.source, result.dialect, {})
     known = {(each.kind, each.number) for each in used}
     open_ended = {each.kind for each in used if not each.number.isdecimal()}
     return [

@@ -14,6 +14,7 @@ import pytest
 from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.view import diff_lines
 from motionlang.commands.init import guessed
+from motionlang.commands.worlds import Worlds
 from motionlang.kernel.execution import dialect_of, run, settings_next_to
 from motionlang.kernel.report import build
 from motionlang.kernel.source import Source
@@ -117,7 +118,7 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     assert language is not None
     machine = settings_next_to(path)
     if path.parent.name == "old":
-        machine = guessed(before, language, 20.0, {})[0].settings(20.0)
+        machine = guessed(Worlds(before, language), 20.0, {})[0].settings(20.0)
     old = language.written_for(before).model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())
