@@ -250,7 +250,9 @@ def prove(program: Program | Run) -> Proof:
     result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
     without `prove`, and the errors of `run`.
     """
-    return (program if isinstance(program, Run) else run(program, prove=True)).proof()
+    from motionlang.commands.prove import proof
+
+    return proof(program if isinstance(program, Run) else run(program, prove=True))
 
 
 def _run_of(program: Program | Run) -> Run:

@@ -10,6 +10,7 @@ import pytest
 from benchmarks import __main__ as driver
 from benchmarks.programs import PROGRAMS, SHIFT, Program
 from benchmarks.styles import COMPUTING, STYLES
+from motionlang import prove
 from motionlang.kernel.execution import run
 from motionlang.kernel.source import Source
 
@@ -65,4 +66,4 @@ def test_the_shift_is_20_000_moves_in_eight_hours() -> None:
     result = run(Source("shift.mnt", SHIFT), machine={}, prove=True)
     assert len(result.machine.log.moves) == 20_000
     assert 28_700 < result.time < 28_900
-    assert result.proof().holds
+    assert prove(result).holds

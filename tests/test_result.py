@@ -6,6 +6,7 @@ import signal
 
 import pytest
 
+from motionlang import prove
 from motionlang.kernel.errors import Diagnostic, Terminated
 from motionlang.kernel.execution import (
     MACHINE_SUFFIX,
@@ -172,7 +173,7 @@ def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
 
 def test_a_run_of_no_time_is_proved() -> None:
     result = run(Source("a.mnt", ""), prove=True)
-    assert (result.time, result.proof().violations) == (0.0, [])
+    assert (result.time, prove(result).violations) == (0.0, [])
 
 
 def new_run() -> Run:

@@ -364,10 +364,7 @@ def _tail(run: Run) -> Row:
             {"axis": move.axis, "command": move.command, "line": move.line, "reason": move.ended}
             for move in run.controller.log.dropped
         ]
-    if run.verified is not None:
-        tail["proof"] = run.verified.as_dict()
-    if run.certificate is not None:
-        tail["certificate"] = [line.as_dict() for line in run.certificate]
+    tail |= run.findings
     if run.terminals:
         tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]
     if writes := device_writes(run):

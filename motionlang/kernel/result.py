@@ -22,13 +22,10 @@ from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
 from motionlang.kernel.log.expected_motion import ExpectedMotion
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of
 
 if TYPE_CHECKING:
-    from motionlang.commands.certify import Limit
-    from motionlang.commands.prove.checker import Proof
     from motionlang.kernel.log.trace import Trace
     from motionlang.kernel.moves import Moves
     from motionlang.kernel.report_types import Report, ReportMove
@@ -54,8 +51,7 @@ class Run:
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
         self.expected_motion: ExpectedMotion | None = None  # of a run to be proved
-        self.verified: Proof | None = None  # of a run whose motion was verified
-        self.certificate: list[Limit] | None = None  # of a run with certified limits
+        self.findings: dict[str, object] = {}  # what questions about the run add to its report, by field
 
     @property
     def controller(self) -> Controller:
@@ -75,23 +71,6 @@ class Run:
     def trace(self) -> Trace:
         """The motion, for sampling at any rate."""
         return self.controller.trace
-
-    def proof(self, views: bool = True) -> Proof:
-        """Return the proof of the motion against the commands; ValueError without `prove`.
-
-        With `views` the report and the trace are checked, too.
-        """
-        from motionlang.commands.prove.outputs import ROWS
-        from motionlang.commands.prove.prove import prove
-
-        if self.expected_motion is None:
-            raise ValueError("the run was not made with prove=True")
-        if not views:
-            return prove(Recorded(self.controller), self.expected_motion, self.time)
-        from motionlang.kernel.report import moves
-
-        samples = self.trace.sample(ROWS / self.time) if self.time > 0.0 else None
-        return prove(Recorded(self.controller), self.expected_motion, self.time, moves(self), samples)
 
     def _repr_html_(self) -> str:
         # Requested by a notebook, which has the views; no layer below may import them.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang import prove
 from tests.forged.changes import Change, changes, chosen, forged
 from tests.forged.plugin import rejected_by
 from tests.forged.verdicts import honest, ran, verdict
@@ -98,7 +99,7 @@ def test_the_programs_of_the_honest_planners_are_proved() -> None:
     from tests.forged.programs import PROGRAMS
 
     for name in PROGRAMS:
-        assert [each.message for each in ran(name).proof().violations] == [], name
+        assert [each.message for each in prove(ran(name)).violations] == [], name
 
 
 @pytest.mark.long

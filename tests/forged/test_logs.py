@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang import prove
 from tests.forged.logs import Forged, candidates, chosen, forge
 
 
@@ -16,7 +17,7 @@ def verdicts(logs: list[Forged]) -> dict[str, bool]:
     for each in logs:
         result, differs = forge(each)
         if differs:
-            found[str(each)] = not result.proof().violations
+            found[str(each)] = not prove(result).violations
     return found
 
 

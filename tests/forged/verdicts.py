@@ -10,7 +10,7 @@ from math import inf
 from types import FrameType
 from typing import NamedTuple
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 from tests.forged.programs import PROGRAMS
@@ -161,7 +161,7 @@ def _of_program(name: str, before: Motion) -> Verdict:
             if result.status == "fault" or result.crash is not None or result.diagnostics:
                 messages = [each.message for each in result.diagnostics]
                 return Verdict("failed", name, f"{result.status} {messages[:1]}")
-            violations = result.proof().violations
+            violations = prove(result).violations
     except Exception as error:
         return Verdict("failed", name, repr(error))
     if violations:

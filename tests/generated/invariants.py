@@ -13,6 +13,7 @@ from typing import Any
 
 import jsonschema  # type: ignore[import-untyped]
 
+from motionlang import prove
 from motionlang.kernel.controller.move import Move
 from motionlang.kernel.log.records import Looped, Waited
 from motionlang.kernel.log.track import WholeTrack
@@ -31,7 +32,7 @@ _FIGURES = ("start_time", "duration", "start", "end", "distance", "peak_speed")
 
 def proved(result: Run) -> Iterator[str]:
     """Check that the motion is within the commands of the program."""
-    for each in result.proof().violations:
+    for each in prove(result).violations:
         yield f"proof: {each.line}: {each.message}"
 
 

@@ -11,7 +11,7 @@ from math import atan2, hypot, pi, radians, sin, sqrt
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.controller.motion import feedrate
 from motionlang.kernel.controller.motion.takeup import Takeup
 from motionlang.kernel.result import Run
@@ -34,7 +34,7 @@ def proved(
     machine = {"controller.instruction_time": statement, "input": list(inputs)}
     result = run(Source(f"found.{suffix}", program), machine=machine, prove=True, until=until)
     assert [each.message for each in result.diagnostics if each.code != "short-ramp"] == []
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
     return result
 
 
@@ -640,7 +640,7 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
     monkeypatch.setattr(feedrate, "_replan", lambda controller, axis, name: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
-    found = run(program, prove=True).proof().violations
+    found = prove(run(program, prove=True)).violations
     assert "the path deceleration reaches 100, above 50" in found[0].message
 
 
@@ -717,7 +717,7 @@ def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None
     program = "ACCEL(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
     result = run(Source("found.mnt", program), machine={}, prove=True)
     assert [each.code for each in result.diagnostics] == ["zero-acceleration"]
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
 
 
 BLEND = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
@@ -812,7 +812,7 @@ def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
     settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
     source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
     result = run(source, machine={"controller.instruction_time": 1e-3}, prove=True, until=2.0)
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
     profile = result.controller.log.moves[-1].profile
     assert profile is not None
     assert [each.name for each in profile.phases] == ["decel", "accel", "slew"]
@@ -830,7 +830,7 @@ def with_motor(program: str, suffix: str, axis: int) -> Run:
     """Return a run whose `axis` has a motor driven by its own output."""
     machine = {name.format(axis): value for name, value in MOTOR.items()}
     result = run(Source(f"found.{suffix}", program), machine=machine, prove=True, until=1.0)
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
     return result
 
 

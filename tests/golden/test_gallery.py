@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.cli.program_files import programs
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.profile.profile import TimeProfile
@@ -29,7 +29,7 @@ def test_program(program: Path, request: pytest.FixtureRequest) -> None:
         update(str(program), run(program))
     result = run(program, prove=True)
     assert differences(str(program), result) == []
-    assert result.proof().violations == []
+    assert prove(result).violations == []
     assert_every_second_is_charged_once(result)
 
 

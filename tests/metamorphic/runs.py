@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang import run
+from motionlang.commands.prove import proof
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 
@@ -14,7 +15,7 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
     """
     machine = {"controller.instruction_time": fine}
     result = run(Source(name, text), machine=machine, until=until, prove=True)
-    messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
+    messages = [each.message for each in (*result.diagnostics, *proof(result, views=False).violations)]
     assert messages == [], text
     return result
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.planners.lookahead import Pace, plan_course
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
@@ -17,7 +17,7 @@ def proved(program: str) -> Run:
     machine = {"controller.instruction_time": 1e-9}
     result = run(Source("found.mnt", program), machine=machine, prove=True, until=100.0)
     assert [each.message for each in result.diagnostics] == []
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
     return result
 
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
+from motionlang.commands.prove import proof
 from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train
@@ -29,5 +30,5 @@ def test_random_jobs_keep_every_bound_and_end(kind: str) -> None:
         machine = {"controller.instruction_time": 1e-9}
         job = KINDS[kind](seed)
         result = run(Source("job.mnt", job.text), machine=machine, prove=True, until=2000.0)
-        messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
+        messages = [each.message for each in (*result.diagnostics, *proof(result, views=False).violations)]
         assert (result.status, messages) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"

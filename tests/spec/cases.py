@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import dialect_of
 from motionlang.kernel.lang.machine.file import read_machine
@@ -137,7 +137,7 @@ def found(case: Case) -> Found:
         return result
     ran = run(source, machine=settings, prove=True)
     if ran.expected_motion is not None:
-        assert ran.proof().violations == []
+        assert prove(ran).violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]
     result.diagnostics = [(False, each.line, each) for each in ran.diagnostics]
     result.unknown = ran.notes

@@ -14,7 +14,7 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify import Limit, certificate, missing_limits, violations
 from motionlang.commands.certify.view import certificate_lines, limits_table
-from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove import Proof, proof
 from motionlang.commands.prove.command import Prove
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import machine_of, run
@@ -75,11 +75,11 @@ examples:
             if not any(".limits." in key for key in result.machine.settings):
                 without.append(os.path.relpath(program, self.file))
                 continue
-            proof = result.proof()
-            result.diagnostics += proof.violations
+            found_proof = proof(result)
+            result.diagnostics += found_proof.violations
             lines = certify(result, machine_of(program))
             if self.format == "text":
-                print_certificate(result, lines, proof, machine_of(program))
+                print_certificate(result, lines, found_proof, machine_of(program))
                 sys.stdout.write("\n")
             wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
             if result.diagnostics:
@@ -94,18 +94,19 @@ examples:
 
     def extend(self, result: Result) -> None:
         super().extend(result)
-        if result.verified is not None:
-            result.certificate = certify(result, self.machine_path())
+        self.certificate = certify(result, self.machine_path()) if self.proof is not None else []
+        if self.proof is not None:
+            result.findings["certificate"] = [each.as_dict() for each in self.certificate]
 
     def document(self, result: Result) -> Document:
-        return Document([limits_table(result.certificate or [])])
+        return Document([limits_table(self.certificate)])
 
     def conclude(self, result: Result) -> None:
-        if result.verified is None or not result.certificate or self.format != "text":
+        if self.proof is None or not self.certificate or self.format != "text":
             super().conclude(result)
             return
         sys.stdout.write("\n")
-        print_certificate(result, result.certificate, result.verified, self.machine_path())
+        print_certificate(result, self.certificate, self.proof, self.machine_path())
 
 
 def certify(result: Result, machine: str | None) -> list[Limit]:

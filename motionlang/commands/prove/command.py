@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
-from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove import Proof, proof
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.result import Run as Result
 from motionlang.kernel.tools import need
@@ -33,14 +33,15 @@ examples:
         need(f"motionlang {type(self).__name__.lower()}", "numpy")
 
     def extend(self, result: Result) -> None:
-        result.verified = proof_of(result)
-        if result.verified is not None:
-            result.diagnostics += result.verified.violations
+        self.proof = proof_of(result)
+        if self.proof is not None:
+            result.findings["proof"] = self.proof.as_dict()
+            result.diagnostics += self.proof.violations
 
     def conclude(self, result: Result) -> None:
-        if result.verified is not None:
+        if self.proof is not None:
             sys.stdout.write("\n" if self.format == "text" else "")
-            sys.stdout.write("\n".join(result.verified.lines()) + "\n")
+            sys.stdout.write("\n".join(self.proof.lines()) + "\n")
 
 
 def proof_of(result: Result) -> Proof | None:
@@ -59,4 +60,4 @@ def proof_of(result: Result) -> Proof | None:
         )
         result.diagnostics.append(Diagnostic("proof", message, hint=hint))
         return None
-    return result.proof()
+    return proof(result)

@@ -11,6 +11,7 @@ from time import perf_counter
 from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
+from motionlang.commands.prove import proof
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -196,7 +197,7 @@ class Worker:
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
         elif self.job.prove:
-            diagnostics += found.proof().violations
+            diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
             diagnostics += violations(lines, missing_limits("", "the machine file"))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
+from motionlang.commands.prove import proof
 from motionlang.kernel.planners import hold
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
@@ -20,7 +21,7 @@ def proved(program: str, until: float | None = None) -> Run:
 
 
 def found(result: Run) -> list[str]:
-    return [each.message for each in result.proof(views=False).violations]
+    return [each.message for each in proof(result, views=False).violations]
 
 
 @pytest.mark.parametrize(
@@ -50,7 +51,7 @@ def test_an_entry_that_ends_after_the_run_is_found() -> None:
 def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     result = proved(MOVE, until=2.0)
     (row,) = moves(result)
-    assert (row["duration"], result.proof().violations) == (pytest.approx(2.0), [])
+    assert (row["duration"], prove(result).violations) == (pytest.approx(2.0), [])
     from motionlang.commands.prove.checker import Proof
     from motionlang.commands.prove.checker import Run as Ran
     from motionlang.commands.prove.outputs import check_report

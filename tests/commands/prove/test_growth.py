@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.commands.prove import checker, path_bounds, paths
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.kernel.controller.move import Move
@@ -69,7 +69,7 @@ def count_checks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:
     result = proved(text)
     with monkeypatch.context() as patched:
         patched.setattr(checker, "travelled", counted)
-        assert result.proof().holds
+        assert prove(result).holds
     return count
 
 
@@ -96,7 +96,7 @@ def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.Mo
         result = proved(CONTOUR.format("VECTORR(0, 1) = 0.3, 0.4\n" * count))
         for module in (paths, path_bounds):
             monkeypatch.setattr(module, "PathLayout", Counted)
-        assert result.proof().holds
+        assert prove(result).holds
         counts.append(len(laid))
         laid.clear()
         monkeypatch.undo()
@@ -127,7 +127,7 @@ def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
     shrink(monkeypatch, chunk=128, left=128)
     result = proved(JOGS.format(1000))
     monkeypatch.setattr(Stream, "_unsealed", counted)
-    proof = result.proof()
+    proof = prove(result)
     assert proof.holds
     assert proof.counts["moves"] == 1000
     assert 0 < count <= 250

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.moves.cam import CurveFollow
 from motionlang.kernel.planners import Profile
@@ -25,7 +25,7 @@ def violations(load: str) -> list[str]:
     source = Source("held.mnt", f"{RATES}{TIE}{LOADS[load]}{JOGS}")
     result = run(source, machine=machine, prove=True, until=4.0)
     assert result.diagnostics == []
-    return [each.message for each in result.proof().violations]
+    return [each.message for each in prove(result).violations]
 
 
 @pytest.mark.parametrize("load", LOADS)

@@ -7,7 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.commands.prove.prove import prove
+from motionlang.commands.prove import proof as proof_of
+from motionlang.commands.prove.checks import prove
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.log.order import Order
 from motionlang.kernel.log.trace import Samples
@@ -29,7 +30,7 @@ def proved(program: str) -> Run:
 
 
 def found(result: Run) -> list[str]:
-    return [f"{each.line}: {each.message}" for each in result.proof().violations]
+    return [f"{each.line}: {each.message}" for each in proof_of(result).violations]
 
 
 def put(a: Axis, made: Callable[[Profile], Profile]) -> None:
@@ -52,7 +53,7 @@ FORGED: dict[str, tuple[Callable[[Profile], Profile], str]] = {
 
 
 def test_a_sound_run_is_proved() -> None:
-    proof = proved(MOVE).proof()
+    proof = proof_of(proved(MOVE))
     assert proof.holds
     assert proof.counts == {"moves": 1, "profiles": 1, "joins": 2, "paths": 0}
     assert {name: round(share, 6) for name, share in proof.worst.items()} == {
@@ -110,7 +111,7 @@ ORDERED = {
 
 @pytest.mark.parametrize("program", ORDERED)
 def test_what_is_ordered_has_its_name(program: str) -> None:
-    proof = proved("SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n" + program).proof()
+    proof = proof_of(proved("SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n" + program))
     assert proof.holds
     assert list(proof.exceptions) == [ORDERED[program]]
 
@@ -229,7 +230,7 @@ def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -
 def test_a_run_without_expected_motion_cannot_be_proved() -> None:
     result = run(Source("move.mnt", MOVE))
     with pytest.raises(ValueError, match="prove=True"):
-        result.proof()
+        proof_of(result)
 
 
 # Orders that are forged afterwards, and that the motion then violates.
@@ -556,7 +557,7 @@ def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytes
         (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
     ):
         monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", most)
-        monkeypatch.setattr("motionlang.commands.prove.prove.MAX_PROFILES", most)
+        monkeypatch.setattr("motionlang.commands.prove.checks.MAX_PROFILES", most)
         ran = run(Source("move.mnt", program), prove=True)
         assert ran.output == whole.output == ["4.0000"]
         assert [each.partition(" of motion")[0] for each in found(ran)] == expected
@@ -595,7 +596,7 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     loop = f"For i = 1 To 60\n  {move}Next\n"
     path = "VECTORR(0, 1) = 3, 4\nGO(0)\nPAUSE IDLE(0)\n"
     result = proved(f"Dim i As Integer\n{RATES}{loop}{path}{loop}")
-    proof = result.proof()
+    proof = proof_of(result)
     assert result.controller.axes[0].older is not None
     assert (proof.violations, proof.counts["moves"], proof.counts["paths"]) == ([], 122, 1)
     (row, *rows) = list(moves(result))
@@ -614,7 +615,7 @@ def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
         "SCALE(0) = 4 : SCALE(1) = 4 : MAXSPEED(0) = 10 : SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
         "VECTORR(0, 1) = 50, 0\nGO(0)\nPAUSE IDLE(0)\n"
     )
-    proof = proved(program).proof()
+    proof = proof_of(proved(program))
     assert (proof.holds, proof.counts["paths"]) == (True, 1)
 
 

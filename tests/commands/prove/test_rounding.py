@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.commands.prove.axes import check_profile
 from motionlang.commands.prove.checker import Proof
 from motionlang.kernel.log.track import WholeTrack
@@ -20,7 +20,7 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     """At 100 counts per unit a rate of 100 is 10 000 counts/s²; a millionth is 0.01."""
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
     result = run(Source("found.mnt", SETTINGS + JERKS + path), prove=True)
-    assert result.proof().holds
+    assert prove(result).holds
     expected, track = result.controller.expected_motion, WholeTrack(result.controller.axes[1])
     assert expected is not None
     i = next(k for k, order in enumerate(expected.of[1]) if order.path is not None)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.core import Core
 from motionlang.kernel.controller.motion import feedrate
@@ -44,7 +44,7 @@ def deaf(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
 
 
 def messages(text: str, name: str = "t.mnt") -> list[str]:
-    return [each.message for each in run(Source(name, text), prove=True).proof().violations]
+    return [each.message for each in prove(run(Source(name, text), prove=True)).violations]
 
 
 @pytest.mark.parametrize("ramps", ["", SMOOTH], ids=["trapezoids", "S-ramps"])

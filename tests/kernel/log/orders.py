@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf
 from typing import Any
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.log.expected_motion import ExpectedMotion
 from motionlang.kernel.log.order import ENDLESS, Order, PathOrder, Tie
 from motionlang.kernel.source import Source
@@ -19,7 +19,7 @@ def recorded(program: str, name: str = "orders.mnt", **machine: object) -> Expec
     result = run(Source(name, program), machine=settings, prove=True)
     assert result.diagnostics == []
     assert result.expected_motion is not None
-    assert result.proof().violations == []
+    assert prove(result).violations == []
     return result.expected_motion
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 import motionlang
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel import execution
 from motionlang.kernel.lang.scheduler import Scheduler
 from motionlang.kernel.log.track import Recorded
@@ -154,7 +154,7 @@ def test_it_may_end_at_any_line(
     for _ in range(2):  # the first run imports, and fills caches
         whole.count = 0
         result = ran(source, whole, monkeypatch)
-        assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
+        assert (result.status, result.diagnostics, prove(result).holds) == ("ended", [], True)
     assert whole.count > 200
     for at in Random(name).sample(range(1, whole.count), min(count, whole.count - 1)):
         result = ran(source, Ended(LOCATIONS[locations], at), monkeypatch)
@@ -165,7 +165,7 @@ def test_it_may_end_at_any_line(
         ends = [row["start_time"] + row["duration"] for row in rows]
         assert max(ends, default=0.0) <= result.time + 1e-9, at
         result.trace.sample(100.0)
-        assert [each.message for each in result.proof().violations] == [], at
+        assert [each.message for each in prove(result).violations] == [], at
 
 
 @pytest.mark.parametrize(("name", "text"), [("a.mnt", "WAIT = 100\n" * 3), ("a.mcl", "WA0.1\n" * 3)])
@@ -215,7 +215,7 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
     for _ in range(2):
         whole = Ended(STEPS, 0)
         result = ran(source, whole, monkeypatch)
-        assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
+        assert (result.status, result.diagnostics, prove(result).holds) == ("ended", [], True)
     assert result.controller.axes[0].older is not None
     ended = result
     begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
@@ -229,7 +229,7 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
             assert a.position(result.time) == ended.controller.axes[number].position(result.time), at
         json.dumps(result.report)
         result.trace.sample(100.0)
-        assert [each.message for each in result.proof().violations] == [], at
+        assert [each.message for each in prove(result).violations] == [], at
         found = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
         assert found == begun[: len(found)], at
         assert len(found) >= sum(start < result.time for start, *_ in begun), at

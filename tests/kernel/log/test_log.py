@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from motionlang import prove
 from motionlang.kernel import report
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import Rejected
@@ -257,7 +258,7 @@ STOP(0)
         assert after["start"] == before["end"]
         assert after["start_time"] == pytest.approx(before["start_time"] + before["duration"])
     assert last["end"] == pytest.approx(result.controller.axes[0].position(result.time))
-    assert result.proof().holds
+    assert prove(result).holds
 
 
 def test_a_setting_is_in_the_log_where_it_changes() -> None:

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import pytest
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.report import build
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
@@ -51,7 +51,7 @@ ENDS = {
 def proved(text: str, until: float = 100.0) -> Run:
     machine = {"controller.instruction_time": 1e-9}
     result = run(Source("blend.mnt", text), machine=machine, prove=True, until=until)
-    assert [each.message for each in result.proof().violations] == []
+    assert [each.message for each in prove(result).violations] == []
     return result
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang import run
+from motionlang import prove, run
 from motionlang.kernel.mccl.axis.launch import _going_on, _stepped
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.source import Source
@@ -86,12 +86,12 @@ STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
 def forged(change: Callable[[Profile], Profile]) -> list[str]:
     """Return the violations that the proof finds in a changed move of a stepper."""
     result = run(Source("step.mcl", STEPPER), prove=True)
-    assert result.proof().violations == []
-    assert "a step of a stepper that starts or stops at once" in result.proof().exceptions
+    assert prove(result).violations == []
+    assert "a step of a stepper that starts or stops at once" in prove(result).exceptions
     a = result.controller.axes[1]
     i = next(k for k, each in enumerate(a.profiles) if each.shape == "trapezoid")
     a.profiles[i] = change(a.profiles[i])
-    return [each.message for each in result.proof().violations]
+    return [each.message for each in prove(result).violations]
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,7 @@ def test_the_proof_holds_a_move_to_its_rates_and_to_the_step(
 def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_with() -> None:
     run_on = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000\nWA0.2,1SV100,1DH5,1WS\n"
     result = run(Source("zero.mcl", run_on), prove=True)
-    assert result.proof().violations == []
+    assert prove(result).violations == []
 
 
 def test_a_stop_that_continues_the_move_ends_with_its_step() -> None:
@@ -126,7 +126,7 @@ def test_a_stop_that_continues_the_move_ends_with_its_step() -> None:
     )
     fine = {"controller.instruction_time": 1e-9}
     result = run(Source("stop.mcl", stops), machine=fine, prove=True)
-    assert result.proof().violations == []
+    assert prove(result).violations == []
     assert ended(stops)[0] == 1743.0
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from motionlang import Run
+from motionlang import Run, prove
 from motionlang.kernel.mccl.motion.contour import Contour
 from tests.cases import cases
 from tests.mccl_runs import Runner
@@ -110,7 +110,7 @@ def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     """By the proof it is one circle at the vector velocity, without a jump."""
     result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
     assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
-    assert result.proof().violations == []
+    assert prove(result).violations == []
     begin = result.controller.log.moves[0].start_time
     times = [begin + (result.time - begin) * k / 2000 for k in range(2001)]
     distances = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
@@ -121,7 +121,7 @@ def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_thr
     """The second path continues 3001, 997 by half of it, rounded to whole counts."""
     result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
     assert result.output == ["01 2"]
-    assert result.proof().violations == []
+    assert prove(result).violations == []
     first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile is not None
     assert first.profile.end_velocity > 1000.0

@@ -10,7 +10,7 @@ from random import Random
 
 import pytest
 
-from motionlang import Run, run
+from motionlang import Run, prove, run
 from motionlang.kernel.source import Source
 from tests.cases import examples
 
@@ -21,7 +21,7 @@ FINE = {"controller.instruction_time": 1e-9}
 def proved(text: str, name: str) -> Run:
     result = run(Source(name, text), machine=FINE, prove=True)
     assert result.diagnostics == [], text
-    assert result.proof().violations == [], text
+    assert prove(result).violations == [], text
     return result
 
 
