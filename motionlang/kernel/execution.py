@@ -283,7 +283,7 @@ def _compile(
         result.status = "fault"
         return None
     if compiled.is_doubtful:
-        found = one_sentence(language, source, language.check(source, settings))
+        found = one_sentence(language, source, language.errors(source, settings))
         if [each.code for each in found] == ["language"]:
             result.diagnostics, result.status = found, "fault"
             return None

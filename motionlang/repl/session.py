@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from textwrap import wrap
 
+from motionlang.commands.check import check
 from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.dialect import Dialect
@@ -203,7 +204,7 @@ class Session:
         """
         if source is None or not source.text or all(each.severity != "error" for each in found):
             return found
-        checked = one_sentence(self.dialect, source, self.dialect.check(source), AT_PROMPT)
+        checked = one_sentence(self.dialect, source, check(source, self.dialect), AT_PROMPT)
         return checked if checked and checked[0].code == "language" else found
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from types import FrameType
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.source import Source
@@ -47,7 +48,7 @@ def trouble(name: str, text: str) -> str:
     try:
         with bounded(MAX_SECONDS):
             try:
-                dialect(name).check(source, {})
+                check(source, dialect(name), {})
             except ProgramError:
                 pass
             run(source, until=UNTIL)

@@ -44,7 +44,7 @@ a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4 : r.n = 5
 
 
 def mixed(line: str) -> list[Diagnostic]:
-    found = check(Source("a.mnt", BEFORE + line))
+    found = check(Source("a.mnt", BEFORE + line), {})
     assert not [each for each in found if each.severity == "error"], line
     return [each for each in found if each.code == "mixed-operators"]
 

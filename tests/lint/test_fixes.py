@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import dialect_of
 from motionlang.kernel.source import Source
@@ -28,7 +29,7 @@ def offered(path: Path) -> list[str]:
     language, source = dialect_of(path.name), Source.read(path)
     assert language is not None
     try:
-        found = language.check(source, {})
+        found = check(source, language, {})
     except ProgramError as error:
         found = list(error.diagnostics)
     lines = []

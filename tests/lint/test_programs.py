@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.commands.check.silence import WARNINGS
 from motionlang.kernel.errors import CODES
 from motionlang.kernel.execution import dialect_of
@@ -27,7 +28,7 @@ def diagnostics_of(path: Path) -> str:
     assert language is not None
     machine = next((each for each in _machines(path) if each.exists()), None)
     settings = read_machine(Source.read(machine)) if machine is not None else {}
-    return "".join(render(each, source) for each in language.check(source, settings))
+    return "".join(render(each, source) for each in check(source, language, settings))
 
 
 def _machines(path: Path) -> tuple[Path, ...]:

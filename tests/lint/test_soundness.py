@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.result import Run
@@ -85,7 +86,7 @@ def ran(text: str) -> Run:
 
 
 def warned(text: str, code: str) -> list[Diagnostic]:
-    return [each for each in DIALECT.check(Source("random.mnt", text)) if each.code == code]
+    return [each for each in check(Source("random.mnt", text), DIALECT) if each.code == code]
 
 
 @pytest.mark.slow

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from motionlang import prove, run
+from motionlang.commands.check import check
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import dialect_of
 from motionlang.kernel.lang.machine.file import read_machine
@@ -133,7 +134,7 @@ def found(case: Case) -> Found:
         result.diagnostics = [(True, each.line, each) for each in error.diagnostics]
         return result
     if case.is_only_checked:
-        result.diagnostics = [(False, each.line, each) for each in language.check(source, settings)]
+        result.diagnostics = [(False, each.line, each) for each in check(source, language, settings)]
         return result
     ran = run(source, machine=settings, prove=True)
     if ran.expected_motion is not None:

@@ -12,6 +12,7 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unwritten
 from motionlang.cli.option_groups import Findings, Jobs, OnMachine, read
 from motionlang.cli.program_files import PATHS, programs
+from motionlang.commands.check import check as check_text
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, Unfixable, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table
@@ -227,7 +228,7 @@ def _checked_and_fixed(options: Check, file: str) -> Checked:
     name, language = source.name, dialect(checked.language)
 
     def check(text: str) -> list[Diagnostic]:
-        return language.check(Source(name, text), settings)
+        return check_text(Source(name, text), language, settings)
 
     def differences(text: str) -> list[Diagnostic]:
         return language.port_differences(source, Source(name, text), settings)
@@ -256,7 +257,7 @@ def _left_of_port(
     path = machine_of(file, options.machine)
     own = {} if path is None else read_machine(Source.read(path), language=language)
     model = own.get("controller.model", "")
-    if options.model is not None and any(each.code == "model" for each in language.check(now, own)):
+    if options.model is not None and any(each.code == "model" for each in check_text(now, language, own)):
         message = f'{path} is still for another controller: controller.model = "{model}"'
         hint = f'write controller.model = "{options.model}"'
         found.append(Diagnostic("model", message, hint=hint, severity="warning"))
@@ -285,5 +286,5 @@ def _checked(options: Check, file: str) -> Checked:
             return Checked(language.name, machine, None, wrong)
     if options.model is not None:
         settings["controller.model"] = options.model
-    found = one_sentence(language, source, language.check(source, settings))
+    found = one_sentence(language, source, check_text(source, language, settings))
     return Checked(language.name, source, settings, found)

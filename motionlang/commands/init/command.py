@@ -120,7 +120,7 @@ examples:
             exists = Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)
             raise Refused([exists], file=file)
         source = read(file)
-        mistakes = [each for each in language.check(source, {}) if each.severity == "error"]
+        mistakes = language.errors(source, {})
         if mistakes:
             raise Refused(mistakes, source=source, file=file)
         target = language.written_for(source)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.commands.check import check
 from motionlang.ide.editor.page import Page
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.dialect import Dialect
@@ -17,7 +18,7 @@ _UNKNOWN = "\ufffd"
 
 def findings(page: Page) -> list[Diagnostic]:
     """Return the diagnostics of a program, as `check` reports them."""
-    found = page.language.check(page.source, page.settings)
+    found = check(page.source, page.language, page.settings)
     return decoded(page.source, one_sentence(page.language, page.source, found, IN_EDITOR))
 
 

@@ -147,8 +147,8 @@ class Dialect:
         """True if the check of a program depends on a key of the machine file."""
         return False
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-        """Return all errors and warnings without a run; `settings` are those of the machine file."""
+    def errors(self, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+        """Return all errors without a run; `settings` are those of the machine file."""
         raise NotImplementedError
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:

@@ -74,15 +74,15 @@ class Mccl(Dialect):
         commands = [each for line in module.lines for each in line.commands]
         positions = {source.location(each.start) for each in commands if isinstance(each, Wrong)}
         if positions:
-            mistakes = [each for each in self.check(source) if each.severity == "error"]
+            mistakes = self.errors(source, {})
             syntax = [each for each in mistakes if (each.line, each.column) in positions]
             raise ProgramError(syntax or mistakes)  # the line may be too long, too
         return module
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-        from motionlang.commands.check.mccl.check import check
+    def errors(self, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+        from motionlang.kernel.mccl.resolve.errors import errors
 
-        return check(source, settings)
+        return errors(source, settings)
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
         from motionlang.kernel.mccl.keywords.row import forms
@@ -105,7 +105,7 @@ class Mccl(Dialect):
         return named(name) is not None
 
     def written_for(self, source: Source) -> Target:
-        from motionlang.commands.check.mccl.board import written_for
+        from motionlang.kernel.mccl.resolve.board import written_for
 
         return written_for(source)
 
@@ -120,7 +120,7 @@ class Mccl(Dialect):
         return table()
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
-        from motionlang.kernel.mccl.runtime.program import locate
+        from motionlang.kernel.mccl.resolve.line import locate
 
         return locate(source, at)
 

@@ -77,10 +77,10 @@ class Mint(Dialect):
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")
 
-    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-        from motionlang.commands.check.mint import check
+    def errors(self, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+        from motionlang.kernel.mint.check.text import errors
 
-        return check(source, settings)
+        return errors(source, settings)
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
         from motionlang.kernel.mint.resolve.definitions import names

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from motionlang.commands.check import check
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mccl.port import Port
 from motionlang.kernel.lang.machine.machine import Machine
@@ -236,7 +237,7 @@ def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
 
 
 def test_the_name_of_an_unknown_command_is_reported_in_capitals() -> None:
-    (found,) = MCCL.check(Source("zz.mcl", "1zz\n"), {})
+    (found,) = check(Source("zz.mcl", "1zz\n"), MCCL, {})
     assert found.message.startswith("there is no command ZZ ")
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.foreign import one_sentence
@@ -26,7 +27,7 @@ WRONG = sorted([*ROOT.glob("tests/errors/*/*.m*"), *ROOT.glob("tests/lint/*/*.m*
 def test_the_other_language_is_one_sentence(path: Path) -> None:
     language = dialect("mccl" if path.suffix == ".mnt" else "mint")
     source = Source.read(path)
-    (found,) = one_sentence(language, source, language.check(source))
+    (found,) = one_sentence(language, source, check(source, language))
     assert found.code == "language"
     assert found.message.startswith(
         f"this is {'Mint, not MCCL' if path.suffix == '.mnt' else 'MCCL, not Mint'}"
@@ -38,7 +39,7 @@ def test_mistakes_are_reported_unchanged(path: Path) -> None:
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
     source = Source.read(path)
     try:
-        found = language.check(source)
+        found = check(source, language)
     except ProgramError as error:
         found = error.diagnostics
     assert [each.code for each in one_sentence(language, source, found)] == [each.code for each in found]
@@ -47,7 +48,7 @@ def test_mistakes_are_reported_unchanged(path: Path) -> None:
 def test_text_of_no_language_is_reported_unchanged() -> None:
     language = dialect("mccl")
     source = Source("a.mcl", "\n".join(f"1ZZ3,1TP,{number}QQ" for number in range(500)))
-    found = language.check(source)
+    found = check(source, language)
     assert len(found) == 1000
     assert one_sentence(language, source, found) == found
 

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from motionlang.commands.check import check
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.names import Changes, Definition, Names
 from motionlang.kernel.source import Source
@@ -249,7 +250,7 @@ def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> N
     text = source.text
     for start, end, new in sorted(edits, reverse=True):
         text = text[:start] + new + text[end:]
-    before, after = language.check(source), language.check(Source(source.name, text))
+    before, after = check(source, language), check(Source(source.name, text), language)
     assert [(each.code, each.line) for each in after] == [(each.code, each.line) for each in before]
 
 

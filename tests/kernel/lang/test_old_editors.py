@@ -8,6 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.client import Client
+from motionlang.commands.check import check
 from motionlang.kernel.execution import dialect_for
 from motionlang.kernel.lang.typography import TYPOGRAPHIC, typographic
 from motionlang.kernel.source import Source
@@ -46,7 +47,7 @@ def test_a_client_downloads_such_a_file() -> None:
 )
 def test_typographic_characters_of_windows_are_named(name: str, data: bytes, message: str) -> None:
     source = Source.from_bytes(name, data)
-    found = dialect_for(source, None).check(source)
+    found = check(source, dialect_for(source, None))
     assert (1, message) in [(each.line, each.message) for each in found]
 
 

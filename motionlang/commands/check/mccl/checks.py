@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from motionlang.commands.check.mccl.equalities import exact_positions
-from motionlang.commands.check.mccl.flow import Flow
 from motionlang.commands.check.mccl.loops import endless_lines
 from motionlang.commands.check.mccl.running import running_axes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.resolve.flow import Flow
 from motionlang.kernel.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]

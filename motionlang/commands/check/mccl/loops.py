@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from motionlang.commands.check.mccl.flow import Flow
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.resolve.flow import Flow
 from motionlang.kernel.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]

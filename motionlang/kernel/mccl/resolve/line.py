@@ -84,3 +84,14 @@ def _check_length(line: str) -> None:
 def _line(line: tree.Line, text: str, number: int) -> Line:
     commands = tuple([decoded(each, text[each.start : each.end]) for each in line.commands])
     return Line(commands, number, text, tuple([each.start for each in line.commands]))
+
+
+def locate(source: Source, at: int) -> tuple[int, int, int]:
+    """Return line, column and length of the command at an offset."""
+    line, column = source.location(at)
+    text = source.line(line)
+    if column == 1 and len(text) > MAX_LINE:
+        return line, 1, min(len(text), 80)
+    commands = [each for found in parse(text).lines for each in found.commands]
+    end = next((each.end for each in commands if each.start == column - 1), column)
+    return line, column, end - column + 1

@@ -13,11 +13,10 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
 from motionlang.kernel.mccl.runtime.task import CommandTask
-from motionlang.kernel.mccl.syntax.parser import parse
 from motionlang.kernel.source import Source
 
 
@@ -156,14 +155,3 @@ def override(task: CommandTask, values: dict[str, float | str]) -> None:
             task.set_register(int(number), int(value) if value == int(value) else value)
         except Fault as fault:
             raise Rejected(fault.kind, fault.message, fault.hint) from None
-
-
-def locate(source: Source, at: int) -> tuple[int, int, int]:
-    """Return line, column and length of the command at an offset."""
-    line, column = source.location(at)
-    text = source.line(line)
-    if column == 1 and len(text) > 255:
-        return line, 1, min(len(text), 80)
-    commands = [each for found in parse(text).lines for each in found.commands]
-    end = next((each.end for each in commands if each.start == column - 1), column)
-    return line, column, end - column + 1

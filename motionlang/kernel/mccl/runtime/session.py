@@ -8,10 +8,10 @@ from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.steps import Steps, Values
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
-from motionlang.kernel.mccl.runtime.program import locate, override
+from motionlang.kernel.mccl.runtime.program import override
 from motionlang.kernel.mccl.runtime.register_uses import PRIVATE
 from motionlang.kernel.mccl.runtime.task import CommandTask
 from motionlang.kernel.mccl.runtime.writer import LineSteps

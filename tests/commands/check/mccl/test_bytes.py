@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.mccl import DIALECT
 from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.source import Source
@@ -27,7 +28,7 @@ def survives(source: Source) -> None:
     result = run(source, dialect="mccl", until=0.02)
     assert result.status in ("ended", "until", "fault")
     assert isinstance(result.report, dict)
-    for diagnostic in [*DIALECT.check(source), *result.diagnostics]:
+    for diagnostic in [*check(source, DIALECT), *result.diagnostics]:
         assert diagnostic.message
     assert "".join(text for _, text, _ in DIALECT.tokens(source.text)) == source.text
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.mccl import DIALECT
 from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
@@ -23,7 +24,7 @@ def rendered(found: list[object], source: Source) -> str:
 @pytest.mark.parametrize("path", CHECKED, ids=lambda path: path.stem)
 def test_what_check_says(path: Path, update: bool) -> None:
     source = Source.read(path)
-    compare(path, rendered(list(DIALECT.check(source)), source), update)
+    compare(path, rendered(list(check(source, DIALECT)), source), update)
 
 
 @pytest.mark.parametrize("path", RUN, ids=lambda path: path.stem)

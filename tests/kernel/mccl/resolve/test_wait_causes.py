@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.commands.check import check
 from motionlang.kernel.mccl import DIALECT as MCCL
 from motionlang.kernel.source import Source
 from tests.cases import cases
@@ -78,6 +79,6 @@ def test_where_a_program_depends_on_inputs() -> None:
     ],
 )
 def test_the_hint_for_an_unknown_word(word: str, hint: str) -> None:
-    (found,) = MCCL.check(Source("word.mcl", f"1{word}5"))
+    (found,) = check(Source("word.mcl", f"1{word}5"), MCCL)
     assert found.code == "unknown-word"
     assert found.hint == hint

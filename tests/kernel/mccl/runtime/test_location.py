@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.mccl.runtime.program import MacroFile, locate
+from motionlang.kernel.mccl.resolve.line import locate
+from motionlang.kernel.mccl.runtime.program import MacroFile
 from motionlang.kernel.source import Source
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.mccl import DIALECT
 from motionlang.kernel.source import Source
 from tests.mccl_runs import Runner
@@ -221,7 +222,7 @@ def test_a_model_in_any_case(mccl: Runner) -> None:
         mccl("CN10,1TP", machine=machine).output
         == mccl("CN10,1TP", machine={"controller.model": "dcx-pci300"}).output
     )
-    assert DIALECT.check(Source("a.mccl", "CN10"), machine) == []
+    assert check(Source("a.mccl", "CN10"), DIALECT, machine) == []
 
 
 def test_an_unknown_model(mccl: Runner) -> None:

@@ -7,6 +7,7 @@ from itertools import product
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.mccl import DIALECT
 from motionlang.kernel.mccl.keywords import of_families, table
 from motionlang.kernel.mccl.models import DEFAULT, MODELS
@@ -99,7 +100,7 @@ def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: s
     helped = {line.split()[0] for line in mccl("HE", machine=settings).output}
     assert helped == {row.name for row in table()} - lacks
     for name in sorted(lacks):
-        (found, *_) = DIALECT.check(Source("a.mcl", f"1{name}1"), settings)
+        (found, *_) = check(Source("a.mcl", f"1{name}1"), DIALECT, settings)
         assert found.code == "model"
         assert "multiflex" in found.hint
 
@@ -151,7 +152,7 @@ def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) 
     text = "VE\n1OB1"
     result = run(Source(name, text), dialect="mccl")
     assert result.output[0].startswith(MODELS[model].title)
-    assert bool(DIALECT.check(Source(name, text))) is ("output control" in MODELS[model].lacks)
+    assert bool(check(Source(name, text), DIALECT)) is ("output control" in MODELS[model].lacks)
     other = run(Source(name, text), dialect="mccl", machine={"controller.model": "dcx-at200"})
     assert other.output[0].startswith(MODELS["dcx-at200"].title)
 

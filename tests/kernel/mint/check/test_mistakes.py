@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.source import Source
 from tests.cases import cases
@@ -167,7 +168,7 @@ from tests.cases import cases
 def test_a_mistake_is_reported_with_its_location(
     text: str, line: int, column: int, message: str, hint: str
 ) -> None:
-    found = [each for each in DIALECT.check(Source("a.mnt", text)) if each.severity == "error"]
+    found = [each for each in check(Source("a.mnt", text), DIALECT) if each.severity == "error"]
     assert [(each.line, each.column, each.message, each.hint) for each in found] == [
         (line, column, message, hint)
     ]
@@ -177,4 +178,4 @@ def test_a_mistake_is_reported_with_its_location(
 def test_a_reference_to_no_variable_is_a_temporary_value(argument: str) -> None:
     """Anything that is no variable, a keyword included, may be passed by reference."""
     text = f"Dim a(3)\nn = 1\nFill({argument})\nEnd\nSub Fill(ByRef x)\nx = 2\nEnd Sub"
-    assert [each for each in DIALECT.check(Source("a.mnt", text)) if each.severity == "error"] == []
+    assert [each for each in check(Source("a.mnt", text), DIALECT) if each.severity == "error"] == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.source import Source
 
@@ -290,5 +291,5 @@ REFUSED = [
 
 @pytest.mark.parametrize(("text", "line", "message", "hint"), REFUSED, ids=[each[0][:40] for each in REFUSED])
 def test_a_statement_that_is_refused(text: str, line: int, message: str, hint: str) -> None:
-    found = [each for each in DIALECT.check(Source("a.mnt", DIM + text), {}) if each.severity == "error"]
+    found = [each for each in check(Source("a.mnt", DIM + text), DIALECT, {}) if each.severity == "error"]
     assert [(each.line, each.message, each.hint) for each in found] == [(line, message, hint)]

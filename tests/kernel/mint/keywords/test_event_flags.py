@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS
 from motionlang.kernel.source import Source
@@ -16,11 +17,11 @@ def handler(kind: str) -> Source:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_of_event_can_be_handled(kind: str) -> None:
-    messages = [each.message for each in DIALECT.check(handler(kind))]
+    messages = [each.message for each in check(handler(kind), DIALECT)]
     name = kind.upper() + ("" if kind in SINGLE else "1")
     assert messages == ([f"the event {name} never occurs here"] if kind in SOURCELESS else [])
 
 
 def test_warning_names_what_raises_the_event() -> None:
-    (warning,) = DIALECT.check(handler("knife"))
+    (warning,) = check(handler("knife"), DIALECT)
     assert (warning.severity, warning.line, warning.hint) == ("warning", 3, "EVENTPEND(16, 0, 0) raises it")

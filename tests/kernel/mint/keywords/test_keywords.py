@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.lang.keyword import Keyword
@@ -161,7 +162,7 @@ def used(row: Keyword) -> str:
 
 def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
     for row in OTHERS:
-        codes = {each.code for each in DIALECT.check(Source("a.mnt", used(row)))}
+        codes = {each.code for each in check(Source("a.mnt", used(row)), DIALECT)}
         assert "not-simulated" in codes, row.name
         assert "unknown-word" not in codes, row.name
 
@@ -171,7 +172,7 @@ def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
     [("SPED(0) = 1", "SPEED"), ("x = POOS(0)", "POS"), ("GOO(0)", "GO")],
 )
 def test_misspelt_keyword_is_reported_with_a_suggestion(written: str, meant: str) -> None:
-    (diagnostic, *_) = DIALECT.check(Source("a.mnt", written))
+    (diagnostic, *_) = check(Source("a.mnt", written), DIALECT)
     assert diagnostic.code == "unknown-word"
     assert f"did you mean {meant}?" in diagnostic.hint
 

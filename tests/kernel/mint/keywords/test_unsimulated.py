@@ -7,6 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.file import read_machine
@@ -98,7 +99,7 @@ def test_unknown_value_ends_the_run_unless_the_machine_file_gives_it(row: Keywor
 
 def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
     text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nAUTOTUNE(0, 1)\nAUTOHOMEMODE(0) = 0"
-    checked = [each for each in DIALECT.check(Source("a.mnt", text)) if each.code == "not-simulated"]
+    checked = [each for each in check(Source("a.mnt", text), DIALECT) if each.code == "not-simulated"]
     assert [each.line for each in checked] == [1, 2, 3, 4, 5]
     found = ran(text).diagnostics
     assert [each.as_dict() for each in found if each.severity == "warning"] == [checked[3].as_dict()]
@@ -106,7 +107,7 @@ def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
 
 
 def test_a_text_is_no_number_for_them_either() -> None:
-    codes = {each.code for each in DIALECT.check(Source("a.mnt", 'DRIVEPARAMETERFLOAT(1, 2) = "abc"'))}
+    codes = {each.code for each in check(Source("a.mnt", 'DRIVEPARAMETERFLOAT(1, 2) = "abc"'), DIALECT)}
     assert "type" in codes
 
 

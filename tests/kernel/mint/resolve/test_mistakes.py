@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS, Problems
 from motionlang.kernel.mint.syntax.parser import parse
@@ -103,14 +104,14 @@ CONST = "a Const can use numbers, texts and other constants"
 def test_a_declaration_that_is_refused(
     text: str, location: tuple[int, int, int], message: str, hint: str
 ) -> None:
-    found = [each for each in DIALECT.check(Source("a.mnt", DIM + text)) if each.severity == "error"]
+    found = [each for each in check(Source("a.mnt", DIM + text), DIALECT) if each.severity == "error"]
     assert [((each.line, each.column, each.length), each.message, each.hint) for each in found] == [
         (location, message, hint)
     ]
 
 
 def test_an_event_that_never_occurs_is_a_warning() -> None:
-    (found,) = DIALECT.check(Source("a.mnt", "PRINT 1\nEvent RESET\nEnd Event"))
+    (found,) = check(Source("a.mnt", "PRINT 1\nEvent RESET\nEnd Event"), DIALECT)
     assert (found.severity, found.line, found.message, found.hint) == (
         *("warning", 2, "the event RESET never occurs here"),
         "EVENTPEND(17, 0, 0) raises it",
@@ -128,7 +129,7 @@ def test_an_event_that_never_occurs_is_a_warning() -> None:
 )
 def test_a_declaration_that_is_accepted(text: str) -> None:
     """E is a short form, and PO is too short to be a misspelt POS."""
-    assert [each for each in DIALECT.check(Source("a.mnt", text)) if each.severity == "error"] == []
+    assert [each for each in check(Source("a.mnt", text), DIALECT) if each.severity == "error"] == []
 
 
 def test_of_many_problems_the_first_hundred_and_one_error_are_kept() -> None:

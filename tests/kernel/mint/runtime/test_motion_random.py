@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
@@ -22,7 +23,7 @@ def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
     result = ran(text)
     for each in result.diagnostics:  # a full buffer that is never started is the program's own error
         assert each.code in ("never", "never-started", "short-ramp"), each.message
-    DIALECT.check(Source("a.mnt", text))
+    check(Source("a.mnt", text), DIALECT)
 
 
 def test_the_programs_move_something() -> None:

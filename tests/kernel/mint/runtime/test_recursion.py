@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT as MINT
 from motionlang.kernel.mint.runtime.task import MAX_DEPTH
 from motionlang.kernel.source import Source
@@ -193,8 +194,8 @@ def test_a_nested_text_is_read_from_anywhere(name: str) -> None:
     first = outcome(text)
     assert below(800, lambda: outcome(text)) == first
     assert [each[0] for each in first[2]] == (["syntax"] if name == "too many Defines" else [])  # type: ignore[attr-defined]
-    checked = [each.message for each in MINT.check(Source("a.mnt", text))]
-    assert below(800, lambda: [each.message for each in MINT.check(Source("a.mnt", text))]) == checked
+    checked = [each.message for each in check(Source("a.mnt", text), MINT)]
+    assert below(800, lambda: [each.message for each in check(Source("a.mnt", text), MINT)]) == checked
 
 
 def test_macros_that_call_each_other() -> None:

@@ -10,6 +10,7 @@ from math import fsum, nextafter
 
 import pytest
 
+from motionlang.commands.check import check
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.result import Run
@@ -63,7 +64,7 @@ def test_a_chain_of_thousands(name: str) -> None:
     text, shown = CHAINS[name]
     made = ran(text)
     assert (made.status, made.output, made.diagnostics) == ("ended", [shown], [])
-    found = dialect("mint").check(Source("chain.mnt", f"{HEAD}{text}\n"), {})
+    found = check(Source("chain.mnt", f"{HEAD}{text}\n"), dialect("mint"), {})
     assert [each for each in found if each.severity == "error"] == []
 
 

@@ -10,6 +10,7 @@ import re
 import pytest
 
 from motionlang import run
+from motionlang.commands.check import check
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.source import Source
 from tests.kernel.mint.polling_programs import program
@@ -67,7 +68,7 @@ def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
 
 def test_a_label_at_the_end_of_a_loop_is_not_warned_of() -> None:
     text = "LOOP\n n = n + 1\n IF n = 3 THEN EXIT\n IF n = 2 THEN GOTO next\n PRINT n\n#next\nENDL\nPRINT n"
-    assert DIALECT.check(Source("a.mnt", f"Dim n As Integer\n{text}")) == []
+    assert check(Source("a.mnt", f"Dim n As Integer\n{text}"), DIALECT) == []
 
 
 def test_a_loop_that_polls_is_skipped_all_the_same() -> None:

@@ -1,0 +1,130 @@
+"""All errors in a file that can be found without running it, in one pass."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
+from motionlang.kernel.lang.typography import plain
+from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
+from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.resolve.decode import problem
+from motionlang.kernel.mccl.resolve.flow import Flow, flow_of
+from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
+from motionlang.kernel.mccl.syntax.parser import mistake
+from motionlang.kernel.source import Source
+
+# Jumps within a line.
+_JUMPS = frozenset({"jump", "jump_by"})
+DEFINES = "define_macro"
+_WORD = re.compile("[A-Za-z]+")
+
+
+def errors(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+    """Return the errors of a file in text order."""
+    found = errors_of(source, lines_of(source), settings)
+    return sorted(found, key=lambda each: (each.line, each.column))
+
+
+def errors_of(
+    source: Source, lines: Iterable[Line | tuple[Fault, int, int]], settings: Mapping[str, object]
+) -> Iterator[Diagnostic]:
+    """Yield the errors of the lines of a file."""
+    model, flow = model_of(source, settings), flow_of(settings)
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    for line in lines:
+        if not isinstance(line, Line):
+            fault, at, _ = line
+            yield diagnostic(source, at, fault)
+            continue
+        for k, command in enumerate(line.commands):
+            wrong = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
+            wrong = wrong or _wrong_here(line, k, command, model, flow)
+            if wrong is not None:
+                yield diagnostic(source, line.offsets[k], wrong)
+
+
+def model_of(source: Source, settings: Mapping[str, object]) -> Model:
+    """Return the controller model of the settings, or that of the file's extension."""
+    wanted = str(settings.get("controller.model", "")) or written_for(source.name)
+    return named(wanted) or MODELS[DEFAULT]
+
+
+def defines(line: Line) -> bool:
+    """True if the line defines a macro."""
+    row = line.commands[0].row
+    return row is not None and row.verb == DEFINES
+
+
+def diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -> Diagnostic:
+    """Return the diagnostic of a fault of the command at an offset."""
+    line, column, length = locate(source, at)
+    code = f" (?{fault.code}: {codes.MEANINGS[fault.code]})" if fault.code else ""
+    fix, candidates = "", []
+    if fault.candidates:
+        text = source.line(line)[column - 1 : column - 1 + length]
+        candidates = [_WORD.sub(each, text, count=1) for each in fault.candidates]
+    if fault.kind == "syntax":
+        text = source.line(line)[column - 1 :]
+        end = mistake(text[:length])
+        replaced, fix = plain(text[end:])
+        if replaced:
+            length, fix = end + replaced, text[:end] + fix
+    return Diagnostic(
+        fault.kind,
+        fault.message + code,
+        line,
+        column,
+        length=length,
+        hint=fault.hint,
+        severity=severity,
+        fix=fix,
+        candidates=candidates,
+    )
+
+
+def _unknown_to(model: Model, command: Command) -> Fault | None:
+    """Return the fault of a command that this board does not have, or None."""
+    row = command.row
+    return missing(model, row) if row is not None and row.family in model.lacks else None
+
+
+def _no_axis(command: Command, axes: int) -> Fault | None:
+    """Return the fault of an axis that this board does not have, or None."""
+    if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
+        return None
+    hint = f"the axes are 1 to {axes}; controller.axes sets their number"
+    return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", hint, "axis")
+
+
+def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) -> Fault | None:
+    """Return the fault of a command at its position in the line, or None."""
+    row = command.row
+    assert row is not None
+    if row.index == "axis" and command.axis == 0:
+        return codes.needs_axis(command.name, command.text.lstrip("0"))
+    number = command.number
+    if row.verb == "define_macro":
+        if k:
+            return codes.define_not_first()
+        if number is not None and number > model.macros:
+            return no_macro_number(model, number)
+    if row.verb == "repeat" and number is not None and number < 0:
+        return codes.negative_repeat(number)
+    if row.verb in _JUMPS and number is not None:
+        return _jump(line, k, row.verb, number, flow)
+    return None
+
+
+def _jump(line: Line, k: int, verb: str, number: int, flow: Flow) -> Fault | None:
+    first = 1 if defines(line) else 0
+    last = len(line.commands) - first - 1
+    target = flow.target(verb, number, k - first)
+    if 0 <= target <= last + 1:
+        return None
+    hint = f"they are numbered {flow.base} to {flow.base + last}"
+    return Fault(codes.PARAMETER, f"there is no command {flow.base + target} here", hint, "range")
