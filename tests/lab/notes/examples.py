@@ -1,7 +1,4 @@
-"""The scripts in `examples/notes/`, run in this process.
-
-`python -m tests.lab.notes.examples` writes their golden texts.
-"""
+"""The scripts in `examples/notes/`, run in this process."""
 
 from __future__ import annotations
 
@@ -24,12 +21,3 @@ def printed(script: str, *words: str) -> str:
     with patch.object(sys, "argv", [script, *words]), contextlib.redirect_stdout(out):
         run_path(str(ROOT / script), run_name="__main__")
     return out.getvalue()
-
-
-def golden(name: str) -> Path:
-    return Path(__file__).with_name("printed") / f"{name}.txt"
-
-
-if __name__ == "__main__":
-    for name in PRINTING:
-        golden(name).write_text(printed(f"examples/notes/{name}.py"), encoding="utf-8")

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
-from tests.lab.notes.examples import PRINTING, ROOT, SCRIPTS, golden, printed
+from tests.lab.notes.examples import PRINTING, ROOT, SCRIPTS, printed
 
 
 @pytest.mark.parametrize("name", PRINTING)
-def test_an_example_prints_its_golden_text(name: str) -> None:
-    """`python -m tests.lab.notes.examples` writes the texts."""
-    assert printed(f"examples/notes/{name}.py") == golden(name).read_text(encoding="utf-8")
+def test_an_example_prints_its_golden_text(name: str, request: pytest.FixtureRequest) -> None:
+    golden, text = Path(__file__).with_name("printed") / f"{name}.txt", printed(f"examples/notes/{name}.py")
+    if request.config.getoption("--update"):
+        golden.write_text(text, encoding="utf-8", newline="\n")
+    assert text == golden.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("page", ["sources.md", "servo.md tn1069.md an00115.md"])
