@@ -88,7 +88,7 @@ def nearest(module: str, test_files: Iterable[str]) -> list[str]:
 
 
 def importers(helper: str, test_files: Iterable[str]) -> list[str]:
-    """Return the test files that import a helper module of the tests."""
+    """Return the test files that import a helper module of the tests, or a tool."""
     module = helper.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
     return [each for each in test_files if module in _imported(ROOT / each)]
 
@@ -111,7 +111,7 @@ def chosen(
     for name in changes:
         if name in known:
             whole.add(name)
-        elif name.startswith("tests/"):
+        elif name.startswith(("tests/", "tools/")):
             whole.update(importers(name, known))
         elif name.startswith("motionlang/"):
             modules.add(name)
