@@ -1,4 +1,4 @@
-"""Eleven programs written for machines run after `init` and at most three edits.
+"""Fourteen programs written for machines run after `init` and at most three edits.
 
 The programs in examples/old are as machine builders wrote them. An edit changes one line of
 the machine file that `init` writes. The duration of a cycle, or of the time between two printed lines, is
@@ -90,6 +90,23 @@ def rotary() -> float:
     return ramp(2000, 8000, 16000) + 0.05 + 0.2
 
 
+def palletiser() -> float:
+    """Return the duration of the last bag, the sixth of the fourth layer, s."""
+    fetch = ramp(950, 1000, 2500) + 2 * ramp(500, 400, 2000)
+    return fetch + ramp(1300, 1000, 2500) + 2 * ramp(270, 400, 2000) + 0.25
+
+
+def press_feed() -> float:
+    return ramp(10, 900, 8000) + 0.3 + 0.3 + 0.06
+
+
+def dispenser() -> float:
+    turn = 0.3 + ramp(1000, 4000, 8000) + 0.05 + 0.4
+    needle = 2 * (ramp(42e3, 60e3, 400e3) + 0.02)
+    shot = ramp(1000, 800, 4000) + 0.05 + 0.15 + 2 * ramp(200, 800, 4000)
+    return turn + needle + shot
+
+
 ASSUMPTIONS = 'assumptions."mint.movebuffersize-default" = 20\n'
 # Program: the edits, how its cycle is found in what it prints, and how long it takes.
 CASES = {
@@ -141,6 +158,9 @@ CASES = {
     "bagwelder.prg": ([], "MS", bag_welder()),
     "coiler.prg": ([], "MS", coiler()),
     "rotary.mccl": ([], "nest", rotary()),
+    "palletiser.prg": ([], "MS", palletiser()),
+    "pressfeed.mnt": ([], "ms", press_feed()),
+    "dispenser.mccl": ([], "part", dispenser()),
 }
 
 
@@ -178,7 +198,7 @@ def cycle(run: Run, found: str) -> float:
     return float(lines[-1] - lines[-2])
 
 
-def test_there_are_eleven_in_both_languages() -> None:
+def test_there_are_fourteen_in_both_languages() -> None:
     names = sorted(path.name for path in OLD.iterdir())
     assert names == sorted(CASES)
-    assert sum(name.endswith(".mccl") for name in names) == 4
+    assert sum(name.endswith(".mccl") for name in names) == 5

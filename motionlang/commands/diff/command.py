@@ -124,7 +124,7 @@ exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 examples:
   motionlang diff pick.mnt                       compare with the golden files
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
-  motionlang diff old/pick.prg pick.mnt --scenarios     in every world of the old one
+  motionlang diff old/pick.prg pick.mnt --scenarios    in every world of A
   motionlang diff pick.mnt --set-b rate=2000     two values of a constant
   motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct

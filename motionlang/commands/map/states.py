@@ -415,7 +415,23 @@ class _DiagramBuilder:
             return
         self._state(p, "poll")
         self._poll(self.states[p], polled.leaves, self._offsets(inside))
-        self.states[p].meanwhile = [each for each in actions if not each.is_condition or each.depth]
+        self.states[p].meanwhile = [
+            each
+            for each in actions
+            if not each.is_condition or each.depth or not each.text.startswith(("while", "repeat"))
+        ]
+
+    def _leads(self, first: int, to: int, inside: set[int]) -> bool:
+        """True if a path within a region leads from a point to another one."""
+        seen, stack = {first}, [first]
+        while stack:
+            for each in self.after(stack.pop()):
+                if each == to:
+                    return True
+                if each in inside and each not in seen:
+                    seen.add(each)
+                    stack.append(each)
+        return False
 
     def _returns(self, first: int, heads: set[int]) -> bool:
         """True if a path without a state leads from a point to one of `heads`."""
@@ -472,16 +488,20 @@ class _DiagramBuilder:
         def branch(p: int, stop: int, depth: int) -> int:
             meets, sides = self._dominators.get(p, stop), self.after(p)
             seen.add(p)
-            word = "while" if loops and p == first else "if"
             has_first = False
             for k, each in enumerate(sides):
                 if each == meets or each in seen:
                     continue
+                word = "while" if loops and p == first and self._leads(each, first, inside) else "if"
                 condition = Condition(self.points[p].at, self._condition(p), k == 0)
                 text = "else" if has_first else f"{word} {condition}"
-                found.append(Action(self.points[p].at, text, depth, True))
+                heading = Action(self.points[p].at, text, depth, True)
+                found.append(heading)
                 side(each, meets, depth + 1)
-                has_first = True
+                if found[-1] is heading:
+                    found.pop()  # Nothing is done on this side.
+                else:
+                    has_first = True
             return meets
 
         first = p

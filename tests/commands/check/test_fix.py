@@ -30,6 +30,9 @@ V4 = [
     and re.search(r"\b(ENDIF|ENDW|ENDL)\b|\bSPEED\.0", path.read_text(encoding="utf-8").upper())
 ]
 
+# Machine seconds of the runs before and after a port.
+SECONDS = 10.0
+
 
 def test_a_number_without_brackets(cell: Cell) -> None:
     path = cell.folder / "a.mnt"
@@ -118,7 +121,7 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     assert language is not None
     machine = settings_next_to(path)
     if path.parent.name == "old":
-        machine = guessed(Worlds(before, language), 20.0, {})[0].settings(20.0)
+        machine = guessed(Worlds(before, language), SECONDS, {})[0].settings(SECONDS)
     old = language.written_for(before).model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())
@@ -127,7 +130,7 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     assert after.text != before.text
     assert "fixed" not in cell("check", path.name, "--model", "mintmt", "--fix").out
     reports = [
-        build(run(source, machine={**machine, "controller.model": model}, until=20.0))
+        build(run(source, machine={**machine, "controller.model": model}, until=SECONDS))
         for source, model in ((before, old), (after, "mintmt"))
     ]
     if "with as many as it needs" in ran.out:
