@@ -478,7 +478,16 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     }
     wanted = [channel for channel in channels if channel not in leaving] or channels
     changed += [guesses.flip(channel, wait.since, result) for channel in dict.fromkeys(wanted)]
-    return any(changed)
+    return any(changed) or _improve_event(guesses, result, reads, task, wait.since)
+
+
+def _improve_event(guesses: Guesses, result: Run, reads: list[InputRead], task: Task, since: float) -> bool:
+    """Change the input of a handler, if a task waits for a variable that a handler or another task changes."""
+    dependencies = result.dialect.loop_dependencies(result.source)(task.at)
+    if dependencies is None or ("task", None) not in dependencies.leaves:
+        return False
+    events = dict.fromkeys(each.channel for each in reads if each.kind == "event")
+    return any(guesses.flip(channel, since, result) for channel in events if channel is not None)
 
 
 def _question(result: Run) -> str:
@@ -505,12 +514,18 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
     if not polls:
         return False
     ends = [guesses.line(result, task.at) for task in tasks]
-    loops = [(guesses.line(result, each.at), each.since) for each in result.machine.log.loops]
+    depends = result.dialect.loop_dependencies(result.source)
+    loops = [(each, depends(each.at)) for each in result.machine.log.loops]
     levels = result.controller.inputs
     for read in polls:
         if read.channel is None or read.level == levels.inverted(read.channel):
             continue
-        since = [time for line, time in loops if line == read.line]
+        since = [
+            each.since
+            for each, loop in loops
+            if guesses.line(result, each.at) == read.line
+            or (loop and read.line in loop.lines and max(loop.lines) <= read.last)
+        ]
         if not since and any(read.line <= line <= read.last for line in ends):
             since = [_entered(guesses, result, read)]
         if since and guesses.flip(read.channel, since[0], result):

@@ -142,6 +142,13 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
     "inputs that a subroutine polls": (
         f"n = 0\nLOOP\nGOSUB SCAN\nIF s = 1 THEN {STROKE[:-1]} : n = n + 1\nIF n = 3 THEN EXIT\nENDL\nEND\n"
         "#SCAN\ns = 0\nIF INX.4 AND NOT INX.5 THEN s = 1\nRETURN\n", {}, {"input": [on(4, 0.3)]}, 1, 4),
+    # Without it the loop ends after 0.5 s, and the program goes on.
+    "an input that a loop of Gotos polls for a time": (
+        "TIME = 0\n#TRY\nIF INX.2 THEN GOTO DONE\nIF TIME < 500 THEN GOTO TRY\n? \"EMPTY\"\nEND\n#DONE\n"
+        f"{STROKE}", {}, {"input": [on(2, 0.3)]}, 1, 2),
+    "an input whose event ends a wait": (
+        f"STOPINPUT.0 = 2\n{STROKE}s = 0\nPAUSE s\n? 1\nEND\n#STOP\ns = 1\nRETURN\n", {},
+        {"input": [on(2, 0.3)]}, 1, 2),
     # The stroke takes an edge, so the input that is on at 0.3 s does not repeat it.
     "an edge that a loop polls": (
         f"n = 0 : b = 0\nLOOP\na = INX.1\nIF a > b THEN {STROKE[:-1]} : n = n + 1\nb = a\nIF n = 3 THEN EXIT\nENDL\n",

@@ -296,7 +296,7 @@ def input_reads(source: Source) -> list[InputRead]:
     bodies = [(function, list(walk(function.body))) for function in names.functions]
     banks = _Banks(node for _, body in bodies for node in body)
     for function, body in bodies:
-        found += _inputs(module, body, banks, function.kind == "event")
+        found += _inputs(module, body, banks, _timed(module, function), function.kind == "event")
         lines = ((module.line(node.start), code) for node, code in keys(body))
         found += [InputRead("key", code, None, line, line) for line, code in lines]
         found += _choices(module, body)
@@ -369,7 +369,30 @@ class _Banks:
         return list(self.tested(name)) if bank is not None and self._masks.get(bank) else [None]
 
 
-def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: bool) -> Iterator[InputRead]:
+def _timed(module: Module, function: Function) -> dict[int, int]:
+    """Return the Ifs that leave a loop of Gotos which a limit of time ends, too, each with the last line of the loop.
+
+    #PICK
+    IF INX.2 THEN GOTO GRIPPED
+    IF TIME < 1500 THEN GOTO PICK
+    """
+    found: dict[int, int] = {}
+    for _, body in _by_labels(function):
+        leaving = [
+            each
+            for each in body[:-1]
+            if isinstance(each, nodes.If) and any(_leaves(inner) for inner in walk(each.body))
+        ]
+        back = body[-1]
+        is_timed = isinstance(back, nodes.If) and _ends_without_inputs(back.condition, False)
+        if is_timed and len(leaving) == 1 and not any(_works(each) for each in walk(body)):
+            found[leaving[0].start] = module.line(back.start)
+    return found
+
+
+def _inputs(
+    module: Module, body: list[nodes.Node], banks: _Banks, timed: dict[int, int], in_handler: bool
+) -> Iterator[InputRead]:
     seen: set[int] = set()
     # The expression of a Define counts where its name is used. Each use is a copy with the same positions.
     aliases = [node for node in body if isinstance(node, nodes.Name) and meant(node) is not node]
@@ -399,6 +422,9 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: b
                 yield from reads("test" if optional else "poll", node.condition, until, last)
         elif isinstance(node, nodes.If):
             leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
+            if node.start in timed:
+                yield from reads("poll", node.condition, True, timed[node.start])
+                continue
             yield from reads("guard" if leaves else "test", node.condition, not leaves)
     for node in body:
         if not isinstance(node, nodes.Name) or id(node) in seen or node.start in defined:
