@@ -135,8 +135,6 @@ CASES = {
     "label.prg": ([], "ms", label()),
     "pickplace.mccl": (
         [
-            ("# { channel = 2, at = 0.0 }", "{ channel = 2, output = 33, delay = 0.1 }"),
-            ("# { channel = 4, at = 0.0 }", "{ channel = 4 }"),
             (
                 "{ channel = 5, at = 1.0, for = 1.0, every = 2.0, guess = true }",
                 "{ channel = 5 }",

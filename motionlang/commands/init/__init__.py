@@ -516,6 +516,8 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
     ends = [guesses.line(result, task.at) for task in tasks]
     depends = result.dialect.loop_dependencies(result.source)
     loops = [(each, depends(each.at)) for each in result.machine.log.loops]
+    waits = result.machine.log.waits.written()
+    pauses = [(guesses.line(result, each.at), each.since) for each in waits if each.cause == "time"]
     levels = result.controller.inputs
     for read in polls:
         if read.channel is None or read.level == levels.inverted(read.channel):
@@ -528,6 +530,7 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
         ]
         if not since and any(read.line <= line <= read.last for line in ends):
             since = [_entered(guesses, result, read)]
+        since = since or [time for line, time in pauses if read.line <= line <= read.last]
         if since and guesses.flip(read.channel, since[0], result):
             return True
     return False

@@ -152,6 +152,12 @@ def test_a_macro_that_polls_an_input_and_calls_one_that_waits(cell: Cell) -> Non
         ("MD1,IF2,MJ9,NO,IN4,MJ9,NO,1MR10,1WS.1,RP\nMD9,CN33\n1MN\nMC1\n", [{"channel": 2, "at": 0.0}]),
         # The macro begins again while input 2 is off.
         ("MD1,IF2,MJ1,NO,1MR10,1WS.1\n1MN\nMC1\n", [{"channel": 2, "at": 0.3}]),
+        # The macro tries three times; without input 2 it gives up.
+        (
+            "MD1,AL0,AR1,CN33,WA.2,MJ2\nMD2,IN2,MJ3,NO,RA1,AA1,AR1,IG2,MJ9,NO,WA.3,MJ2\nMD3,1MR10,1WS.1\nMD9,CN36\n"
+            "1MN\nMC1\n",
+            [{"channel": 2, "output": 33, "delay": 0.3}],
+        ),
     ],
 )
 def test_a_jump_to_another_macro_leaves_the_work(

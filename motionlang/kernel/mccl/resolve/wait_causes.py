@@ -86,8 +86,21 @@ def input_reads(source: Source) -> list[InputRead]:
                 polls = verbs[here + 1 : here + 2] == ["leave"] and "repeat" in verbs[here:]
                 kind = "poll" if polls else kind
                 if kind == "test" and verbs[here + 1 : here + 2] == ["jump_macro"]:
-                    # A jump back to its own macro polls, one to another macro leaves at this level.
-                    again = line.commands[here + 1].number == macro
-                    kind, level = "poll" if again else "guard", 1 - level
+                    # A jump back to its own macro polls, one to another macro leaves at this level. If the macro
+                    # then tries again without a move, it waits for this level.
+                    if line.commands[here + 1].number == macro:
+                        kind, level = "poll", 1 - level
+                    elif _tries_again(line, here):
+                        kind = "poll"
+                    else:
+                        kind, level = "guard", 1 - level
                 found.append(InputRead(kind, command.number, level, line.number, line.number))
     return found
+
+
+def _tries_again(line: Line, here: int) -> bool:
+    """True if a macro calls itself at its end, and moves nothing behind a command."""
+    first, last = line.commands[0], line.commands[-1]
+    rest = line.commands[here:]
+    moves = any(each.row is not None and each.row.topic == "move" for each in rest)
+    return last.verb == "jump_macro" and last.number == first.number and not moves
