@@ -23,16 +23,21 @@ if TYPE_CHECKING:
         prove,
         run,
     )
-    from motionlang.kernel.errors import Diagnostic, ProgramError
-    from motionlang.kernel.lang.dialect import dialect, parse
-    from motionlang.kernel.lang.machine.machine import Machine
-    from motionlang.kernel.log.trace import Trace
-    from motionlang.kernel.moves import Move, Moves
+    from motionlang.kernel import (
+        Diagnostic,
+        Machine,
+        Move,
+        Moves,
+        ProgramError,
+        Report,
+        Run,
+        Source,
+        Trace,
+        dialect,
+        parse,
+    )
     from motionlang.kernel.planners import hold, plan_trapezoid
-    from motionlang.kernel.report_types import Report
-    from motionlang.kernel.result import Run
     from motionlang.kernel.servo import Loop, Motor, Servo, Track, simulate
-    from motionlang.kernel.source import Source
     from motionlang.kernel.version import __version__
     from motionlang.repl.session import Session
 
@@ -75,33 +80,33 @@ __all__ = [
 
 # The module of each name below this package.
 _HOMES = {
-    "Diagnostic": "kernel.errors",
+    "Diagnostic": "kernel",
     "Loop": "kernel.servo",
-    "Machine": "kernel.lang.machine.machine",
+    "Machine": "kernel",
     "Motor": "kernel.servo",
-    "Move": "kernel.moves",
-    "Moves": "kernel.moves",
+    "Move": "kernel",
+    "Moves": "kernel",
     "Plan": "commands.plan",
-    "ProgramError": "kernel.errors",
-    "Report": "kernel.report_types",
+    "ProgramError": "kernel",
+    "Report": "kernel",
     "Row": "commands.sweep",
-    "Run": "kernel.result",
+    "Run": "kernel",
     "Servo": "kernel.servo",
     "Session": "repl.session",
-    "Source": "kernel.source",
-    "Trace": "kernel.log.trace",
+    "Source": "kernel",
+    "Trace": "kernel",
     "Track": "kernel.servo",
     "__version__": "kernel.version",
     "certify": "functions",
     "check": "functions",
     "compare": "functions",
     "cover": "functions",
-    "dialect": "kernel.lang.dialect",
+    "dialect": "kernel",
     "diff": "functions",
     "hold": "kernel.planners",
     "improve": "functions",
     "map": "functions",
-    "parse": "kernel.lang.dialect",
+    "parse": "kernel",
     "plan": "commands.plan",
     "plan_trapezoid": "kernel.planners",
     "profile": "functions",

@@ -9,16 +9,24 @@ import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from motionlang.kernel import execution
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import Checked, checked_settings, dialect_for, settings_next_to
-from motionlang.kernel.lang.dialect import unknown_model
+from motionlang.kernel import (
+    DEFAULT_AXES,
+    Checked,
+    Diagnostic,
+    ProgramError,
+    Run,
+    Source,
+    checked_settings,
+    dialect_for,
+    missing_axes,
+    settings_next_to,
+    unknown_model,
+)
+from motionlang.kernel import (
+    run as run_program,
+)
 from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.entries import Given
-from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.commands.certify import Limit
@@ -69,7 +77,7 @@ def run(
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
-    return execution.run(
+    return run_program(
         _checked(program),
         dialect=dialect,
         machine=machine,

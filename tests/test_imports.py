@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -42,7 +43,6 @@ LAZY = {
     "hosts/client/mint.py": "client.virtual",
     "kernel/mint/runtime/task.py": "runtime.errors",
     "commands/processes/parallel.py": "workers",
-    "ide/lsp/command.py": "server workers",
 }
 
 
@@ -53,10 +53,17 @@ def path_of(name: str) -> Path | None:
     return next((file for file in files if file.exists()), None)
 
 
+@cache
+def homes(package: str) -> dict[str, str]:
+    """Return the module of each name that a package of the kernel imports on first use."""
+    lists = getattr(import_module(package), "PUBLIC", {}) if package.startswith("motionlang.kernel") else {}
+    return {name: f"{package}.{module}" for module, names in lists.items() for name in names.split()}
+
+
 def module_of(node: ast.ImportFrom, name: str) -> str:
-    """Return the module that an import of `name` loads: the name itself, or its owner."""
-    whole = f"{node.module}.{name}"
-    return whole if path_of(whole) is not None else str(node.module)
+    """Return the module that an import of `name` loads: the name itself, its home, or its owner."""
+    owner, whole = str(node.module), f"{node.module}.{name}"
+    return whole if path_of(whole) is not None else homes(owner).get(name, owner)
 
 
 def is_for_types(node: ast.stmt) -> bool:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.source import LARGEST, Source, name_of
+from motionlang.kernel.source import MAX_BYTES, Source, name_of
 
 TEXT = 'Print "é"\nPrint 2\n'
 
@@ -46,7 +46,7 @@ def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
 
 def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Examples are /dev/zero, and a pipe whose writer never closes it."""
-    monkeypatch.setattr("motionlang.kernel.source.LARGEST", 100_000)
+    monkeypatch.setattr("motionlang.kernel.source.MAX_BYTES", 100_000)
     path = tmp_path / "long.mnt"
     path.write_bytes(b"'" * 100_000)
     assert len(Source.read(path).text) == 100_000
@@ -95,4 +95,4 @@ def test_the_name_of_a_program_has_no_folder() -> None:
 
 
 def test_the_largest_file_has_64_megabytes() -> None:
-    assert LARGEST == 64 * 1024**2
+    assert MAX_BYTES == 64 * 1024**2

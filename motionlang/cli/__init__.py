@@ -17,7 +17,7 @@ from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.standard_streams import prepare, silence
 from motionlang.cli.welcome import welcome
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.tools import missing
 
 # The exit status if the reader of standard output has gone: 128 and SIGPIPE's number, like in shells.

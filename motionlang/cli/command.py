@@ -23,9 +23,8 @@ from typing import Any, ClassVar, Self
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import Commands, Parser, both, either, sentence
 from motionlang.cli.signals import SIGNALS
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.files import unwritable
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import nearest, need, shown
 
 # The optional library that writes a format.

@@ -7,9 +7,8 @@ import sys
 from collections.abc import Sequence
 from typing import TextIO
 
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Source
 from motionlang.kernel.files import reason
-from motionlang.kernel.source import STDIN, STDIN_NAME, Source
 from motionlang.views.diagnostics import render_all
 from motionlang.views.terminal import wants_colour, width_of
 

@@ -12,10 +12,8 @@ import tempfile
 import traceback
 from collections.abc import Iterable, Sequence
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import dialect_of, machine_of
+from motionlang.kernel import MAX_BYTES, STDIN, Diagnostic, Source, dialect_of, machine_of
 from motionlang.kernel.files import replacing
-from motionlang.kernel.source import LARGEST, STDIN, Source
 from motionlang.kernel.tools import missing
 from motionlang.kernel.version import __version__
 
@@ -61,7 +59,7 @@ def _bundle(error: BaseException, arguments: Sequence[str], source: Source | Non
     if source is not None:
         _write(folder, os.path.basename(source.name).strip("<>") or "program", source.text.encode())
     for path in _inputs(arguments):
-        if os.path.isfile(path) and os.path.getsize(path) <= LARGEST:
+        if os.path.isfile(path) and os.path.getsize(path) <= MAX_BYTES:
             with open(path, "rb") as file:
                 _write(folder, os.path.basename(path), file.read())
     return folder

@@ -5,8 +5,8 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Run
 from motionlang.kernel.controller.triggers.events import HOMING
-from motionlang.kernel.result import Run
 
 # The names of `--allow`: the events that are then ignored.
 ALLOWED = {

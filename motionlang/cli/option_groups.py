@@ -14,14 +14,25 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritte
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import either
 from motionlang.cli.readers import whole
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import Checked, language_of, machine_of
+from motionlang.kernel import (
+    STDIN,
+    STDIN_NAME,
+    Checked,
+    Diagnostic,
+    Dialect,
+    ProgramError,
+    Source,
+    WrongEntry,
+    check_setting,
+    dialects,
+    language_of,
+    machine_of,
+    read_machine,
+    read_value,
+    with_entries,
+)
 from motionlang.kernel.files import replacing
-from motionlang.kernel.lang.dialect import Dialect, dialects
 from motionlang.kernel.lang.literals import canonical
-from motionlang.kernel.lang.machine.entries import WrongEntry, with_entries
-from motionlang.kernel.lang.machine.file import check_setting, read_machine, read_value
-from motionlang.kernel.source import STDIN, STDIN_NAME, Source
 from motionlang.kernel.tools import clipped, shown
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure

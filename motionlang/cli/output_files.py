@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.cli.complaints import complain, unwritten
-from motionlang.kernel.errors import Diagnostic, Terminated
-from motionlang.kernel.result import who_ended
+from motionlang.kernel import Diagnostic, Terminated, who_ended
 
 
 def written(path: str, write: Callable[[], None]) -> int:

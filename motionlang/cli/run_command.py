@@ -16,15 +16,28 @@ from motionlang.cli.option_groups import Output, Program, World, forms
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
-from motionlang.kernel.execution import ONE_SHIFT, Checked, run
-from motionlang.kernel.lang.machine.axes import missing_axes
-from motionlang.kernel.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
-from motionlang.kernel.lang.machine.machine import DEFAULT_AXES, Machine
-from motionlang.kernel.lang.scheduler import Outside
+from motionlang.kernel import (
+    DEFAULT_AXES,
+    ONE_SHIFT,
+    STDIN,
+    Checked,
+    Diagnostic,
+    Machine,
+    Outside,
+    ProgramError,
+    Run,
+    Source,
+    Terminated,
+    WrongEntry,
+    entries,
+    missing_axes,
+    name_of,
+    run,
+    who_ended,
+    with_entries,
+)
+from motionlang.kernel.lang.machine.entries import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces
-from motionlang.kernel.result import Run, who_ended
-from motionlang.kernel.source import STDIN, Source, name_of
 from motionlang.kernel.tools import MissingExtra
 from motionlang.views.formatting import clock_time
 from motionlang.views.questions import ask

@@ -7,9 +7,7 @@ from collections.abc import Callable
 from threading import Timer
 from time import monotonic
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.result import Run
+from motionlang.kernel import Diagnostic, Machine, Run
 from motionlang.views.formatting import clock_time
 from motionlang.views.progress import Watcher, is_shown, run_line
 from motionlang.views.terminal import shower

@@ -9,10 +9,9 @@ from motionlang.cli.command import Refused, argument
 from motionlang.cli.option_groups import forms
 from motionlang.cli.output_files import written
 from motionlang.cli.run_command import Simulated
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import STDIN, Diagnostic
+from motionlang.kernel import Run as Result
 from motionlang.kernel.files import same_file
-from motionlang.kernel.result import Run as Result
-from motionlang.kernel.source import STDIN
 
 
 @dataclass

@@ -13,8 +13,7 @@ from time import monotonic
 from types import FrameType, TracebackType
 from typing import Any, Self
 
-from motionlang.kernel.errors import OutOfTime, Terminated
-from motionlang.kernel.result import Run
+from motionlang.kernel import OutOfTime, Run, Terminated
 
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 # Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.

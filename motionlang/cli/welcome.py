@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from shlex import quote
 
-from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of
+from motionlang.kernel import MACHINE_SUFFIX, dialect_of
 from motionlang.views.terminal import printable
 
 # The most programs that are named, and the most files that are read.

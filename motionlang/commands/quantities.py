@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from motionlang.commands.certify import certificate, least_margin
 from motionlang.commands.certify.extremes import extremes, motor_peak, peak_speed
 from motionlang.commands.profile.periods import FORM, HELP, cycle_of
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from motionlang.kernel.tools import nearest
 
 ResultValue = float | str | bool | None

@@ -12,11 +12,8 @@ from math import inf
 
 from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import unit_of, values_of
-from motionlang.kernel.execution import machine_of, run
-from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel import Run, Source, machine_of, read_machine, run
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 Entry = Mapping[str, object]
 

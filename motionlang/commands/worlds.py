@@ -14,14 +14,8 @@ from math import inf
 from time import monotonic
 from typing import Any
 
-from motionlang.kernel.execution import Checked, run
-from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.program import Program
-from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Steps, Values
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Checked, Dialect, Hook, Program, Run, Source, Steps, Task, run
+from motionlang.kernel.lang.steps import BACK, BRANCH, Step, Values
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
 Event = tuple[int, int, bool]

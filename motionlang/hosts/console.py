@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from typing import Generic, Protocol, TypeVar
 
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import INFINITY, Machine, Scheduler, Task, Wait
 
 # The number of moves, profiles and changes that a served controller stores, because it may run for days.
 MEMORY = 1000

@@ -12,7 +12,7 @@ from typing import BinaryIO
 # The name of standard input on a command line, and elsewhere.
 STDIN, STDIN_NAME = "-", "<stdin>"
 # Bytes of the largest program, since a device may have no end; smaller ones than a chunk are read at once.
-LARGEST, _PIECE = 1 << 26, 1 << 16
+MAX_BYTES, _PIECE = 1 << 26, 1 << 16
 
 
 def name_of(file: str) -> str:
@@ -24,11 +24,11 @@ def name_of(file: str) -> str:
 
 
 def contents(file: BinaryIO) -> bytes:
-    """Return all bytes of a file; OSError if there are more than `LARGEST`."""
+    """Return all bytes of a file; OSError if there are more than `MAX_BYTES`."""
     data = file.read(_PIECE)
     if len(data) == _PIECE:
-        data += file.read(LARGEST)
-    if len(data) > LARGEST:
+        data += file.read(MAX_BYTES)
+    if len(data) > MAX_BYTES:
         raise OSError(errno.EFBIG, os.strerror(errno.EFBIG))
     return data
 

@@ -18,14 +18,19 @@ from motionlang.commands.improve import NotPossible, improver_of
 from motionlang.commands.improve.view import improvement_lines
 from motionlang.commands.map.program_map import mapped
 from motionlang.commands.map.view.text import render as render_map
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import ONE_SHIFT, dialect_of
+from motionlang.kernel import (
+    ONE_SHIFT,
+    Diagnostic,
+    ProgramError,
+    Rejected,
+    Run,
+    Source,
+    WrongEntry,
+    dialect,
+    dialect_of,
+    entries,
+)
 from motionlang.kernel.files import reason
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.entries import WrongEntry, entries
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import as_hint, missing, nearest
 from motionlang.repl import debugging, status
 from motionlang.views.chart import velocity_chart

@@ -8,8 +8,7 @@ from collections.abc import Iterable, Iterator
 from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
 from prompt_toolkit.document import Document
 
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Dialect, Keyword
 from motionlang.repl.commands import COMMANDS, is_command
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")

@@ -16,12 +16,16 @@ from motionlang.ide.debug.destinations import destination
 from motionlang.ide.debug.expressions import assignment, parse
 from motionlang.ide.debug.moments import Search
 from motionlang.ide.debug.values import shown
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import dialect_for, settings_next_to
+from motionlang.kernel import (
+    Diagnostic,
+    Machine,
+    ProgramError,
+    Source,
+    Variable,
+    dialect_for,
+    settings_next_to,
+)
 from motionlang.kernel.files import reason
-from motionlang.kernel.lang.debugging import Variable
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.formatting import significant
 

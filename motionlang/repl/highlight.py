@@ -9,7 +9,7 @@ from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.styles import Style
 
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel import Dialect
 from motionlang.repl.commands import is_command
 from motionlang.views.highlight import pieces
 

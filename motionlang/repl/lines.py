@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.session import Session
 

@@ -5,18 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from traceback import walk_tb
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import ONE_SHIFT
-from motionlang.kernel.lang.debugging import Variable
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import (
+    ONE_SHIFT,
+    Diagnostic,
+    Dialect,
+    Machine,
+    ProgramError,
+    Rejected,
+    Scheduler,
+    Source,
+    Stuck,
+    Task,
+    Variable,
+    Wait,
+)
 from motionlang.kernel.lang.run_errors import explain
-from motionlang.kernel.lang.scheduler import Scheduler, Stuck
-from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
-from motionlang.kernel.lang.waits import Wait, wait_idle, wait_until
-from motionlang.kernel.source import Source
+from motionlang.kernel.lang.waits import wait_idle, wait_until
 from motionlang.kernel.tools import StackSpace, missing
 from motionlang.repl.status import moving
 

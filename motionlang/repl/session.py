@@ -12,12 +12,8 @@ from collections.abc import Callable, Mapping
 from textwrap import wrap
 
 from motionlang.commands.check import check
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel import Diagnostic, Dialect, Machine, Rejected, Source
 from motionlang.kernel.lang.foreign import AT_PROMPT, one_sentence
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.source import Source
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
 from motionlang.repl.runner import Interrupted, Runner

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Axis, Machine
 from motionlang.views.formatting import significant
 
 

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from itertools import chain, islice
 from math import inf
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel import Axis, WholeTrack
 from motionlang.kernel.planners import Profile
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import clock_time

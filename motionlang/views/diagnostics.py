@@ -16,8 +16,7 @@ import sys
 from collections.abc import Iterable
 from textwrap import wrap
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.tools import count_of
 from motionlang.views.formatting import significant
 from motionlang.views.table import Column, Table

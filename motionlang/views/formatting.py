@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import isfinite
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 # A share of the largest number of a column below which another one is a rounding error of zero.

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.dialect import Dialect
+    from motionlang.kernel import Dialect
 
 # The kinds of tokens that are looked up in the table of the dialect.
 _WORDS = frozenset(("word", "command", "not-simulated"))

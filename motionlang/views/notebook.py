@@ -10,10 +10,7 @@ from html import escape
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.moves import Move, Moves
-from motionlang.kernel.report_types import Report
-from motionlang.kernel.result import Run
+from motionlang.kernel import Controller, Move, Moves, Report, Run
 from motionlang.views.chart import velocity_panel
 from motionlang.views.diagnostics import render_all
 from motionlang.views.figure import Curve, Figure, Panel
@@ -24,7 +21,7 @@ from motionlang.views.report import moves_table, render
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.trace import Trace
+    from motionlang.kernel import Trace
 
 WIDTH = 110
 # The width of a curve in points, and the intervals over it; each shows its lowest and its highest velocity.

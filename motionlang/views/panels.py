@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel import Trace
 from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import peak_of

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 from pygments.lexer import Lexer
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number, String, Text
 
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.views.highlight import pieces
 
 _TOKENS: dict[str, Any] = {

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 from motionlang.kernel.lang.machine.terminal import Terminal
 
 

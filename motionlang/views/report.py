@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from math import fsum
 from typing import Any, cast
 
+from motionlang.kernel import Run
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.report import device_writes as writes_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.result import Run
 from motionlang.kernel.tools import exact_terms
 from motionlang.views.chart import velocity_chart
 from motionlang.views.device_writes import writes_table

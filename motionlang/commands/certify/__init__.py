@@ -10,11 +10,7 @@ from collections.abc import Iterator, Mapping
 from math import inf
 
 from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import MACHINE_SUFFIX
-from motionlang.kernel.source import STDIN_NAME
+from motionlang.kernel import MACHINE_SUFFIX, STDIN_NAME, Axis, Controller, Diagnostic
 
 # The limits of `[axis.N.limits]`: the field of the extremes or the column of the motor, and the unit.
 LIMITS = {

@@ -16,10 +16,8 @@ from motionlang.commands.certify import Limit, certificate, missing_limits, viol
 from motionlang.commands.certify.view import certificate_lines, limits_table
 from motionlang.commands.prove import Proof, proof
 from motionlang.commands.prove.command import Prove
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import machine_of, run
-from motionlang.kernel.result import Run as Result
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, machine_of, run
+from motionlang.kernel import Run as Result
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
 

@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import inf
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel import Axis, WholeTrack
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import State, state_in
 from motionlang.kernel.planners.formula import summit

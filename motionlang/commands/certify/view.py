@@ -8,7 +8,7 @@ from math import inf
 
 from motionlang.commands.certify import Limit
 from motionlang.commands.prove.checker import Proof
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
 from motionlang.views.formatting import figure, line_number

@@ -4,9 +4,7 @@ from collections.abc import Mapping
 
 from motionlang.commands.check import mint
 from motionlang.commands.check.mccl.check import check as check_mccl
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Dialect, Source
 
 _LINTERS = {"mint": mint.check, "mccl": check_mccl}
 

@@ -21,18 +21,27 @@ from motionlang.commands.probe.assumption import Assumption
 from motionlang.commands.probe.entries import assumptions
 from motionlang.commands.probe.view import assumptions_table, listing
 from motionlang.commands.processes.parallel import in_parallel
+from motionlang.kernel import (
+    DEFAULT_AXES,
+    STDIN,
+    STDIN_NAME,
+    Diagnostic,
+    Dialect,
+    ProgramError,
+    Source,
+    dialect,
+    language_of,
+    machine_of,
+    missing_axes,
+    name_of,
+    read_machine,
+    unknown_model,
+)
 from motionlang.kernel.assumptions.used import depended_on
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import language_of, machine_of
-from motionlang.kernel.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.literals import Literal, literals
-from motionlang.kernel.lang.machine.axes import missing_axes
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
+from motionlang.kernel.lang.literals import Literal, literals_of
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.mccl.models import MODELS
-from motionlang.kernel.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of
@@ -164,7 +173,7 @@ examples:
         """Print what else is asked for, or keep it for the document."""
         text, colour, file = self.format == "text", wants_colour(sys.stdout), str(row["file"])
         if self.literals:
-            found = literals(source, language)
+            found = literals_of(source, language)
             self._shown.literals += [(file, each) for each in found]
             if text:
                 width = max((len(each.address) for each in found), default=0)

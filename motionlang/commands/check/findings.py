@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
-from motionlang.kernel.errors import CODES, Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import CODES, Diagnostic, Source
 from motionlang.kernel.version import __version__
 from motionlang.views.diagnostics import render, tally
 from motionlang.views.terminal import printable

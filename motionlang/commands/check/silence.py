@@ -9,8 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from motionlang.kernel.errors import CODES, Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import CODES, Diagnostic, Source
 from motionlang.kernel.tools import nearest
 
 # Every warning of a linter, with the languages it applies to; `docs/lint.md` has a paragraph for each.

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel import Trace
 from motionlang.kernel.planners.formula import summit
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from motionlang.cli.complaints import complain
 from motionlang.cli.option_groups import Program
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import Compared
-from motionlang.kernel.execution import run
+from motionlang.kernel import run
 
 
 def tolerance(text: str) -> tuple[str, float]:

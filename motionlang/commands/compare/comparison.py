@@ -15,11 +15,9 @@ from motionlang.commands.compare.alignment import Signal, find_delay, find_delay
 from motionlang.commands.compare.differences import scale_remarks, stroke_remarks
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.commands.compare.strokes import Matched, is_explained, match
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel import Diagnostic, ProgramError, Run, Source
 from motionlang.kernel.log.trace import MOTOR, UNITS
 from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 Array = NDArray[np.float64]
 

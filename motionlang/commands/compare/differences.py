@@ -8,7 +8,7 @@ from math import isclose
 from typing import Any
 
 from motionlang.commands.compare.strokes import SAME_SHARE, Matched, Pair, Stroke
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.views.formatting import significant
 
 Row = Mapping[str, Any]

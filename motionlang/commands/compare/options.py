@@ -15,8 +15,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, real
 from motionlang.commands.compare.view import comparison_document, render_comparison
 from motionlang.commands.scope import write_comparison
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.result import Run
+from motionlang.kernel import ProgramError, Run
 from motionlang.views.terminal import table_width, wants_colour
 
 if TYPE_CHECKING:  # which needs numpy

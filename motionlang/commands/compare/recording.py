@@ -14,8 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.tools import count_of, nearest
 
 Array = NDArray[np.float64]

@@ -14,11 +14,9 @@ from itertools import groupby
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
-from motionlang.kernel.execution import dialect_for, settings_next_to
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel import Dialect, Source, dialect_for, settings_next_to
 from motionlang.kernel.lang.program_graph import Structure
 from motionlang.kernel.lang.steps import Step, Values
-from motionlang.kernel.source import Source
 
 
 @dataclass

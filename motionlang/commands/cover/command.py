@@ -25,10 +25,8 @@ from motionlang.commands.init.summary import tried
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Event, Worlds
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
-from motionlang.kernel.execution import language_of
+from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import create, replacing
-from motionlang.kernel.source import STDIN, Source
 from motionlang.kernel.tools import count_of
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour

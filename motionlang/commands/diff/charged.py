@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from motionlang.commands.diff.align import aligned
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 _FIGURES = re.compile(r"\d[\d.]*")
 # Seconds that are rounding.

@@ -22,6 +22,7 @@ from motionlang.commands.compare.options import Compared
 from motionlang.commands.diff.charged import Charge, charged
 from motionlang.commands.diff.golden import golden_files
 from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
+from motionlang.commands.diff.motion import divergence
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
@@ -32,12 +33,9 @@ from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import dialect_of, run
-from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel import Diagnostic, ProgramError, Run, dialect_of, read_machine, run
 from motionlang.kernel.lang.machine.layers import layered
 from motionlang.kernel.report import build
-from motionlang.kernel.result import Run
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
 
@@ -174,8 +172,6 @@ examples:
         diverged, charges, changed = None, [], []
         kept: list[Kept] = []
         if old_run is not None and new_run is not None:
-            from motionlang.commands.diff.motion import divergence
-
             diverged = divergence(old_run, new_run, tolerance.size("position"))
             ran = old_run.program is not None and new_run.program is not None
             charges = charged(old_run, new_run) if ran and found.time is not None else []

@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.tolerance import EXACT
 from motionlang.commands.diff.view import diff_lines
+from motionlang.kernel import Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.report import text
-from motionlang.kernel.result import Run
 
 MAX_DIFFERENCES = 8
 

@@ -9,11 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel import Axis, Run, WholeTrack
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import PieceTable
-from motionlang.kernel.result import Run
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 
 from motionlang.commands.help.explanations import EXAMPLES, FIXES, MCCL, MINT, Example
-from motionlang.kernel.errors import CODES
+from motionlang.kernel import CODES
 
 WIDTH = 80
 

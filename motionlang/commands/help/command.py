@@ -21,9 +21,7 @@ from motionlang.commands.probe import view as assumptions
 from motionlang.commands.probe.assumption import SETTLED
 from motionlang.commands.probe.facts import of_word as of_word_facts
 from motionlang.commands.probe.questions import of_word
-from motionlang.kernel.errors import CODES, Diagnostic
-from motionlang.kernel.lang.dialect import dialect, dialects
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.tools import nearest
 from motionlang.views.table import Document

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 
 # The most results in each language.
 MAX_FOUND = 12

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from motionlang.commands.probe.facts import of_word
 from motionlang.commands.probe.keyword_facts import facts
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import cells, styled

@@ -36,13 +36,19 @@ from motionlang.commands.profile.periods import MAX_NAMES, cycle_of, cycles_of
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.commands.sweep.job import Job, Worker
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import Checked, checked_settings, dialect_for, run, settings_next_to
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.literals import Literal, constants, literals, number_text, replaced
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import (
+    Checked,
+    Dialect,
+    Keyword,
+    ProgramError,
+    Run,
+    Source,
+    checked_settings,
+    dialect_for,
+    run,
+    settings_next_to,
+)
+from motionlang.kernel.lang.literals import Literal, constants, literals_of, number_text, replaced
 
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
@@ -147,7 +153,7 @@ class Improver:
         self.until, self._progress, self._runs = until, progress, 0
         named = constants(source, language)
         own = {each.offset for each in named}
-        self.literals = [*named, *(each for each in literals(source, language) if each.offset not in own)]
+        self.literals = [*named, *(each for each in literals_of(source, language) if each.offset not in own)]
         named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
         self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
         self.skipped: list[str] = []

@@ -11,9 +11,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from motionlang.kernel import Run
 from motionlang.kernel.lang.program_graph import READ, WRITE, Structure, Unit
 from motionlang.kernel.log.records import GRAVE
-from motionlang.kernel.result import Run
 
 # Positions are equal within this, user units.
 SAME = 1e-6

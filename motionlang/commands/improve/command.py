@@ -16,9 +16,8 @@ from motionlang.commands.improve import Improver, NotPossible, World
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.profile.periods import FORM, HELP
 from motionlang.commands.scenarios import Scenario, scenario_files
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel import STDIN, Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
-from motionlang.kernel.source import STDIN
 from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour

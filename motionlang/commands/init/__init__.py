@@ -49,10 +49,9 @@ from math import inf
 
 from motionlang.commands.init.ending import asks, plain
 from motionlang.commands.worlds import Entry, World, Worlds, entries
+from motionlang.kernel import Run, Task
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_causes import InputRead, Read
-from motionlang.kernel.result import Run
 
 # Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
 DELAY = 0.3

@@ -20,12 +20,18 @@ from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import Run
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, Worlds
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of, language_of
+from motionlang.kernel import (
+    MACHINE_SUFFIX,
+    STDIN,
+    Diagnostic,
+    Source,
+    WrongEntry,
+    dialect_of,
+    entries,
+    language_of,
+)
 from motionlang.kernel.files import create
-from motionlang.kernel.lang.machine.entries import WrongEntry, entries
 from motionlang.kernel.lang.wait_causes import InputRead
-from motionlang.kernel.source import STDIN, Source
 from motionlang.kernel.tools import count_of, nearest
 
 # The time limit of the machine file, s: a production loop has no end of its own.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 # A run that repeats ends after so many cycles.
 MAX_CYCLES = 10

@@ -16,11 +16,10 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, entries
-from motionlang.kernel.lang.dialect import Dialect, Target
+from motionlang.kernel import Dialect, Run, Source
+from motionlang.kernel.lang.dialect import Target
 from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.report import moves
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 # Lines of the program that a comment quotes, and characters of one.
 MAX_LINES = 3

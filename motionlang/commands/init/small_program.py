@@ -7,8 +7,7 @@ import sys
 
 from motionlang.cli.command import Refused, WrongOption
 from motionlang.cli.complaints import unwritten
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of
+from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, dialect_of
 from motionlang.kernel.files import create
 
 MINT = """\

@@ -15,8 +15,7 @@ from motionlang.cli.readers import machine_time
 from motionlang.commands.map.program_map import UNTIL, ProgramMap, map_of_run, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, written
 from motionlang.commands.map.view.text import render, render_states
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import Checked
+from motionlang.kernel import Checked, Diagnostic, ProgramError
 from motionlang.kernel.tools import nearest
 from motionlang.views.terminal import table_width, wants_colour
 

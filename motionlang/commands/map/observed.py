@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from motionlang.commands.map.states import Branches, Diagrams, State, Transition
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine, Steps
 from motionlang.kernel.lang.step_task import StepTask
-from motionlang.kernel.lang.steps import GO, Steps, Values
+from motionlang.kernel.lang.steps import GO, Values
 
 # As many events are remembered for iterations that are skipped.
 MAX_EVENTS = 200_000

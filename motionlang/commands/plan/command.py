@@ -19,7 +19,7 @@ from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.reach import needed_distance, remedies
 from motionlang.commands.plan.scale import Scale
 from motionlang.commands.plan.solve import NAMES, RULES, Underdetermined
-from motionlang.kernel.lang.dialect import dialects
+from motionlang.kernel import dialects
 from motionlang.lab.notes.an00115 import formulas
 from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Document, Table

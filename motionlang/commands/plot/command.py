@@ -11,8 +11,8 @@ from motionlang.cli.command import WrongOption, argument, option
 from motionlang.cli.readers import axes, machine_time, path
 from motionlang.cli.run_to_file import Drawn
 from motionlang.commands.scope import write_scope
-from motionlang.kernel.result import Run as Result
-from motionlang.kernel.source import STDIN
+from motionlang.kernel import STDIN
+from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 from motionlang.views.figure_files import write_figure
 from motionlang.views.window import Window

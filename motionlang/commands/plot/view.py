@@ -12,10 +12,10 @@ from types import MappingProxyType
 from typing import Any
 
 from motionlang.commands.plot.path import path_figure
+from motionlang.kernel import Run
 from motionlang.kernel.log.records import GRAVE
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.result import Run
 from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.views.figure import Band, Curve, Event, Figure, Label, Lane, Panel
 from motionlang.views.formatting import dialect_name, outcome

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from motionlang.commands.probe.assumption import REFUSED, Assumption, Probe
 from motionlang.commands.probe.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.commands.probe.questions import questions
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.lang.machine.switch import switch
 from motionlang.kernel.tools import count_of

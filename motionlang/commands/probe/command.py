@@ -24,8 +24,7 @@ from motionlang.commands.probe.answers import (
 from motionlang.commands.probe.assumption import Assumption, Probe
 from motionlang.commands.probe.probe import Motion, alone, asked, written
 from motionlang.commands.probe.questions import of_word, questions
-from motionlang.kernel.lang.dialect import dialect, dialects
-from motionlang.kernel.source import STDIN, STDIN_NAME, name_of
+from motionlang.kernel import STDIN, STDIN_NAME, dialect, dialects, name_of
 from motionlang.kernel.tools import count_of, nearest
 
 # The suffix of assumptions about power-up, and how many of them are named.

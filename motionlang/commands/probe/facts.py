@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
+from motionlang.kernel import Keyword, dialects
 from motionlang.kernel.files import package_text
-from motionlang.kernel.lang.dialect import dialects
-from motionlang.kernel.lang.keyword import Keyword
 
 # How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule
 # is printed; a choice has no evidence. For a meaning that is "name only" the source has the name, the

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.commands.probe.facts import Evidence, of_word
-from motionlang.kernel.lang.dialect import dialect as language
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
+from motionlang.kernel import dialect as language
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
 # The certainty of a fact, by its strength.

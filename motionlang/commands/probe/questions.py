@@ -8,8 +8,7 @@ from functools import cache
 from motionlang.commands.probe.assumption import Assumption
 from motionlang.commands.probe.entries import assumptions, entries_naming
 from motionlang.commands.probe.rules import unsettled_facts
-from motionlang.kernel.lang.dialect import dialect, dialects
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, dialect, dialects
 
 
 @cache

@@ -14,8 +14,8 @@ from functools import cache
 
 from motionlang.commands.probe.assumption import ERROR, REFUSED, SETTLED, Assumption, Probe
 from motionlang.commands.probe.facts import of_word
+from motionlang.kernel import Keyword
 from motionlang.kernel.files import package_text
-from motionlang.kernel.lang.keyword import Keyword
 
 # Units of integer values, and of those that have a scale.
 SCALED = ("uu", "uu/s", "uu/s2", "uu/s3")

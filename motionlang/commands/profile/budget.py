@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from motionlang.commands.profile.critical_path import Link
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.result import Run
+from motionlang.kernel import Diagnostic, Run
 
 
 def category_of(link: Link) -> str:

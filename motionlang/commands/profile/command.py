@@ -14,7 +14,7 @@ from motionlang.commands.profile.paths_view import paths_table
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
 from motionlang.commands.profile.view import profile_document, render_profile
-from motionlang.kernel.result import Run as Result
+from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 from motionlang.views.table import Document
 

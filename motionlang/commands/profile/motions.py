@@ -10,9 +10,9 @@ from collections import defaultdict
 from operator import itemgetter
 from typing import NamedTuple
 
+from motionlang.kernel import Run
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.ramps import Recipe, named_ramps
-from motionlang.kernel.result import Run
 
 # The name of a link in each phase of a move, and the duration of the phase, s.
 Phases = tuple[tuple[str, float], ...]

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from statistics import median
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 FORM = re.compile(r"cycle\((?:(\d{1,9})|output +(\d{1,4})|print +([^()]+))\)(?:\.(median|least|most|count))?")
 # What a line can do twice, by the stream of the log, the most telling first.

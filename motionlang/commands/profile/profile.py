@@ -12,8 +12,8 @@ from typing import Any
 from motionlang.commands.profile.critical_path import About, CriticalPath, Link, grouped
 from motionlang.commands.profile.slacks import Slack, slacks
 from motionlang.commands.profile.tasks import TaskTime, parent_of, reported, task_times
+from motionlang.kernel import Run
 from motionlang.kernel.log.records import Waited
-from motionlang.kernel.result import Run
 from motionlang.kernel.tools import exact_terms
 
 # The root of all calls, which contains the lines outside subs.

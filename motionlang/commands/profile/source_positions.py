@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 
 @dataclass(eq=False, slots=True)

@@ -14,9 +14,9 @@ from itertools import groupby
 from math import fsum
 from operator import itemgetter
 
+from motionlang.kernel import Run
 from motionlang.kernel.lang.wait_causes import MOVING
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.result import Run
 
 # A `Waited` as written.
 Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]

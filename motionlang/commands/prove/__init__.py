@@ -3,9 +3,9 @@
 from motionlang.commands.prove.checker import Proof as Proof
 from motionlang.commands.prove.checks import prove
 from motionlang.commands.prove.outputs import ROWS
+from motionlang.kernel import Run
 from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.report import moves
-from motionlang.kernel.result import Run
 
 
 def proof(run: Run, views: bool = True) -> Proof:

@@ -7,8 +7,8 @@ from math import inf, isfinite
 from motionlang.commands.prove.checker import SLACK, Proof, Uses
 from motionlang.commands.prove.segments import Span, derivatives, spans
 from motionlang.commands.prove.stretches import stretches, unavoidable_speed
+from motionlang.kernel import WholeTrack
 from motionlang.kernel.log.order import Order
-from motionlang.kernel.log.track import WholeTrack
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})

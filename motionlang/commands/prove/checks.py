@@ -52,12 +52,12 @@ from motionlang.commands.prove.outputs import check_report, check_trace
 from motionlang.commands.prove.paths import check_blended, check_path, check_path_end, in_force
 from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
+from motionlang.kernel import Diagnostic, WholeTrack
 from motionlang.kernel.controller.move import Move
-from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.expected_motion import MAX_PROFILES, ExpectedMotion
 from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import Recorded, WholeTrack
+from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.planners import Profile, State
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.

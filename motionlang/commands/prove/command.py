@@ -8,8 +8,8 @@ from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
 from motionlang.commands.prove import Proof, proof
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.result import Run as Result
+from motionlang.kernel import Diagnostic
+from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 
 # Profiles of an interrupted run up to which it is still proved: a report comes within a second of the signal.

@@ -10,10 +10,8 @@ from motionlang.cli.command import flag, option
 from motionlang.cli.readers import real
 from motionlang.cli.run_command import Pace, Simulated, pacer
 from motionlang.commands.quantities import quantity_names
-from motionlang.kernel.execution import Checked
-from motionlang.kernel.lang.scheduler import Outside
-from motionlang.kernel.result import Run as Result
-from motionlang.kernel.source import STDIN, Source
+from motionlang.kernel import STDIN, Checked, Outside, Source
+from motionlang.kernel import Run as Result
 
 
 @dataclass

@@ -23,16 +23,15 @@ from typing import TYPE_CHECKING, Any
 from motionlang.commands.profile.critical_path import Link
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Run, WholeTrack
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log.records import GRAVE
-from motionlang.kernel.log.track import WholeTrack, axes_of
+from motionlang.kernel.log.track import axes_of
 from motionlang.kernel.planners.curve import pieces_of
 from motionlang.kernel.planners.ramps import Piece
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.result import Run
 from motionlang.kernel.version import __version__
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import dialect_name, figure, outcome

@@ -16,13 +16,9 @@ from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.job import Job, Problem, Result
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import dialect_for, settings_next_to
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
 from motionlang.kernel.lang.literals import edited
-from motionlang.kernel.lang.machine.file import check_setting
 from motionlang.kernel.rows import Table, transposed
-from motionlang.kernel.source import Source
 
 KEEP = ("time",)
 

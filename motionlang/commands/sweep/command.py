@@ -23,9 +23,7 @@ from motionlang.commands.sweep.journal import Journal, OtherSweep, read
 from motionlang.commands.sweep.report import SweepReport
 from motionlang.commands.sweep.table import write_rows
 from motionlang.commands.sweep.variants import Variants
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
-from motionlang.kernel.execution import Checked
-from motionlang.kernel.source import STDIN
+from motionlang.kernel import STDIN, Checked, Diagnostic, ProgramError, Terminated
 from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 

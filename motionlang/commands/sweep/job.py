@@ -14,14 +14,9 @@ from motionlang.commands.certify import certificate, missing_limits, violations
 from motionlang.commands.prove import proof
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.literals import Literal, bound, edited, has_address, literals
+from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
+from motionlang.kernel.lang.literals import Literal, bound, edited, has_address, literals_of
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.program import Program
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.
@@ -131,7 +126,7 @@ class Worker:
         difference, so that the program is compiled only once.
         """
         if self._literals is None:
-            self._literals = literals(self.source, self._dialect)
+            self._literals = literals_of(self.source, self._dialect)
             self._bound = bound(self.source, self._dialect, given, self._literals)
         if self._bound is not None and not any(isinstance(given[name], str) for name in self._bound[1]):
             source, names = self._bound

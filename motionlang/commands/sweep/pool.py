@@ -16,7 +16,7 @@ from time import perf_counter
 
 from motionlang.commands.processes.workers import Workers
 from motionlang.commands.sweep.job import Job, Result, Variant, problem_of, work, worker_of
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 # Seconds that a chunk should take; that this process works alone before it starts others; that all the rest
 # may take without them.

@@ -16,8 +16,7 @@ from motionlang.commands.sweep.expression import Expression, pareto
 from motionlang.commands.sweep.job import Problem, Result, Worker
 from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.commands.sweep.table import Row, cell, sweep_table
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import end_of
+from motionlang.kernel import Diagnostic, end_of
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure
 from motionlang.views.table import Document, Table

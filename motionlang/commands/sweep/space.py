@@ -11,9 +11,9 @@ from math import inf
 from random import Random
 from typing import Any
 
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError
+from motionlang.kernel import read_value as machine_value
 from motionlang.kernel.lang.literals import canonical
-from motionlang.kernel.lang.machine.file import read_value as machine_value
 
 Value = float | str | bool | list[object]
 

@@ -18,9 +18,8 @@ from motionlang.commands.sweep.expression import Expression
 from motionlang.commands.sweep.job import MACHINE, SCENARIO
 from motionlang.commands.sweep.space import Dimension, Drawn, Grid, Space, dimension
 from motionlang.commands.sweep.worlds import SUFFIX, machine_files, settings_of
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.lang.machine.file import read_toml
-from motionlang.kernel.source import Source
 
 # Keys of which one on the command line replaces all of the file.
 TOGETHER = (("vary", "machines", "scenarios"), ("random", "latin"), ("minimise", "maximise", "pareto"))

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import os
 
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, read_machine
 
 # The end of the name of a sweep's file, which is next to its program.
 SUFFIX = ".sweep.toml"

@@ -9,7 +9,7 @@ from typing import ClassVar
 from motionlang.cli.command import argument, option
 from motionlang.cli.readers import columns, real
 from motionlang.cli.run_to_file import Drawn
-from motionlang.kernel.result import Run as Result
+from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 

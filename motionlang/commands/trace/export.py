@@ -16,8 +16,8 @@ import numpy as np
 
 from motionlang.commands.trace.mcap import write_mcap
 from motionlang.commands.trace.vcd import write_vcd
+from motionlang.kernel import Trace
 from motionlang.kernel.files import replacing
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.tools import need
 
 Report = Callable[[float], object]

@@ -24,10 +24,7 @@ from motionlang.commands.verify.further import expectations, further_checks
 from motionlang.commands.verify.log import verify_log
 from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import dialect_of, machine_of, run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Run, Source, dialect_of, machine_of, run
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
 

@@ -15,10 +15,8 @@ from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Run, Source
 from motionlang.kernel.files import replacing
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 
 def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:

@@ -13,8 +13,8 @@ from motionlang.commands.diff.accept import Change, changes, merged
 from motionlang.commands.diff.golden import golden_files, write
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.view import change_lines
+from motionlang.kernel import Run
 from motionlang.kernel.report import rendered, text
-from motionlang.kernel.result import Run
 from motionlang.views.terminal import draws, plain
 
 HELP = """\

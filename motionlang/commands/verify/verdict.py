@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from motionlang.commands.diff.golden import MAX_DIFFERENCES
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Source
 
 
 class Verdict:

@@ -22,10 +22,9 @@ from motionlang.hosts.client.answer import (
 from motionlang.hosts.client.connection import TIMEOUT, Connection
 from motionlang.hosts.client.status import Status
 from motionlang.hosts.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
+from motionlang.kernel import Machine, Source
 from motionlang.kernel.lang.machine.file import first_mistake
-from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mccl.syntax.comments import without_comment
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Wire

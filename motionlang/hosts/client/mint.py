@@ -22,8 +22,7 @@ from typing import TYPE_CHECKING, Self
 from motionlang.hosts.client.connection import TIMEOUT, Connection
 from motionlang.hosts.errors import FrameRejected, LineRejected, NoReply
 from motionlang.hosts.mint import hcp
-from motionlang.kernel.execution import checked_settings
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, checked_settings
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Wire

@@ -12,7 +12,7 @@ from motionlang.cli.complaints import unwritten
 from motionlang.cli.readers import whole
 from motionlang.hosts.commands.options import Served, say, until_signal, warn
 from motionlang.hosts.commands.output_queue import OutputQueue, dropped
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import need
 from motionlang.lab.copley.switches import Switches

@@ -24,7 +24,7 @@ from motionlang.hosts.mcapi.call import Call
 from motionlang.hosts.mcapi.log import Recorder
 from motionlang.hosts.serve import Server
 from motionlang.hosts.serve.spy import Spy
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 # Exit statuses of a shell.
 NOT_EXECUTABLE, NOT_FOUND, KILLED = 126, 127, 128

@@ -19,12 +19,10 @@ from motionlang.hosts.serve import Limits
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import STEP, LockStep, Outside, RealTime
+from motionlang.kernel import Run, Source, end_of, run
 from motionlang.kernel.controller.io.host_memory import PRODUCTS, product
-from motionlang.kernel.execution import end_of, run
 from motionlang.kernel.mint.keywords.identity import VIRTUAL
 from motionlang.kernel.mint.models import named
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
 from motionlang.views.terminal import shower

@@ -15,7 +15,7 @@ from motionlang.cli.readers import real, whole
 from motionlang.hosts.address import is_loopback, parse, shown
 from motionlang.hosts.serve import Server
 from motionlang.hosts.serve.server import MakeHost
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 if TYPE_CHECKING:  # which needs python-can
     from motionlang.hosts.can import DriveServer

@@ -13,7 +13,7 @@ from motionlang.hosts.commands.board import ServedBoard
 from motionlang.hosts.commands.can import ServedDrives
 from motionlang.hosts.commands.line import ServedLine
 from motionlang.hosts.commands.output_queue import never_waiting
-from motionlang.kernel.source import STDIN
+from motionlang.kernel import STDIN
 
 
 @dataclass

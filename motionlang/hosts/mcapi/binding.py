@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.client import STEP, Calls, PortCalls, VirtualBoard
 from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 Self = TypeVar("Self", bound="Mcapi")
 

@@ -16,10 +16,7 @@ from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve.pace import LockStep
-from motionlang.kernel.execution import checked_settings
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Machine, Source, checked_settings, read_machine
 
 Answer = tuple[int, tuple[Value | None, ...]]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import accumulate
 
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table

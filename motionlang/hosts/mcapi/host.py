@@ -11,7 +11,7 @@ from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.pace import Pace
 from motionlang.hosts.serve.spy import Spy
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import Wait
 
 LF = 10
 # The line that names the host process of a connection.

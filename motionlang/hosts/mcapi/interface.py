@@ -18,10 +18,7 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import code_of
 from motionlang.hosts.mccl.port import Port
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import INFINITY, Rejected, Task, Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.mccl.runtime.board import Board

@@ -17,16 +17,10 @@ from traceback import walk_tb
 from motionlang.hosts.console import HostConsole
 from motionlang.hosts.mccl.download import Complain, Download, Write
 from motionlang.hosts.mccl.port import BoardPort, HostWait, Port
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler, Stuck
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import INFINITY, Machine, Rejected, Scheduler, Source, Stuck, Task, Wait
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.task import CommandTask
-from motionlang.kernel.source import Source
 
 
 class Console(HostConsole[BoardPort]):

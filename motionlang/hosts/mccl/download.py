@@ -8,13 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import Diagnostic, Source, Wait
 from motionlang.kernel.mccl.resolve.line import locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.program import FileTask, MacroFile
 from motionlang.kernel.mccl.runtime.task import CommandTask
-from motionlang.kernel.source import Source
 
 Write: TypeAlias = Callable[[str], None]
 Complain: TypeAlias = Callable[[Diagnostic], None]

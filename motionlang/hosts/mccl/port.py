@@ -12,8 +12,7 @@ from typing import Protocol
 
 from motionlang.hosts.console import HostPort
 from motionlang.hosts.typed_line import BLANK, CR, LF, TypedLine
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import INFINITY, Wait
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.line import Line, line_of, too_long

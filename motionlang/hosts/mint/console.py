@@ -24,18 +24,22 @@ from motionlang.hosts.console import HostConsole
 from motionlang.hosts.mint.editor import PROGRAM, Texts
 from motionlang.hosts.mint.hcp import Elements
 from motionlang.hosts.mint.port import MAX_PRINTED, MintPort
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import (
+    INFINITY,
+    Diagnostic,
+    Machine,
+    ProgramError,
+    Scheduler,
+    Source,
+    Stuck,
+    Task,
+    Wait,
+)
 from motionlang.kernel.lang.run_errors import explain
-from motionlang.kernel.lang.scheduler import Scheduler, Stuck
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.interactive import MintInteractive
 from motionlang.kernel.mint.runtime.errors import NUMBERS
 from motionlang.kernel.mint.runtime.printing import shows_float
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
 
 INTERNAL = "internal error, see the output of the server"

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mint.editor import Editor
 from motionlang.hosts.mint.hcp import ENQ, EOT, Receiver
 from motionlang.hosts.typed_line import BLANK, CR, LF, TypedLine
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import Wait
 
 if TYPE_CHECKING:
     from motionlang.hosts.mint.console import MintConsole

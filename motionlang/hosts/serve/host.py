@@ -5,8 +5,7 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import INFINITY, Wait
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Channel

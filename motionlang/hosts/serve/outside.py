@@ -13,8 +13,8 @@ from threading import Condition
 from time import monotonic
 
 from motionlang.hosts.serve.wall import WallClock
-from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import INFINITY, Machine
+from motionlang.kernel.controller.clock import Clock
 
 # Default machine seconds that lock step advances for each request.
 STEP = 10e-3

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.hosts.serve.wall import WallClock
-from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel import INFINITY
 
 if TYPE_CHECKING:
     from motionlang.hosts.console import HostConsole

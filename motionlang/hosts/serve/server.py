@@ -25,7 +25,7 @@ from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
 from motionlang.hosts.serve.pace import RealTime
 from motionlang.hosts.serve.refusals import Refusals
-from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel import INFINITY
 
 if TYPE_CHECKING:
     from motionlang.hosts.console import HostConsole

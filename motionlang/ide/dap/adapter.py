@@ -32,8 +32,7 @@ from motionlang.ide.dap.tables import (
 from motionlang.ide.debug.debugger import Debugger, NotStopped, Stop
 from motionlang.ide.debug.destinations import destination
 from motionlang.ide.debug.expressions import WrongExpression
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.entries import WrongEntry, entries
+from motionlang.kernel import ProgramError, WrongEntry, entries
 
 Body = dict[str, object]
 

@@ -9,7 +9,7 @@ from typing import ClassVar
 from motionlang.cli.command import Command, Refused, option
 from motionlang.hosts.address import listen, parse, shown
 from motionlang.ide.dap.server import serve_connection, serve_stdio
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 
 @dataclass

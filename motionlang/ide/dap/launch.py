@@ -7,13 +7,19 @@ from collections.abc import Iterator
 
 from motionlang.ide.dap.arguments import Arguments, Refused
 from motionlang.ide.debug.debugger import Debugger
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import dialect_for, dialect_of, machine_of
+from motionlang.kernel import (
+    Dialect,
+    ProgramError,
+    Source,
+    WrongEntry,
+    dialect_for,
+    dialect_of,
+    dialects,
+    machine_of,
+    read_machine,
+    with_entries,
+)
 from motionlang.kernel.files import reason
-from motionlang.kernel.lang.dialect import Dialect, dialects
-from motionlang.kernel.lang.machine.entries import WrongEntry, with_entries
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 
 

@@ -16,8 +16,8 @@ from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.expressions import WrongExpression, assignment, parse
 from motionlang.ide.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
 from motionlang.ide.debug.values import shown
-from motionlang.kernel.lang.debugging import Frame, Variable
-from motionlang.kernel.lang.machine.entries import entries
+from motionlang.kernel import Variable, entries
+from motionlang.kernel.lang.debugging import Frame
 from motionlang.kernel.tools import count_of
 
 Body = dict[str, object]

@@ -39,12 +39,7 @@ from motionlang.ide.debug.moments import Moment, Search
 from motionlang.ide.debug.patience import Patience
 from motionlang.ide.debug.replay import EVERY, Output, Point, Replay, Setup
 from motionlang.ide.debug.state import State
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.debugging import Variable
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import DEFAULT_AXES, INFINITY, Dialect, Run, Source, Variable
 
 Given = ParamSpec("Given")
 

@@ -17,10 +17,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import INFINITY, Machine, WholeTrack
 from motionlang.kernel.log.records import Changed, Switched
-from motionlang.kernel.log.track import WholeTrack
 
 # Yields the moments after one time up to another.
 Search = Callable[[Machine, float, float], Iterable["Moment"]]

@@ -7,7 +7,7 @@ the same command gives up at the same time in every run.
 from __future__ import annotations
 
 from motionlang.ide.debug.replay import PAUSE, Replay
-from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel import INFINITY
 
 # The advances of the clock that a command always waits; it waits longer if the run up to there took more.
 ADVANCES = 16384

@@ -34,16 +34,19 @@ from motionlang.ide.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
 from motionlang.ide.debug.scopes import find
 from motionlang.ide.debug.snapshot import Snapshot
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.execution import run, run_on
-from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.program import Program
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import (
+    INFINITY,
+    Dialect,
+    Hook,
+    Machine,
+    Program,
+    Rejected,
+    Run,
+    Source,
+    Task,
+    run,
+    run_on,
+)
 
 # The limit at which every statement is considered: they are numbered from 1.
 EVERY = 0

@@ -12,16 +12,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.ide.debug.expressions import WrongExpression
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import names
+from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable, WholeTrack
+from motionlang.kernel.controller.faults import fault_names
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.move import Move
-from motionlang.kernel.lang.debugging import Frame, Hook, Variable
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.lang.debugging import Frame
 
 if TYPE_CHECKING:
     from motionlang.ide.debug.replay import Point
@@ -129,7 +124,7 @@ def _axis(controller: Controller, axis: Axis, time: float) -> list[Variable]:
         Variable("velocity", "uu/s", scale.to_user(axis.velocity(time), "uu/s")),
         Variable("target", "uu", None if abs(target) == INFINITY else scale.position_to_user(target)),
         Variable("state", "", _state(controller, axis)),
-        Variable("faults", "", names(axis.faults) or "none"),
+        Variable("faults", "", fault_names(axis.faults) or "none"),
         Variable("buffer", "", [_move(number, each) for number, each in enumerate(axis.buffer)]),
     ]
     motor = None if axis.feedback is None else axis.feedback.known_position(time)

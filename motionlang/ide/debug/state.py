@@ -9,9 +9,8 @@ from motionlang.ide.debug import scopes
 from motionlang.ide.debug.expressions import READINGS, WrongExpression, parse
 from motionlang.ide.debug.replay import Point, Replay
 from motionlang.ide.debug.scopes import Waiting
-from motionlang.kernel.lang.debugging import Frame, Variable
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.task import Task
+from motionlang.kernel import Machine, Task, Variable
+from motionlang.kernel.lang.debugging import Frame
 
 if TYPE_CHECKING:
     from motionlang.ide.debug.debugger import Debugger

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 from motionlang.kernel.lang.names import Definition, Names
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")

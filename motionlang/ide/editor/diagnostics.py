@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from motionlang.commands.check import check
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel import (
+    DEFAULT_AXES,
+    Diagnostic,
+    Dialect,
+    ProgramError,
+    Source,
+    missing_axes,
+    read_machine,
+)
 from motionlang.kernel.lang.foreign import IN_EDITOR, one_sentence
-from motionlang.kernel.lang.machine.axes import missing_axes
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
-from motionlang.kernel.source import Source
 
 # The character in place of one that could not be decoded.
 _UNKNOWN = "\ufffd"

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from motionlang.commands.check.silence import WARNINGS
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang.names import Span
 
 # A comment that silences warnings, with the codes that it has.

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, ProgramError
 from motionlang.kernel.lang.names import Definition, Span
 
 # The most lines of a comment above a declaration that belong to it.

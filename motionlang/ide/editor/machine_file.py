@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 from motionlang.ide.editor.completion import Item
 from motionlang.ide.editor.hover import Hover
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import Source, dialect, dialects
 from motionlang.kernel.lang.machine.file import generic
 from motionlang.kernel.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
 from motionlang.kernel.servo.settings import KEYS as SERVO_KEYS
-from motionlang.kernel.source import Source
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")
 _KEY = re.compile(r"""\s*([\w.\-"' ]*?)\s*=""")

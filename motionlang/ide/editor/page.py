@@ -5,10 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Dialect, Keyword, Source
 from motionlang.kernel.lang.names import Names, Span
-from motionlang.kernel.source import Source
 
 # Kinds of token that are no code.
 PROSE = frozenset(("comment", "string", "text"))

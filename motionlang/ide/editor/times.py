@@ -10,8 +10,7 @@ from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.commands.profile.tasks import all_waits
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.execution import Checked, end_of, run
-from motionlang.kernel.result import Run
+from motionlang.kernel import Checked, Run, end_of, run
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
 MAX_TIME = 600.0

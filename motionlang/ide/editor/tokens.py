@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.views.highlight import pieces
 
 # The kinds of tokens, in the order of their numbers, by the kinds of `views/highlight.py` and `kernel/lang/names.py`.

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.hosts.address import listen, parse, shown
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import reason
 from motionlang.kernel.tools import need
 

@@ -9,7 +9,7 @@ from lsprotocol import types
 from motionlang.ide.editor.fixes import Edit
 from motionlang.ide.editor.navigation import Symbol
 from motionlang.ide.lsp.documents import Document
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 _SEVERITIES = {
     "error": types.DiagnosticSeverity.Error,

@@ -13,8 +13,8 @@ from itertools import accumulate
 
 from lsprotocol import types
 
+from motionlang.kernel import Source
 from motionlang.kernel.lang.names import Span
-from motionlang.kernel.source import Source
 
 _MARK = "\ufeff"
 

@@ -22,7 +22,7 @@ from motionlang.ide.lsp.convert import ITEMS, diagnostic, edits, markdown, symbo
 from motionlang.ide.lsp.documents import units
 from motionlang.ide.lsp.protocol import REQUEST_FAILED
 from motionlang.ide.lsp.session import MAX_TEXT, Known
-from motionlang.kernel.execution import MACHINE_SUFFIX
+from motionlang.kernel import MACHINE_SUFFIX
 
 if TYPE_CHECKING:
     from motionlang.ide.lsp.server import Server

@@ -10,10 +10,8 @@ from dataclasses import dataclass
 from motionlang.ide.editor.diagnostics import decoded, findings, settings_of
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import Times, times
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import Diagnostic, Source, dialect
 from motionlang.kernel.lang.names import Names
-from motionlang.kernel.source import Source
 
 CHECK, NAMES, TIMES = "check", "names", "times"
 Result = list[Diagnostic] | Names | Times

@@ -19,7 +19,7 @@ from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.features import register
 from motionlang.ide.lsp.protocol import Protocol
 from motionlang.ide.lsp.session import Session, Worker
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.version import __version__
 
 # The largest message accepted, in bytes; four times the largest program.
@@ -151,7 +151,7 @@ class _Limited:
 
 def prepare() -> None:
     """Load the keywords."""
-    from motionlang.kernel.lang.dialect import dialect, dialects
+    from motionlang.kernel import dialect, dialects
 
     for name in dialects():
         len(dialect(name).table().rows)

@@ -23,11 +23,8 @@ from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import NO_TIMES, Times
 from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import MACHINE_SUFFIX, dialect_of
-from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
+from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, Dialect, Source, dialect, dialect_of, dialects
 from motionlang.kernel.lang.names import NO_NAMES, Changes, Names
-from motionlang.kernel.source import Source
 
 
 class Worker(Protocol):

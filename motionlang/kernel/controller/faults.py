@@ -26,7 +26,7 @@ NAMES = (
 )
 
 
-def names(bits: int) -> str:
+def fault_names(bits: int) -> str:
     """Return the faults of a bit pattern as text."""
     return ", ".join(name for k, name in enumerate(NAMES) if bits >> k & 1)
 

@@ -77,7 +77,7 @@ def canonical(name: str) -> str | None:
     return base + (f"@{int(at)}" if at else "") + (f":{int(number)}" if number else "")
 
 
-def literals(source: Source, language: Dialect) -> list[Literal]:
+def literals_of(source: Source, language: Dialect) -> list[Literal]:
     """Return the literals of a program that have an address, in the order of the text."""
     starts = [0, *(found.end() for found in re.finditer("\n", source.text))]
     found: list[tuple[str, int, Token, bool, bool]] = []
@@ -133,7 +133,7 @@ def edited(
     addressed, named = _sorted(source, language, values)
     if not addressed:
         return source, named, []
-    found = literals(source, language) if found is None else found
+    found = literals_of(source, language) if found is None else found
     edits: dict[int, tuple[int, str]] = {}
     notes: list[str] = []
     wrong: list[Diagnostic] = []

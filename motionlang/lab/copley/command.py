@@ -11,7 +11,7 @@ from motionlang.cli.command import Command, Refused, option
 from motionlang.cli.option_groups import Output
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import whole
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import replacing
 from motionlang.kernel.planners.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.kernel.tools import count_of, total

@@ -13,7 +13,7 @@ from typing import Any
 from canopen import LocalNode, SdoAbortedError
 from canopen.objectdictionary import ObjectDictionary, ODRecord, ODVariable, datatypes
 
-from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel import INFINITY
 from motionlang.kernel.version import __version__
 from motionlang.lab.copley.drive import Drive
 from motionlang.lab.copley.objects import BY_ADDRESS, OBJECTS, Abort, Object, ObjectServer

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.command import Refused, flag, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.option_groups import Output
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.tools import need
 from motionlang.lab.copley.buffer import SIZE
 from motionlang.lab.copley.drive import Drive

@@ -11,8 +11,7 @@ import csv
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.tools import nearest
 from motionlang.lab.pvt.points import Point
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, ClassVar
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.option_groups import Output, Picture, Program
 from motionlang.cli.readers import machine_time
-from motionlang.kernel.execution import Checked
-from motionlang.kernel.execution import run as run_program
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel import Checked, WholeTrack
+from motionlang.kernel import run as run_program
 from motionlang.kernel.servo import simulate as simulate_loop
 from motionlang.kernel.servo.gains import mccl_values, mint_values
 from motionlang.kernel.servo.plant import Drive, Motor

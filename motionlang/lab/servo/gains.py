@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.servo.gains import Gains
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.keyword import Keyword
+    from motionlang.kernel import Keyword
 
 # Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are
 # three.

@@ -12,7 +12,7 @@ from typing import ClassVar
 from motionlang.cli.command import Command, option
 from motionlang.cli.option_groups import settings_of
 from motionlang.cli.readers import integer, real
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.kernel.servo.gains import MODELS, mccl_loop, mint_loop
 from motionlang.kernel.servo.loop import Loop
 from motionlang.kernel.servo.plant import Drive, Motor

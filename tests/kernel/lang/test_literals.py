@@ -12,7 +12,7 @@ from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.job import Worker
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.literals import bound, canonical, edited, has_address, literals
+from motionlang.kernel.lang.literals import bound, canonical, edited, has_address, literals_of
 from motionlang.kernel.report import text
 from motionlang.kernel.source import Source
 from tests.cases import cases
@@ -34,7 +34,7 @@ FEED = '1SV100,1SA1000\nMD3,1MR-5,1WS0.1,1MR5,MC4\nFT"part %d",1MA@3,WA.5 ; WA9\
 
 def addresses(program: str, language: str = "mint") -> dict[str, str]:
     """Return the literals of a program by address."""
-    return {each.address: each.text for each in literals(Source("a", program), dialect(language))}
+    return {each.address: each.text for each in literals_of(Source("a", program), dialect(language))}
 
 
 def test_the_literals_of_mint() -> None:
@@ -389,7 +389,7 @@ def test_a_sweep_compiles_once(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_constants_replace_literals(text: str, values: dict[str, float | str], written: str | None) -> None:
     source, language = Source("a", text), dialect("mint")
-    found = bound(source, language, values, literals(source, language))
+    found = bound(source, language, values, literals_of(source, language))
     assert (found and found[0].text) == written
     if found is not None:
         assert found[1] == {name: f"literal_{number}" for number, name in enumerate(values, 1)}
@@ -397,7 +397,7 @@ def test_constants_replace_literals(text: str, values: dict[str, float | str], w
 
 def test_mccl_has_no_constants() -> None:
     source, language = Source("a", FEED), dialect("mccl")
-    assert bound(source, language, {"1SV@1": 5.0}, literals(source, language)) is None
+    assert bound(source, language, {"1SV@1": 5.0}, literals_of(source, language)) is None
 
 
 def test_names_that_may_be_addresses() -> None:

@@ -8,7 +8,7 @@ from motionlang.commands.check.mccl.channels import check_channels
 from motionlang.commands.check.mccl.checks import CALLS, lint
 from motionlang.commands.check.mccl.numbers import check_numbers
 from motionlang.commands.check.silence import silence
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.resolve.decode import problem
@@ -16,7 +16,6 @@ from motionlang.kernel.mccl.resolve.errors import DEFINES, defines, diagnostic, 
 from motionlang.kernel.mccl.resolve.flow import flow_of
 from motionlang.kernel.mccl.resolve.line import Line, lines_of
 from motionlang.kernel.mccl.syntax.comments import COMMENT
-from motionlang.kernel.source import Source
 
 
 def check(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:

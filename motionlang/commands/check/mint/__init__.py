@@ -17,12 +17,11 @@ from motionlang.commands.check.mint.functions import check_functions
 from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.mint.check.text import diagnostics
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.source import Source
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)

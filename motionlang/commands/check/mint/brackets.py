@@ -9,11 +9,11 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint.resolve.symbols import STRING, Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.effects import Facts

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TypeVar
 
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.resolve.flowgraph import Graph, Step
 from motionlang.kernel.mint.resolve.folding import Known, fold

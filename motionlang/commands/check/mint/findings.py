@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.tokens import value_length
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import BY_WORD, Axis
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import Rejected, names
+from motionlang.kernel.controller.faults import Rejected, fault_names
 from motionlang.kernel.planners.direction import sets_off
 
 if TYPE_CHECKING:
@@ -170,7 +170,7 @@ def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
 def refuse_motion(controller: Core, a: Axis) -> None:
     """Raise Rejected if the axis is locked by an error, disabled, or its brake is set."""
     if a.faults & a.locks:
-        what = names(a.faults)
+        what = fault_names(a.faults)
         raise Rejected(
             "axis-error", f"axis {a.index} has an error: {what}", "clear the error before moving it"
         )

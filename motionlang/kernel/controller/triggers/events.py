@@ -16,7 +16,7 @@ from motionlang.kernel.controller.faults import (
     LIMIT_REVERSE,
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
-    names,
+    fault_names,
 )
 
 if TYPE_CHECKING:
@@ -70,13 +70,13 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
     if a.index in controller.homings:
         text = HOMING
     else:
-        text = "" if action == kind else f"{names(bit)}, {action}"
+        text = "" if action == kind else f"{fault_names(bit)}, {action}"
     note(controller, kind, a, value, limit, text)
 
 
 def cleared(controller: Core, a: Axis) -> None:
     """Log that the faults of an axis are about to be cleared."""
-    note(controller, "cleared", a, text=names(a.faults))
+    note(controller, "cleared", a, text=fault_names(a.faults))
 
 
 def check_velocity(controller: Core, a: Axis, profile: Profile, cause: str, move: Move | None) -> None:

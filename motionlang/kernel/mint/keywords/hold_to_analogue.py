@@ -7,7 +7,7 @@ is in counts of the converter. The sum is reset to 0 within the dead band and by
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected, names
+from motionlang.kernel.controller.faults import Rejected, fault_names
 from motionlang.kernel.controller.motion.sampled_velocity import Track
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -107,7 +107,7 @@ class Holds(Settings):
         faults = self.environment.controller.faults(axis)
         if faults:
             raise Rejected(
-                "axis-error", f"axis {axis} has an error: {names(faults)}", "clear the error before HTA"
+                "axis-error", f"axis {axis} has an error: {fault_names(faults)}", "clear the error before HTA"
             )
         hold = Hold(self, axis, wanted)
         hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.controller.faults import Rejected, names
+from motionlang.kernel.controller.faults import Rejected, fault_names
 from motionlang.kernel.mint.runtime.environment import Environment
 
 # Diagnostic code -> number of the synchronous error and its short text. Numbers up to 999 are MintMT's:
@@ -121,7 +121,7 @@ class Errors:
     def axis_error(self, axis: int) -> None:
         """Record an axis error that was not already pending."""
         bits = self.environment.controller.faults(axis)
-        text = f"axis {axis} has an error: {names(bits)}"
+        text = f"axis {axis} has an error: {fault_names(bits)}"
         self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._offset()))
 
     def _offset(self) -> int:
