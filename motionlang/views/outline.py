@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Trace
-from motionlang.kernel.planners.evaluate import piece_values
-from motionlang.kernel.planners.sample import ORDERS
+from motionlang.kernel.planners import ORDERS, piece_values
 
 Array = NDArray[np.float64]
 

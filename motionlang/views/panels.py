@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Trace
-from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.servo import ServoTrace
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import peak_of
 from motionlang.views.outline import outline, thinned

@@ -11,10 +11,15 @@ from dataclasses import dataclass
 from math import inf
 
 from motionlang.kernel import Axis, WholeTrack
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.curve import State, state_in
-from motionlang.kernel.planners.formula import summit
-from motionlang.kernel.planners.pieces import crest_points, even_points, still_points
+from motionlang.kernel.planners import (
+    Profile,
+    State,
+    crest_points,
+    even_points,
+    state_in,
+    still_points,
+    summit,
+)
 
 
 @dataclass(eq=False, slots=True)

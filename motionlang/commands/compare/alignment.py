@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Trace
-from motionlang.kernel.planners.formula import summit
+from motionlang.kernel.planners import summit
 
 Array = NDArray[np.float64]
 

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Axis, Run, WholeTrack
-from motionlang.kernel.planners.evaluate import piece_values
-from motionlang.kernel.planners.sample import PieceTable
+from motionlang.kernel.planners import PieceTable, piece_values
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from motionlang.views.figure_files import write_figure
 from motionlang.views.window import Window
 
 if TYPE_CHECKING:
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 PLOTS = (".png", ".svg", ".html")
 

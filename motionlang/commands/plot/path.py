@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Run, Trace
-from motionlang.kernel.planners.sample import ORDERS
+from motionlang.kernel.planners import ORDERS
 from motionlang.kernel.report import moves as moves_of
 from motionlang.views.figure import AXIS, FAINT, INK, TURBO, Area, Curve, Figure, Note, Panel, Scale
 from motionlang.views.figure_layout import Ticks

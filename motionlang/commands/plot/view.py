@@ -16,7 +16,7 @@ from motionlang.kernel import Run
 from motionlang.kernel.log.records import GRAVE
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.servo import ServoTrace
 from motionlang.views.figure import Band, Curve, Event, Figure, Label, Lane, Panel
 from motionlang.views.formatting import dialect_name, outcome
 from motionlang.views.lanes import Lane as Channel

@@ -11,8 +11,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from motionlang.kernel import Run
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.ramps import Recipe, named_ramps
+from motionlang.kernel.planners import Profile, Recipe, named_ramps
 
 # The name of a link in each phase of a move, and the duration of the phase, s.
 Phases = tuple[tuple[str, float], ...]

@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import acos, asin, ceil, copysign, cos, floor, fsum, isfinite, pi, sin, sqrt
 
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners import Piece, Profile
 
 
 class Span:

@@ -27,8 +27,7 @@ from motionlang.kernel import Controller, Run, WholeTrack
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log.records import GRAVE
 from motionlang.kernel.log.track import axes_of
-from motionlang.kernel.planners.curve import pieces_of
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners import Piece, pieces_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
@@ -43,7 +42,7 @@ from motionlang.views.window import WHOLE, Window
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.kernel.log.trace import Array
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 Row = dict[str, Any]
 

@@ -11,7 +11,7 @@ from motionlang.ide.editor.hover import Hover
 from motionlang.kernel import Source, dialect, dialects
 from motionlang.kernel.lang.machine.file import generic
 from motionlang.kernel.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
-from motionlang.kernel.servo.settings import KEYS as SERVO_KEYS
+from motionlang.kernel.servo import KEYS as SERVO_KEYS
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")
 _KEY = re.compile(r"""\s*([\w.\-"' ]*?)\s*=""")

@@ -30,47 +30,55 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.planners.curve import Phase, Profile, State, hold
+from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from motionlang.kernel.planners.jerk import plan_jerk
-    from motionlang.kernel.planners.parabolic import plan_parabolic
-    from motionlang.kernel.planners.scurve import plan_ratio, plan_sinusoidal
-    from motionlang.kernel.planners.shapes import plan
-    from motionlang.kernel.planners.stop import plan_stop, plan_velocity
-    from motionlang.kernel.planners.trapezoid import plan_trapezoid
+    from motionlang.kernel.planners.curve import Phase as Phase
+    from motionlang.kernel.planners.curve import Profile as Profile
+    from motionlang.kernel.planners.curve import State as State
+    from motionlang.kernel.planners.curve import from_curve as from_curve
+    from motionlang.kernel.planners.curve import hold as hold
+    from motionlang.kernel.planners.curve import pieces_of as pieces_of
+    from motionlang.kernel.planners.curve import state_in as state_in
+    from motionlang.kernel.planners.evaluate import piece_values as piece_values
+    from motionlang.kernel.planners.formula import summit as summit
+    from motionlang.kernel.planners.jerk import plan_jerk as plan_jerk
+    from motionlang.kernel.planners.limits import check_finite as check_finite
+    from motionlang.kernel.planners.limits import check_positive as check_positive
+    from motionlang.kernel.planners.parabolic import plan_parabolic as plan_parabolic
+    from motionlang.kernel.planners.pieces import acceleration_in as acceleration_in
+    from motionlang.kernel.planners.pieces import crest_points as crest_points
+    from motionlang.kernel.planners.pieces import even_points as even_points
+    from motionlang.kernel.planners.pieces import jerk_in as jerk_in
+    from motionlang.kernel.planners.pieces import still_points as still_points
+    from motionlang.kernel.planners.pieces import velocity_in as velocity_in
+    from motionlang.kernel.planners.ramps import Piece as Piece
+    from motionlang.kernel.planners.ramps import Recipe as Recipe
+    from motionlang.kernel.planners.ramps import named_ramps as named_ramps
+    from motionlang.kernel.planners.sample import ORDERS as ORDERS
+    from motionlang.kernel.planners.sample import PieceTable as PieceTable
+    from motionlang.kernel.planners.scurve import plan_ratio as plan_ratio
+    from motionlang.kernel.planners.scurve import plan_sinusoidal as plan_sinusoidal
+    from motionlang.kernel.planners.shapes import plan as plan
+    from motionlang.kernel.planners.stop import plan_stop as plan_stop
+    from motionlang.kernel.planners.stop import plan_velocity as plan_velocity
+    from motionlang.kernel.planners.trapezoid import plan_trapezoid as plan_trapezoid
 
-_HOMES = {
-    "plan_jerk": "jerk",
-    "plan_parabolic": "parabolic",
-    "plan": "shapes",
-    "plan_ratio": "scurve",
-    "plan_sinusoidal": "scurve",
-    "plan_stop": "stop",
-    "plan_velocity": "stop",
-    "plan_trapezoid": "trapezoid",
+PUBLIC = {
+    "curve": "Phase Profile State hold from_curve pieces_of state_in",
+    "shapes": "plan",
+    "trapezoid": "plan_trapezoid",
+    "jerk": "plan_jerk",
+    "parabolic": "plan_parabolic",
+    "scurve": "plan_ratio plan_sinusoidal",
+    "stop": "plan_stop plan_velocity",
+    "ramps": "Piece Recipe named_ramps",
+    "pieces": "acceleration_in velocity_in jerk_in crest_points even_points still_points",
+    "evaluate": "piece_values",
+    "formula": "summit",
+    "sample": "ORDERS PieceTable",
+    "limits": "check_finite check_positive",
 }
 
-
-def __getattr__(name: str) -> object:
-    home = _HOMES.get(name)
-    if home is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    # Like `import_module`, whose package takes longer to import than most of these modules.
-    return getattr(__import__(f"{__name__}.{home}", fromlist=[name]), name)
-
-
-__all__ = [
-    "Phase",
-    "Profile",
-    "State",
-    "hold",
-    "plan",
-    "plan_jerk",
-    "plan_parabolic",
-    "plan_ratio",
-    "plan_sinusoidal",
-    "plan_stop",
-    "plan_trapezoid",
-    "plan_velocity",
-]
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)

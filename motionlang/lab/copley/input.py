@@ -15,7 +15,7 @@ from motionlang.cli.option_groups import Language, Picture
 from motionlang.cli.readers import integer, real, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, ProgramError, Source, WholeTrack, run
-from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.velocities import METHODS, pvt_velocities
 from motionlang.lab.copley.point import check_points
 from motionlang.lab.copley.table import read_points

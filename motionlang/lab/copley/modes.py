@@ -23,8 +23,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from math import copysign, inf
 
-from motionlang.kernel.planners import plan_stop, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.planners import Profile, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.lab.copley.drive import IDLE, Drive
 from motionlang.lab.copley.switches import Switches
 

@@ -9,17 +9,13 @@ from dataclasses import dataclass
 from math import ceil
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.planners import plan
-from motionlang.kernel.planners.curve import hold
-from motionlang.kernel.servo.demand import Track
-from motionlang.kernel.servo.loop import FULL_SCALE, Loop, Override
-from motionlang.kernel.servo.plant import Drive
-from motionlang.kernel.servo.servo import simulate
+from motionlang.kernel.planners import hold, plan
+from motionlang.kernel.servo import FULL_SCALE, Drive, Loop, Override, Track, simulate
 from motionlang.lab.notes.dissect import FRICTION, GRAVITY_FT, SPEED_FT_MIN, dac_timing, slip_acceleration
 from motionlang.lab.notes.slip import check_trace
 
 if TYPE_CHECKING:
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 FULL_COUNTS = 100_000.0
 """Counts per second at full scale: the encoder of the example."""

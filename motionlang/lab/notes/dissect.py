@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from math import exp, inf
 from typing import NamedTuple
 
-from motionlang.kernel.planners.limits import check_positive
+from motionlang.kernel.planners import check_positive
 
 FRICTION = 0.1
 """Steel on steel, dry, in the chapter's example."""

@@ -12,14 +12,11 @@ from itertools import pairwise
 from math import asin, pi
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.limits import check_positive
-from motionlang.kernel.planners.pieces import acceleration_in, crest_points
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners import Piece, Profile, acceleration_in, check_positive, crest_points
 from motionlang.lab.notes.dissect import slip_acceleration
 
 if TYPE_CHECKING:
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.parabolic import plan_parabolic
-from motionlang.kernel.planners.scurve import plan_ratio, plan_sinusoidal
-from motionlang.kernel.planners.trapezoid import plan_trapezoid
+from motionlang.kernel.planners import Profile, plan_parabolic, plan_ratio, plan_sinusoidal, plan_trapezoid
 
 ACCELERATION = 100_000.0
 """counts/s^2"""

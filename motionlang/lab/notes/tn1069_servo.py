@@ -9,16 +9,11 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.planners import Profile, plan
-from motionlang.kernel.planners.curve import hold
-from motionlang.kernel.planners.pieces import jerk_in
-from motionlang.kernel.servo.demand import Track
-from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
-from motionlang.kernel.servo.servo import simulate
+from motionlang.kernel.planners import Profile, hold, jerk_in, plan
+from motionlang.kernel.servo import Drive, Loop, Motor, Track, simulate
 
 if TYPE_CHECKING:
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 BASES = ("acceleration", "time")

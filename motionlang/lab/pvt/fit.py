@@ -16,8 +16,7 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.sample import PieceTable
+from motionlang.kernel.planners import PieceTable, Profile
 from motionlang.kernel.tools import total
 from motionlang.lab.pvt.points import Point, plan_points
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.planners import Profile
 from motionlang.lab.pvt.points import knots
 from motionlang.views.figure import BLUE, Curve, Figure, Panel
 

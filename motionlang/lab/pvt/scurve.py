@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import ceil, copysign, inf, sqrt
 
-from motionlang.kernel.planners.limits import check_finite, check_positive
+from motionlang.kernel.planners import check_finite, check_positive
 from motionlang.lab.pvt.points import Point
 
 POSITIONS = (0.0, 1.0 / 6.0, 1.0, 11.0 / 6.0, 2.0)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from operator import itemgetter
 from typing import Any
 
-from motionlang.kernel.planners.curve import Profile
+from motionlang.kernel.planners import Profile
 from motionlang.kernel.tools import count_of
 from motionlang.lab.pvt.points import Knot, knots, segments
 from motionlang.views.formatting import ROUNDING, decimals_of

@@ -11,10 +11,8 @@ from motionlang.cli.option_groups import Output, Picture, Program
 from motionlang.cli.readers import machine_time
 from motionlang.kernel import Checked, WholeTrack
 from motionlang.kernel import run as run_program
+from motionlang.kernel.servo import SERVO, Drive, Motor, make_loop, mccl_values, mint_values
 from motionlang.kernel.servo import simulate as simulate_loop
-from motionlang.kernel.servo.gains import mccl_values, mint_values
-from motionlang.kernel.servo.plant import Drive, Motor
-from motionlang.kernel.servo.settings import SERVO, make_loop
 from motionlang.lab.notes.tn1069_servo import BASES
 from motionlang.lab.notes.tn1069_servo import compare as compared
 from motionlang.lab.servo import view
@@ -24,7 +22,7 @@ from motionlang.views.figure import Figure
 from motionlang.views.table import Column, Document, Table, records_table
 
 if TYPE_CHECKING:  # which needs numpy
-    from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.servo import ServoTrace
 
 
 @dataclass
@@ -101,7 +99,7 @@ class ServoStep(OneAxis, Gains, ServoCommand):
 
     def simulate(self) -> int:
         """Print and draw the step response; add the figures of the linear loop, if it is one."""
-        from motionlang.kernel.servo.response import loop_figures, step_figures, step_response
+        from motionlang.kernel.servo import loop_figures, step_figures, step_response
 
         plant = self.motor_of(self.axis)
         loop = self.loop_of(self.axis, plant)
@@ -130,8 +128,7 @@ class ServoTune(OneAxis, ServoCommand):
 
     def simulate(self) -> int:
         """Print the gains and their step response."""
-        from motionlang.kernel.servo.response import step_figures, step_response
-        from motionlang.kernel.servo.tuning import suggest
+        from motionlang.kernel.servo import step_figures, step_response, suggest
 
         plant, bandwidth = self.motor_of(self.axis), self.bandwidth or BANDWIDTH
         base = make_loop(pairs(self.loop, SERVO))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.servo.gains import Gains
+from motionlang.kernel.servo import Gains
 
 if TYPE_CHECKING:
     from motionlang.kernel import Keyword

@@ -13,10 +13,20 @@ from motionlang.cli.command import Command, option
 from motionlang.cli.option_groups import settings_of
 from motionlang.cli.readers import integer, real
 from motionlang.kernel import dialect
-from motionlang.kernel.servo.gains import MODELS, mccl_loop, mint_loop
-from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
-from motionlang.kernel.servo.settings import PLANT, SERVO, Key, make_loop, make_plant, section
+from motionlang.kernel.servo import (
+    MODELS,
+    PLANT,
+    SERVO,
+    Drive,
+    Key,
+    Loop,
+    Motor,
+    make_loop,
+    make_plant,
+    mccl_loop,
+    mint_loop,
+    section,
+)
 from motionlang.lab.servo.gains import gain_words, written
 
 # The changes of the commands' motor from [axis.N.plant]'s defaults, if no machine file describes one.
@@ -87,7 +97,7 @@ class Gains(Axis):
         loop = make_loop(values)
         if any((loop.proportional, loop.integral, loop.derivative, loop.velocity_feedback)):
             return loop
-        from motionlang.kernel.servo.tuning import suggest
+        from motionlang.kernel.servo import suggest
 
         tuned = suggest(plant, self.bandwidth or BANDWIDTH, loop).loop
         given = {

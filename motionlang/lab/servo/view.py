@@ -7,14 +7,12 @@ from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo import Drive, Motor
 from motionlang.lab.notes.tn1069_servo import Row
 from motionlang.views.table import Column, Table
 
 if TYPE_CHECKING:
-    from motionlang.kernel.servo.response import LoopFigures, StepFigures
-    from motionlang.kernel.servo.trace import ServoTrace
-    from motionlang.kernel.servo.tuning import Suggestion
+    from motionlang.kernel.servo import LoopFigures, ServoTrace, StepFigures, Suggestion
 
 WIDTH = 120
 SHAPE_NAMES = {
