@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from motionlang.kernel import Run
-from motionlang.kernel.controller.triggers.events import HOMING
+from motionlang.kernel.controller import HOMING
 
 # The names of `--allow`: the events that are then ignored.
 ALLOWED = {

@@ -8,7 +8,7 @@ from itertools import accumulate
 from math import fsum, inf, isfinite
 
 from motionlang.kernel import Axis, Diagnostic, WholeTrack
-from motionlang.kernel.controller.move import CONTINUED, Move
+from motionlang.kernel.controller import CONTINUED, Move
 from motionlang.kernel.log.expected_motion import ExpectedMotion
 from motionlang.kernel.log.order import Order, PathOrder
 

@@ -53,7 +53,7 @@ from motionlang.commands.prove.paths import check_blended, check_path, check_pat
 from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel import Diagnostic, WholeTrack
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller import Move
 from motionlang.kernel.log.expected_motion import MAX_PROFILES, ExpectedMotion
 from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.log.trace import Samples

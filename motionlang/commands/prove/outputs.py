@@ -9,7 +9,7 @@ from math import isfinite
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.segments import spans
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller import Move
 from motionlang.kernel.log.trace import Samples
 
 # Rows of the trace that are compared with the tracks.

@@ -10,7 +10,7 @@ from motionlang.commands.prove.path_bounds import check_along, could_stop, spans
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
 from motionlang.commands.prove.segments import Span
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller import Move
 from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.planners import Profile
 

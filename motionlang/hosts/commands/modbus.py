@@ -20,7 +20,7 @@ from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import STEP, LockStep, Outside, RealTime
 from motionlang.kernel import Run, Source, end_of, run
-from motionlang.kernel.controller.io.host_memory import PRODUCTS, product
+from motionlang.kernel.controller import PRODUCTS, product
 from motionlang.kernel.mint.keywords.identity import VIRTUAL
 from motionlang.kernel.mint.models import named
 from motionlang.kernel.tools import count_of

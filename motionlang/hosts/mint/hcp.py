@@ -18,7 +18,7 @@ from functools import reduce
 from operator import xor
 from struct import pack, unpack
 
-from motionlang.kernel.controller.io.host_memory import HostMemory
+from motionlang.kernel.controller import HostMemory
 
 STX, ETX, EOT, ENQ, ACK, NAK = 2, 3, 4, 5, 6, 21
 FIRST, LAST = 1, 99

@@ -37,7 +37,7 @@ from motionlang.hosts.serve.modbus_requests import (
 )
 from motionlang.hosts.serve.outside import Closed, Outside
 from motionlang.hosts.serve.refusals import Refusals
-from motionlang.kernel.controller.io.host_memory import HostMemory
+from motionlang.kernel.controller import HostMemory
 from motionlang.kernel.version import __version__
 
 # Bytes of the header, and the bounds of the length that it states: at least a unit and a function.

@@ -14,7 +14,7 @@ from time import monotonic
 
 from motionlang.hosts.serve.wall import WallClock
 from motionlang.kernel import INFINITY, Machine
-from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller import Clock
 
 # Default machine seconds that lock step advances for each request.
 STEP = 10e-3

@@ -13,9 +13,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.ide.debug.expressions import WrongExpression
 from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable, WholeTrack
-from motionlang.kernel.controller.faults import fault_names
-from motionlang.kernel.controller.io.channels import Channels
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller import Channels, Move, fault_names
 from motionlang.kernel.lang.debugging import Frame
 
 if TYPE_CHECKING:

@@ -39,6 +39,32 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import ModuleType
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.clock import Clock as Clock
+    from motionlang.kernel.controller.faults import fault_names as fault_names
+    from motionlang.kernel.controller.io.channels import Channels as Channels
+    from motionlang.kernel.controller.io.encoder import AUXILIARY as AUXILIARY
+    from motionlang.kernel.controller.io.host_memory import PRODUCTS as PRODUCTS
+    from motionlang.kernel.controller.io.host_memory import HostMemory as HostMemory
+    from motionlang.kernel.controller.io.host_memory import product as product
+    from motionlang.kernel.controller.move import CONTINUED as CONTINUED
+    from motionlang.kernel.controller.move import MAX_PIECES as MAX_PIECES
+    from motionlang.kernel.controller.move import Move as Move
+    from motionlang.kernel.controller.triggers.events import HOMING as HOMING
+
+PUBLIC = {
+    "move": "Move CONTINUED MAX_PIECES",
+    "clock": "Clock",
+    "faults": "fault_names",
+    "triggers.events": "HOMING",
+    "io.channels": "Channels",
+    "io.host_memory": "HostMemory PRODUCTS product",
+    "io.encoder": "AUXILIARY",
+}
 
 
 def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
@@ -53,3 +79,7 @@ def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
         return __import__(f"{family}.{name}", fromlist=[name])
 
     return opened
+
+
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import at_once, query
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller import AUXILIARY
 from motionlang.kernel.mccl.axis import status
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.axis.launch import aim
