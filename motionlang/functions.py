@@ -25,8 +25,7 @@ from motionlang.kernel import (
 from motionlang.kernel import (
     run as run_program,
 )
-from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.machine.entries import Given
+from motionlang.kernel.lang import Given, one_sentence
 
 if TYPE_CHECKING:
     from motionlang.commands.certify import Limit

@@ -32,7 +32,7 @@ from motionlang.kernel import (
     with_entries,
 )
 from motionlang.kernel.files import replacing
-from motionlang.kernel.lang.literals import canonical
+from motionlang.kernel.lang import canonical
 from motionlang.kernel.tools import clipped, shown
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure

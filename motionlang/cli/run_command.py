@@ -36,7 +36,7 @@ from motionlang.kernel import (
     who_ended,
     with_entries,
 )
-from motionlang.kernel.lang.machine.entries import check_inputs_are_read
+from motionlang.kernel.lang import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces
 from motionlang.kernel.tools import MissingExtra
 from motionlang.views.formatting import clock_time

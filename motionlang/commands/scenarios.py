@@ -13,7 +13,7 @@ from math import inf
 from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import unit_of, values_of
 from motionlang.kernel import Run, Source, machine_of, read_machine, run
-from motionlang.kernel.lang.machine.layers import layered
+from motionlang.kernel.lang import layered
 
 Entry = Mapping[str, object]
 

@@ -19,9 +19,7 @@ from motionlang.kernel import (
     Variable,
     Wait,
 )
-from motionlang.kernel.lang.run_errors import explain
-from motionlang.kernel.lang.wait_hints import what_ends, what_frees
-from motionlang.kernel.lang.waits import wait_idle, wait_until
+from motionlang.kernel.lang import explain, wait_idle, wait_until, what_ends, what_frees
 from motionlang.kernel.tools import StackSpace, missing
 from motionlang.repl.status import moving
 

@@ -13,7 +13,7 @@ from textwrap import wrap
 
 from motionlang.commands.check import check
 from motionlang.kernel import Diagnostic, Dialect, Machine, Rejected, Source
-from motionlang.kernel.lang.foreign import AT_PROMPT, one_sentence
+from motionlang.kernel.lang import AT_PROMPT, one_sentence
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
 from motionlang.repl.runner import Interrupted, Runner

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 
 from motionlang.kernel import Machine
-from motionlang.kernel.lang.machine.terminal import Terminal
+from motionlang.kernel.lang import Terminal
 
 
 def ask(machine: Machine) -> str | None:

@@ -38,9 +38,7 @@ from motionlang.kernel import (
     unknown_model,
 )
 from motionlang.kernel.assumptions.used import depended_on
-from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.literals import Literal, literals_of
-from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.lang import ListedUnit, Literal, literals_of, one_sentence
 from motionlang.kernel.mccl.models import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from motionlang.kernel import Dialect
-from motionlang.kernel.lang.step_list import ListedStep, ListedUnit
+from motionlang.kernel.lang import ListedStep, ListedUnit
 from motionlang.views.highlight import pieces
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import printable, styled

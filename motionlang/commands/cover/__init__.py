@@ -15,8 +15,7 @@ from motionlang.commands.map.units import Reachability
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
 from motionlang.kernel import Dialect, Source, dialect_for, settings_next_to
-from motionlang.kernel.lang.program_graph import Structure
-from motionlang.kernel.lang.steps import Step, Values
+from motionlang.kernel.lang import Step, Structure, Values
 
 
 @dataclass

@@ -34,9 +34,7 @@ from motionlang.commands.init.ending import ending, wording
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.worlds import TABLES, Entry, Event, World, Worlds, entries
 from motionlang.kernel import Run
-from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.program_graph import Structure
-from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.lang import InputRead, Structure, layered
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.report import moves as moves_of
 

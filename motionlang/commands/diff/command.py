@@ -34,7 +34,7 @@ from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
 from motionlang.kernel import Diagnostic, ProgramError, Run, dialect_of, read_machine, run
-from motionlang.kernel.lang.machine.layers import layered
+from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from motionlang.kernel import Run
-from motionlang.kernel.lang.literals import literals_of
+from motionlang.kernel.lang import literals_of
 
 
 @dataclass(eq=False, slots=True)

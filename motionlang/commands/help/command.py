@@ -22,7 +22,7 @@ from motionlang.commands.probe.assumption import SETTLED
 from motionlang.commands.probe.facts import of_word as of_word_facts
 from motionlang.commands.probe.questions import of_word
 from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
-from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.lang import Vocabulary
 from motionlang.kernel.tools import nearest
 from motionlang.views.table import Document
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, styled, wants_colour, width_of

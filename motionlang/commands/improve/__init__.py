@@ -48,7 +48,7 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
-from motionlang.kernel.lang.literals import Literal, constants, literals_of, number_text, replaced
+from motionlang.kernel.lang import Literal, constants, literals_of, number_text, replaced
 
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator
 
 from motionlang.kernel import Run
-from motionlang.kernel.lang.program_graph import READ, WRITE, Structure, Unit
+from motionlang.kernel.lang import READ, WRITE, Structure, Unit
 from motionlang.kernel.log.records import GRAVE
 
 # Positions are equal within this, user units.

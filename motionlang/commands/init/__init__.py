@@ -50,8 +50,7 @@ from math import inf
 from motionlang.commands.init.ending import asks, plain
 from motionlang.commands.worlds import Entry, World, Worlds, entries
 from motionlang.kernel import Run, Task
-from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.lang.wait_causes import InputRead, Read
+from motionlang.kernel.lang import InputRead, Read, layered
 
 # Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
 DELAY = 0.3

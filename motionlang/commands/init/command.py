@@ -31,7 +31,7 @@ from motionlang.kernel import (
     language_of,
 )
 from motionlang.kernel.files import create
-from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.lang import InputRead
 from motionlang.kernel.tools import count_of, nearest
 
 # The time limit of the machine file, s: a production loop has no end of its own.

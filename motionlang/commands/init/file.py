@@ -17,8 +17,7 @@ from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, entries
 from motionlang.kernel import Dialect, Run, Source
-from motionlang.kernel.lang.dialect import Target
-from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.lang import InputRead, Target
 from motionlang.kernel.report import moves
 
 # Lines of the program that a comment quotes, and characters of one.

@@ -10,8 +10,7 @@ from motionlang.commands.init.file import inline
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.commands.worlds import TABLES, Worlds, entries
 from motionlang.kernel import Run
-from motionlang.kernel.lang.program_graph import WRITE, Structure
-from motionlang.kernel.lang.wait_causes import InputRead
+from motionlang.kernel.lang import WRITE, InputRead, Structure
 from motionlang.kernel.tools import count_of
 
 

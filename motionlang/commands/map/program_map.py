@@ -12,7 +12,7 @@ from motionlang.commands.map.observed import Observed, Taken
 from motionlang.commands.map.states import Diagrams, Transition, diagrams
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
 from motionlang.kernel import Checked, Dialect, Run, Source, dialect_for, run, settings_next_to
-from motionlang.kernel.lang.program_graph import Structure
+from motionlang.kernel.lang import Structure
 
 # Seconds of machine time of a run without an end of its own.
 UNTIL = 600.0

@@ -39,9 +39,9 @@ from typing import TypeVar
 
 from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.paths import ordered, postdominators
-from motionlang.kernel.lang.program_graph import Statement, Structure, Unit
+from motionlang.kernel.lang import LoopDependencies, Read, Statement, Structure, Unit
 from motionlang.kernel.lang.steps import CALL, END, RETURN
-from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies, Read
+from motionlang.kernel.lang.wait_causes import KINDS
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4

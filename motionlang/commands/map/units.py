@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang.names import Definition
-from motionlang.kernel.lang.program_graph import Structure, Unit
+from motionlang.kernel.lang import Definition, Structure, Unit
 from motionlang.kernel.lang.steps import CALL, ENTER
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".

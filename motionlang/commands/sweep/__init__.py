@@ -17,7 +17,7 @@ from motionlang.commands.sweep.job import Job, Problem, Result
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
-from motionlang.kernel.lang.literals import edited
+from motionlang.kernel.lang import edited
 from motionlang.kernel.rows import Table, transposed
 
 KEEP = ("time",)

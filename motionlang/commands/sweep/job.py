@@ -15,8 +15,7 @@ from motionlang.commands.prove import proof
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
-from motionlang.kernel.lang.literals import Literal, bound, edited, has_address, literals_of
-from motionlang.kernel.lang.machine.layers import layered
+from motionlang.kernel.lang import Literal, bound, edited, has_address, layered, literals_of
 from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.

@@ -13,7 +13,7 @@ from typing import Any
 
 from motionlang.kernel import ProgramError
 from motionlang.kernel import read_value as machine_value
-from motionlang.kernel.lang.literals import canonical
+from motionlang.kernel.lang import canonical
 
 Value = float | str | bool | list[object]
 

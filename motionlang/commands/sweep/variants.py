@@ -19,7 +19,7 @@ from motionlang.commands.sweep.job import MACHINE, SCENARIO
 from motionlang.commands.sweep.space import Dimension, Drawn, Grid, Space, dimension
 from motionlang.commands.sweep.worlds import SUFFIX, machine_files, settings_of
 from motionlang.kernel import Diagnostic, ProgramError, Source
-from motionlang.kernel.lang.machine.file import read_toml
+from motionlang.kernel.lang import read_toml
 
 # Keys of which one on the command line replaces all of the file.
 TOGETHER = (("vary", "machines", "scenarios"), ("random", "latin"), ("minimise", "maximise", "pareto"))

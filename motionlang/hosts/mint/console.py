@@ -35,7 +35,7 @@ from motionlang.kernel import (
     Task,
     Wait,
 )
-from motionlang.kernel.lang.run_errors import explain
+from motionlang.kernel.lang import explain
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.interactive import MintInteractive
 from motionlang.kernel.mint.runtime.errors import NUMBERS

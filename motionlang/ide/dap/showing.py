@@ -17,7 +17,7 @@ from motionlang.ide.debug.expressions import WrongExpression, assignment, parse
 from motionlang.ide.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
 from motionlang.ide.debug.values import shown
 from motionlang.kernel import Variable, entries
-from motionlang.kernel.lang.debugging import Frame
+from motionlang.kernel.lang import Frame
 from motionlang.kernel.tools import count_of
 
 Body = dict[str, object]

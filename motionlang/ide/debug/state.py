@@ -10,7 +10,7 @@ from motionlang.ide.debug.expressions import READINGS, WrongExpression, parse
 from motionlang.ide.debug.replay import Point, Replay
 from motionlang.ide.debug.scopes import Waiting
 from motionlang.kernel import Machine, Task, Variable
-from motionlang.kernel.lang.debugging import Frame
+from motionlang.kernel.lang import Frame
 
 if TYPE_CHECKING:
     from motionlang.ide.debug.debugger import Debugger

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Keyword
-from motionlang.kernel.lang.names import Definition, Names
+from motionlang.kernel.lang import Definition, Names
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
 # A command of MCCL with the number of its axis, and the parameter that follows it.

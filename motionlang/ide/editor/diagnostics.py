@@ -13,7 +13,7 @@ from motionlang.kernel import (
     missing_axes,
     read_machine,
 )
-from motionlang.kernel.lang.foreign import IN_EDITOR, one_sentence
+from motionlang.kernel.lang import IN_EDITOR, one_sentence
 
 # The character in place of one that could not be decoded.
 _UNKNOWN = "\ufffd"

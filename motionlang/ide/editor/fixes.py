@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from motionlang.commands.check.silence import WARNINGS
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Diagnostic
-from motionlang.kernel.lang.names import Span
+from motionlang.kernel.lang import Span
 
 # A comment that silences warnings, with the codes that it has.
 _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?", re.IGNORECASE)

@@ -8,7 +8,7 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Keyword, ProgramError
-from motionlang.kernel.lang.names import Definition, Span
+from motionlang.kernel.lang import Definition, Span
 
 # The most lines of a comment above a declaration that belong to it.
 _MAX_COMMENT = 20

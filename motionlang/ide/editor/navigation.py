@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from motionlang.ide.editor.fixes import Edit
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.lang.names import Span
+from motionlang.kernel.lang import Span
 
 # The kinds of blocks that are symbols, and those of definitions outside them that are.
 _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startup"))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 
 from motionlang.kernel import Dialect, Keyword, Source
-from motionlang.kernel.lang.names import Names, Span
+from motionlang.kernel.lang import Names, Span
 
 # Kinds of token that are no code.
 PROSE = frozenset(("comment", "string", "text"))

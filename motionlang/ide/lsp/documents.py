@@ -14,7 +14,7 @@ from itertools import accumulate
 from lsprotocol import types
 
 from motionlang.kernel import Source
-from motionlang.kernel.lang.names import Span
+from motionlang.kernel.lang import Span
 
 _MARK = "\ufeff"
 

@@ -11,7 +11,7 @@ from motionlang.ide.editor.diagnostics import decoded, findings, settings_of
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import Times, times
 from motionlang.kernel import Diagnostic, Source, dialect
-from motionlang.kernel.lang.names import Names
+from motionlang.kernel.lang import Names
 
 CHECK, NAMES, TIMES = "check", "names", "times"
 Result = list[Diagnostic] | Names | Times

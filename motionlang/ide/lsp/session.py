@@ -24,7 +24,7 @@ from motionlang.ide.editor.times import NO_TIMES, Times
 from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, Dialect, Source, dialect, dialect_of, dialects
-from motionlang.kernel.lang.names import NO_NAMES, Changes, Names
+from motionlang.kernel.lang import NO_NAMES, Changes, Names
 
 
 class Worker(Protocol):

@@ -1,1 +1,83 @@
 """Common code of the languages: vocabulary, grammars, programs, tasks, scheduler."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.debugging import Frame as Frame
+    from motionlang.kernel.lang.dialect import Target as Target
+    from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
+    from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
+    from motionlang.kernel.lang.foreign import one_sentence as one_sentence
+    from motionlang.kernel.lang.literals import Literal as Literal
+    from motionlang.kernel.lang.literals import bound as bound
+    from motionlang.kernel.lang.literals import canonical as canonical
+    from motionlang.kernel.lang.literals import constants as constants
+    from motionlang.kernel.lang.literals import edited as edited
+    from motionlang.kernel.lang.literals import has_address as has_address
+    from motionlang.kernel.lang.literals import literals_of as literals_of
+    from motionlang.kernel.lang.literals import number_text as number_text
+    from motionlang.kernel.lang.literals import replaced as replaced
+    from motionlang.kernel.lang.machine.entries import Given as Given
+    from motionlang.kernel.lang.machine.entries import check_inputs_are_read as check_inputs_are_read
+    from motionlang.kernel.lang.machine.file import first_mistake as first_mistake
+    from motionlang.kernel.lang.machine.file import generic as generic
+    from motionlang.kernel.lang.machine.file import read_toml as read_toml
+    from motionlang.kernel.lang.machine.layers import layered as layered
+    from motionlang.kernel.lang.machine.switch import switch as switch
+    from motionlang.kernel.lang.machine.terminal import Terminal as Terminal
+    from motionlang.kernel.lang.names import NO_NAMES as NO_NAMES
+    from motionlang.kernel.lang.names import Changes as Changes
+    from motionlang.kernel.lang.names import Definition as Definition
+    from motionlang.kernel.lang.names import Names as Names
+    from motionlang.kernel.lang.names import Span as Span
+    from motionlang.kernel.lang.program_graph import READ as READ
+    from motionlang.kernel.lang.program_graph import WRITE as WRITE
+    from motionlang.kernel.lang.program_graph import AxisUse as AxisUse
+    from motionlang.kernel.lang.program_graph import ChannelUse as ChannelUse
+    from motionlang.kernel.lang.program_graph import Statement as Statement
+    from motionlang.kernel.lang.program_graph import Structure as Structure
+    from motionlang.kernel.lang.program_graph import Unit as Unit
+    from motionlang.kernel.lang.run_errors import explain as explain
+    from motionlang.kernel.lang.step_list import ListedStep as ListedStep
+    from motionlang.kernel.lang.step_list import ListedUnit as ListedUnit
+    from motionlang.kernel.lang.step_task import StepTask as StepTask
+    from motionlang.kernel.lang.steps import Step as Step
+    from motionlang.kernel.lang.steps import Values as Values
+    from motionlang.kernel.lang.vocabulary import Vocabulary as Vocabulary
+    from motionlang.kernel.lang.wait_causes import InputRead as InputRead
+    from motionlang.kernel.lang.wait_causes import LoopDependencies as LoopDependencies
+    from motionlang.kernel.lang.wait_causes import Read as Read
+    from motionlang.kernel.lang.wait_hints import what_ends as what_ends
+    from motionlang.kernel.lang.wait_hints import what_frees as what_frees
+    from motionlang.kernel.lang.waits import ROUNDING as ROUNDING
+    from motionlang.kernel.lang.waits import wait_idle as wait_idle
+    from motionlang.kernel.lang.waits import wait_until as wait_until
+
+PUBLIC = {
+    "names": "Definition Changes Names NO_NAMES Span",
+    "vocabulary": "Vocabulary",
+    "dialect": "Target",
+    "literals": "Literal literals_of constants canonical bound edited has_address number_text replaced",
+    "machine.file": "read_toml first_mistake generic",
+    "machine.entries": "Given check_inputs_are_read",
+    "machine.layers": "layered",
+    "machine.switch": "switch",
+    "machine.terminal": "Terminal",
+    "program_graph": "Structure Unit Statement AxisUse ChannelUse READ WRITE",
+    "step_list": "ListedUnit ListedStep",
+    "wait_causes": "InputRead Read LoopDependencies",
+    "steps": "Step Values",
+    "step_task": "StepTask",
+    "debugging": "Frame",
+    "waits": "ROUNDING wait_idle wait_until",
+    "wait_hints": "what_ends what_frees",
+    "run_errors": "explain",
+    "foreign": "one_sentence AT_PROMPT IN_EDITOR",
+}
+
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)

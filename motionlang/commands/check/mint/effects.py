@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import TypeVar
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.lang.vocabulary import Vocabulary
+from motionlang.kernel.lang import Vocabulary
 from motionlang.kernel.mint.resolve.flowgraph import Graph, Step
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.resolve.handlers import handled
