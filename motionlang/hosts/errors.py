@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mccl.codes import MEANINGS
+from motionlang.kernel.mccl import MEANINGS
 
 if TYPE_CHECKING:
     from motionlang.hosts.client.status import Status

@@ -39,7 +39,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.assumptions.used import depended_on
 from motionlang.kernel.lang import ListedUnit, Literal, literals_of, one_sentence
-from motionlang.kernel.mccl.models import MODELS
+from motionlang.kernel.mccl import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of

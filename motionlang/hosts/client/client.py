@@ -24,7 +24,7 @@ from motionlang.hosts.client.status import Status
 from motionlang.hosts.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.kernel import Machine, Source
 from motionlang.kernel.lang import first_mistake
-from motionlang.kernel.mccl.syntax.comments import without_comment
+from motionlang.kernel.mccl import without_comment
 
 if TYPE_CHECKING:
     from motionlang.hosts.channel import Wire

@@ -29,7 +29,7 @@ from motionlang.hosts.serve.pace import STEP, Pace
 from motionlang.hosts.serve.server import MakeHost
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Diagnostic, Machine, Rejected, Source
-from motionlang.kernel.mccl.models import written_for
+from motionlang.kernel.mccl import written_for
 from motionlang.kernel.tools import count_of
 
 

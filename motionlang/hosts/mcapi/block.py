@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line, own
 from motionlang.hosts.mcapi.errors import Refused
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.line import Line
-from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl import Command, CommandTask, Line
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

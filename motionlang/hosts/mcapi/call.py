@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl import Line
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.session import Handle

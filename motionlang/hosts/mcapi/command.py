@@ -6,14 +6,8 @@ from collections.abc import Iterable
 from itertools import accumulate
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.mccl.models import Model
-from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, Command
+from motionlang.kernel.mccl import NONE, NUMBER, Action, Command, Fault, Line, Model, codes, table
 from motionlang.kernel.mccl.resolve.decode import checked
-from motionlang.kernel.mccl.resolve.line import Line
-from motionlang.kernel.mccl.runtime.task import Action
 
 
 def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.kernel import Rejected
-from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl import Fault, codes
 
 _CODES = {
     codes.PARAMETER: mc.MCERR_RANGE,

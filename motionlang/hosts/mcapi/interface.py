@@ -19,10 +19,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import code_of
 from motionlang.hosts.mccl.port import Port
 from motionlang.kernel import INFINITY, Rejected, Task, Wait
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.line import Line
-from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.task import FORMS, CommandTask
+from motionlang.kernel.mccl import FORMS, Board, CommandTask, Fault, Line
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.block import Block

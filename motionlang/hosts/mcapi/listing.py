@@ -18,7 +18,7 @@ from motionlang.hosts.mcapi.session import BadCall, Given, commands_for
 from motionlang.hosts.mcapi.table import FUNCTIONS
 from motionlang.kernel import Rejected
 from motionlang.kernel.lang.machine.keys import MAX_AXES
-from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl import Fault
 
 # The column at which the remark begins.
 COLUMN = 32

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl import Command
 
 F = TypeVar("F", bound=Callable[..., Any])
 

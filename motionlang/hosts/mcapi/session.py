@@ -28,9 +28,7 @@ from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
 from motionlang.hosts.mccl.console import Console
 from motionlang.kernel import INFINITY, Rejected
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl import Command, CommandTask, Fault
 
 MAX_HANDLES = 1000
 # Arguments that are axes.

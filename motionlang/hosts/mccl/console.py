@@ -18,9 +18,7 @@ from motionlang.hosts.console import HostConsole
 from motionlang.hosts.mccl.download import Complain, Download, Write
 from motionlang.hosts.mccl.port import BoardPort, HostWait, Port
 from motionlang.kernel import INFINITY, Machine, Rejected, Scheduler, Source, Stuck, Task, Wait
-from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl import Board, CommandTask, codes
 
 
 class Console(HostConsole[BoardPort]):

@@ -9,10 +9,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from motionlang.kernel import Diagnostic, Source, Wait
-from motionlang.kernel.mccl.resolve.line import locate
-from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.program import FileTask, MacroFile
-from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl import Board, CommandTask, FileTask, MacroFile, locate
 
 Write: TypeAlias = Callable[[str], None]
 Complain: TypeAlias = Callable[[Diagnostic], None]

@@ -13,13 +13,17 @@ from typing import Protocol
 from motionlang.hosts.console import HostPort
 from motionlang.hosts.typed_line import BLANK, CR, LF, TypedLine
 from motionlang.kernel import INFINITY, Wait
-from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.line import Line, line_of, too_long
-from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.task import CommandTask
-from motionlang.kernel.mccl.runtime.writer import LineSteps
-from motionlang.kernel.mccl.syntax.parser import MAX_LINE
+from motionlang.kernel.mccl import (
+    MAX_LINE,
+    Board,
+    CommandTask,
+    Fault,
+    Line,
+    LineSteps,
+    codes,
+    line_of,
+    too_long,
+)
 
 
 class BoardPort(HostPort, Protocol):

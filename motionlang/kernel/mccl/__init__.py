@@ -18,11 +18,51 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+from motionlang.kernel.lazy import lazy_names
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.mccl.codes import MEANINGS as MEANINGS
+    from motionlang.kernel.mccl.codes import Fault as Fault
+    from motionlang.kernel.mccl.keywords import table as table
+    from motionlang.kernel.mccl.models import MODELS as MODELS
+    from motionlang.kernel.mccl.models import Model as Model
+    from motionlang.kernel.mccl.models import models_with as models_with
+    from motionlang.kernel.mccl.models import written_for as written_for
+    from motionlang.kernel.mccl.resolve.command import NONE as NONE
+    from motionlang.kernel.mccl.resolve.command import NUMBER as NUMBER
+    from motionlang.kernel.mccl.resolve.command import Command as Command
+    from motionlang.kernel.mccl.resolve.line import Line as Line
+    from motionlang.kernel.mccl.resolve.line import line_of as line_of
+    from motionlang.kernel.mccl.resolve.line import lines_of as lines_of
+    from motionlang.kernel.mccl.resolve.line import locate as locate
+    from motionlang.kernel.mccl.resolve.line import too_long as too_long
+    from motionlang.kernel.mccl.runtime.board import Board as Board
+    from motionlang.kernel.mccl.runtime.program import FileTask as FileTask
+    from motionlang.kernel.mccl.runtime.program import MacroFile as MacroFile
+    from motionlang.kernel.mccl.runtime.task import FORMS as FORMS
+    from motionlang.kernel.mccl.runtime.task import Action as Action
+    from motionlang.kernel.mccl.runtime.task import CommandTask as CommandTask
+    from motionlang.kernel.mccl.runtime.writer import LineSteps as LineSteps
+    from motionlang.kernel.mccl.syntax.comments import COMMENT as COMMENT
+    from motionlang.kernel.mccl.syntax.comments import without_comment as without_comment
+    from motionlang.kernel.mccl.syntax.parser import MAX_LINE as MAX_LINE
     from motionlang.kernel.mccl.syntax.tree import Module
+
+PUBLIC = {
+    "codes": "Fault MEANINGS",
+    "models": "Model MODELS models_with written_for",
+    "keywords": "table",
+    "resolve.command": "Command NONE NUMBER",
+    "resolve.line": "Line line_of lines_of locate too_long",
+    "syntax.parser": "MAX_LINE",
+    "syntax.comments": "COMMENT without_comment",
+    "runtime.board": "Board",
+    "runtime.task": "CommandTask Action FORMS",
+    "runtime.program": "MacroFile FileTask",
+    "runtime.writer": "LineSteps",
+}
 
 
 class Mccl(Dialect):
@@ -158,3 +198,6 @@ class Mccl(Dialect):
 
 
 DIALECT = Mccl()
+
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)

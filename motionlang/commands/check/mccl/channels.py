@@ -8,11 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from motionlang.commands.check.silence import driven_inputs
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.mccl.models import Model, models_with
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl import Command, Fault, Line, Model, models_with, table
 
 Add = Callable[[int, Fault], None]
 

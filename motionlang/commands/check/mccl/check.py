@@ -9,13 +9,10 @@ from motionlang.commands.check.mccl.checks import CALLS, lint
 from motionlang.commands.check.mccl.numbers import check_numbers
 from motionlang.commands.check.silence import silence
 from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel.mccl import COMMENT, Fault, Line, lines_of, table
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.errors import DEFINES, defines, diagnostic, errors_of, model_of
 from motionlang.kernel.mccl.resolve.flow import flow_of
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
-from motionlang.kernel.mccl.syntax.comments import COMMENT
 
 
 def check(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:

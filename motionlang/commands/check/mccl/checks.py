@@ -10,10 +10,8 @@ from collections.abc import Callable, Iterator
 from motionlang.commands.check.mccl.equalities import exact_positions
 from motionlang.commands.check.mccl.loops import endless_lines
 from motionlang.commands.check.mccl.running import running_axes
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl import Command, Fault, Line
 from motionlang.kernel.mccl.resolve.flow import Flow
-from motionlang.kernel.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]
 

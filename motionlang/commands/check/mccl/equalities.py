@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl import Command, Fault, Line
 
 Add = Callable[[int, Fault], None]
 

@@ -7,10 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl import Command, Fault, Line
 from motionlang.kernel.mccl.resolve.flow import Flow
-from motionlang.kernel.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]
 

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.mccl import codes
+from motionlang.kernel.mccl import NUMBER, Fault, Line, Model, codes
 from motionlang.kernel.mccl.axis.axis import nearest_whole
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.models import Model
-from motionlang.kernel.mccl.resolve.command import NUMBER
-from motionlang.kernel.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]
 

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.resolve.command import NUMBER, Command
-from motionlang.kernel.mccl.resolve.line import Line
+from motionlang.kernel.mccl import NUMBER, Command, Fault, Line
 
 Add = Callable[[int, Fault], None]
 

@@ -9,8 +9,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import at_once, commands
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.line import line_of
+from motionlang.kernel.mccl import Command, line_of
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

@@ -12,7 +12,7 @@ from motionlang.hosts.mcapi.calls.channels import BITS, FULL_SCALE, MAX_CHANNEL
 from motionlang.hosts.mcapi.command import lacks
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import query
-from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl import Board
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.interface import Interface

@@ -12,12 +12,9 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line, own
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import at_once, commands, poll, query
+from motionlang.kernel.mccl import Board, Command, CommandTask, table
 from motionlang.kernel.mccl.axis.variables import NAMES
-from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.keywords.registers import wrapped
-from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.task import CommandTask
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call
