@@ -17,8 +17,7 @@ from motionlang.hosts.serve.outside import STEP, InTurn
 from motionlang.hosts.serve.pace import Pace
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Diagnostic, ProgramError, Rejected, Source
-from motionlang.kernel.mint.keywords.identity import VIRTUAL
-from motionlang.kernel.mint.models import named
+from motionlang.kernel.mint import VIRTUAL, named
 from motionlang.kernel.tools import count_of
 
 

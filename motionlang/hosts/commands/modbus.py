@@ -21,8 +21,7 @@ from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import STEP, LockStep, Outside, RealTime
 from motionlang.kernel import Run, Source, end_of, run
 from motionlang.kernel.controller import PRODUCTS, product
-from motionlang.kernel.mint.keywords.identity import VIRTUAL
-from motionlang.kernel.mint.models import named
+from motionlang.kernel.mint import VIRTUAL, named
 from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
 from motionlang.views.terminal import shower

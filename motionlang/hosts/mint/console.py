@@ -36,10 +36,7 @@ from motionlang.kernel import (
     Wait,
 )
 from motionlang.kernel.lang import explain
-from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.mint.interactive import MintInteractive
-from motionlang.kernel.mint.runtime.errors import NUMBERS
-from motionlang.kernel.mint.runtime.printing import shows_float
+from motionlang.kernel.mint import DIALECT, NUMBERS, MintInteractive, shows_float
 from motionlang.kernel.tools import StackSpace
 
 INTERNAL = "internal error, see the output of the server"

@@ -15,11 +15,27 @@ from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
+from motionlang.kernel.lazy import lazy_names
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.mint.interactive import MintInteractive as MintInteractive
+    from motionlang.kernel.mint.keywords import table as table
+    from motionlang.kernel.mint.keywords.identity import VIRTUAL as VIRTUAL
+    from motionlang.kernel.mint.models import named as named
+    from motionlang.kernel.mint.runtime.errors import NUMBERS as NUMBERS
+    from motionlang.kernel.mint.runtime.printing import shows_float as shows_float
     from motionlang.kernel.mint.syntax.nodes import Module
+
+PUBLIC = {
+    "models": "named",
+    "keywords": "table",
+    "keywords.identity": "VIRTUAL",
+    "interactive": "MintInteractive",
+    "runtime.errors": "NUMBERS",
+    "runtime.printing": "shows_float",
+}
 
 
 class Mint(Dialect):
@@ -197,3 +213,6 @@ class Mint(Dialect):
 
 
 DIALECT = Mint()
+
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)

@@ -18,8 +18,8 @@ from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
 from motionlang.kernel import Diagnostic, Source
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.check.text import diagnostics
-from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.syntax.nodes import Module
 
