@@ -15,8 +15,7 @@ from time import monotonic
 from typing import Any
 
 from motionlang.kernel import Checked, Dialect, Hook, Program, Run, Source, Steps, Task, run
-from motionlang.kernel.lang import Step, Values
-from motionlang.kernel.lang.steps import BACK, BRANCH
+from motionlang.kernel.lang import BACK, BRANCH, Step, Values
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
 Event = tuple[int, int, bool]

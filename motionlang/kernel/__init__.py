@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
+    from motionlang.kernel.assumptions.used import depended_on as depended_on
     from motionlang.kernel.controller.axis import Axis as Axis
     from motionlang.kernel.controller.clock import INFINITY as INFINITY
     from motionlang.kernel.controller.controller import Controller as Controller
@@ -89,6 +90,7 @@ PUBLIC = {
     "execution": "run run_on Checked end_of ONE_SHIFT dialect_for dialect_of language_of machine_of settings_next_to "
     "checked_settings MACHINE_SUFFIX",
     "result": "Run who_ended",
+    "assumptions.used": "depended_on",
     "report_types": "Report",
     "moves": "Move Moves",
     # Machines.

@@ -29,6 +29,7 @@ from motionlang.kernel import (
     Dialect,
     ProgramError,
     Source,
+    depended_on,
     dialect,
     language_of,
     machine_of,
@@ -37,7 +38,6 @@ from motionlang.kernel import (
     read_machine,
     unknown_model,
 )
-from motionlang.kernel.assumptions.used import depended_on
 from motionlang.kernel.lang import ListedUnit, Literal, literals_of, one_sentence
 from motionlang.kernel.mccl import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import AxisUse, Structure
-from motionlang.kernel.lang.keyword import TOPICS
+from motionlang.kernel.lang import TOPICS, AxisUse, Structure
 
 # What a reader sees for each topic of `keyword.TOPICS`.
 TITLES = {

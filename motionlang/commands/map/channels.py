@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import READ, WRITE, ChannelUse, Read, Structure
-from motionlang.kernel.lang.keyword import CHANNELS
+from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Read, Structure
 
 # The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")

@@ -15,8 +15,7 @@ from typing import Any
 
 from motionlang.commands.map.states import Branches, Diagrams, State, Transition
 from motionlang.kernel import Machine, Steps
-from motionlang.kernel.lang import StepTask, Values
-from motionlang.kernel.lang.steps import GO
+from motionlang.kernel.lang import GO, StepTask, Values
 
 # As many events are remembered for iterations that are skipped.
 MAX_EVENTS = 200_000

@@ -39,9 +39,17 @@ from typing import TypeVar
 
 from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.paths import ordered, postdominators
-from motionlang.kernel.lang import LoopDependencies, Read, Statement, Structure, Unit
-from motionlang.kernel.lang.steps import CALL, END, RETURN
-from motionlang.kernel.lang.wait_causes import KINDS
+from motionlang.kernel.lang import (
+    CALL,
+    END,
+    KINDS,
+    RETURN,
+    LoopDependencies,
+    Read,
+    Statement,
+    Structure,
+    Unit,
+)
 
 # The number of paths that may meet at a step.
 MAX_PATHS = 4

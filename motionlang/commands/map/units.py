@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import Definition, Structure, Unit
-from motionlang.kernel.lang.steps import CALL, ENTER
+from motionlang.kernel.lang import CALL, ENTER, Definition, Structure, Unit
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)

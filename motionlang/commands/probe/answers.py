@@ -9,8 +9,7 @@ from motionlang.commands.probe.assumption import REFUSED, Assumption, Probe
 from motionlang.commands.probe.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.commands.probe.questions import questions
 from motionlang.kernel import Diagnostic
-from motionlang.kernel.lang import switch
-from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
+from motionlang.kernel.lang import ASSUMPTIONS, switch
 from motionlang.kernel.tools import count_of
 
 NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"

@@ -14,9 +14,8 @@ from motionlang.commands.probe.facts import STRENGTHS, of_word
 from motionlang.commands.probe.rules import default_probe, other_defaults
 from motionlang.kernel import Keyword
 from motionlang.kernel.files import package_text
-from motionlang.kernel.lang import switch
-from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
-from motionlang.kernel.mint.keywords.switchable import name_of, row_with_default, with_default
+from motionlang.kernel.lang import ASSUMPTIONS, switch
+from motionlang.kernel.mint import name_of, row_with_default, with_default
 
 # The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (

@@ -18,7 +18,7 @@ from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePosition, SourcePositions
 from motionlang.commands.profile.tasks import Wait, all_waits, ended_at, parent_of
 from motionlang.kernel import Run
-from motionlang.kernel.lang.wait_causes import MOVING
+from motionlang.kernel.lang import MOVING
 from motionlang.kernel.tools import exact_terms
 
 # One of several links that differ only in their times, with their durations: terms of an exact sum.

@@ -28,8 +28,7 @@ from typing import Any
 from motionlang.commands.profile.motions import Motions
 from motionlang.commands.profile.tasks import Wait
 from motionlang.kernel import Run
-from motionlang.kernel.lang import ROUNDING, LoopDependencies, Read
-from motionlang.kernel.lang.wait_causes import KINDS, MOVING
+from motionlang.kernel.lang import KINDS, MOVING, ROUNDING, LoopDependencies, Read
 
 # Task, position, begin, end, callers: the fields of `records.Looped`.
 Row = tuple[str, int, float, float, tuple[int, ...]]

@@ -15,7 +15,7 @@ from math import fsum
 from operator import itemgetter
 
 from motionlang.kernel import Run
-from motionlang.kernel.lang.wait_causes import MOVING
+from motionlang.kernel.lang import MOVING
 from motionlang.kernel.log.log import Log
 
 # A `Waited` as written.

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from itertools import accumulate
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.mccl import NONE, NUMBER, Action, Command, Fault, Line, Model, codes, table
-from motionlang.kernel.mccl.resolve.decode import checked
+from motionlang.kernel.mccl import NONE, NUMBER, Action, Command, Fault, Line, Model, checked, codes, table
 
 
 def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:

@@ -17,7 +17,7 @@ from motionlang.hosts.mcapi.registry import AT_ONCE, POLLS, QUERIES
 from motionlang.hosts.mcapi.session import BadCall, Given, commands_for
 from motionlang.hosts.mcapi.table import FUNCTIONS
 from motionlang.kernel import Rejected
-from motionlang.kernel.lang.machine.keys import MAX_AXES
+from motionlang.kernel.lang import MAX_AXES
 from motionlang.kernel.mccl import Fault
 
 # The column at which the remark begins.

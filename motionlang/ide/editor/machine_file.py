@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from motionlang.ide.editor.completion import Item
 from motionlang.ide.editor.hover import Hover
 from motionlang.kernel import Source, dialect, dialects
-from motionlang.kernel.lang import generic
-from motionlang.kernel.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
+from motionlang.kernel.lang import CHOICES, KEYS, REQUIRED, TABLES, generic
 from motionlang.kernel.servo import KEYS as SERVO_KEYS
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")

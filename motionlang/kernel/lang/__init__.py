@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
+    from motionlang.kernel.lang.keyword import CHANNELS as CHANNELS
+    from motionlang.kernel.lang.keyword import TOPICS as TOPICS
     from motionlang.kernel.lang.literals import Literal as Literal
     from motionlang.kernel.lang.literals import bound as bound
     from motionlang.kernel.lang.literals import canonical as canonical
@@ -26,7 +28,13 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.file import first_mistake as first_mistake
     from motionlang.kernel.lang.machine.file import generic as generic
     from motionlang.kernel.lang.machine.file import read_toml as read_toml
+    from motionlang.kernel.lang.machine.keys import CHOICES as CHOICES
+    from motionlang.kernel.lang.machine.keys import KEYS as KEYS
+    from motionlang.kernel.lang.machine.keys import MAX_AXES as MAX_AXES
+    from motionlang.kernel.lang.machine.keys import REQUIRED as REQUIRED
+    from motionlang.kernel.lang.machine.keys import TABLES as TABLES
     from motionlang.kernel.lang.machine.layers import layered as layered
+    from motionlang.kernel.lang.machine.machine import ASSUMPTIONS as ASSUMPTIONS
     from motionlang.kernel.lang.machine.switch import switch as switch
     from motionlang.kernel.lang.machine.terminal import Terminal as Terminal
     from motionlang.kernel.lang.names import NO_NAMES as NO_NAMES
@@ -45,9 +53,18 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_list import ListedStep as ListedStep
     from motionlang.kernel.lang.step_list import ListedUnit as ListedUnit
     from motionlang.kernel.lang.step_task import StepTask as StepTask
+    from motionlang.kernel.lang.steps import BACK as BACK
+    from motionlang.kernel.lang.steps import BRANCH as BRANCH
+    from motionlang.kernel.lang.steps import CALL as CALL
+    from motionlang.kernel.lang.steps import END as END
+    from motionlang.kernel.lang.steps import ENTER as ENTER
+    from motionlang.kernel.lang.steps import GO as GO
+    from motionlang.kernel.lang.steps import RETURN as RETURN
     from motionlang.kernel.lang.steps import Step as Step
     from motionlang.kernel.lang.steps import Values as Values
     from motionlang.kernel.lang.vocabulary import Vocabulary as Vocabulary
+    from motionlang.kernel.lang.wait_causes import KINDS as KINDS
+    from motionlang.kernel.lang.wait_causes import MOVING as MOVING
     from motionlang.kernel.lang.wait_causes import InputRead as InputRead
     from motionlang.kernel.lang.wait_causes import LoopDependencies as LoopDependencies
     from motionlang.kernel.lang.wait_causes import Read as Read
@@ -69,14 +86,17 @@ PUBLIC = {
     "machine.terminal": "Terminal",
     "program_graph": "Structure Unit Statement AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep",
-    "wait_causes": "InputRead Read LoopDependencies",
-    "steps": "Step Values",
+    "wait_causes": "InputRead Read LoopDependencies KINDS MOVING",
+    "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN",
     "step_task": "StepTask",
     "debugging": "Frame",
     "waits": "ROUNDING wait_idle wait_until",
     "wait_hints": "what_ends what_frees",
     "run_errors": "explain",
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
+    "keyword": "CHANNELS TOPICS",
+    "machine.keys": "KEYS TABLES CHOICES REQUIRED MAX_AXES",
+    "machine.machine": "ASSUMPTIONS",
 }
 
 if not TYPE_CHECKING:

@@ -1,6 +1,7 @@
 """MCCL, PMC's Motion Control Command Language.
 
-`DIALECT` is its only interface; everything else is imported on first use.
+`DIALECT` is its interface for programs. `PUBLIC` are the names for hosts and questions. Everything is imported on first
+use.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import NONE as NONE
     from motionlang.kernel.mccl.resolve.command import NUMBER as NUMBER
     from motionlang.kernel.mccl.resolve.command import Command as Command
+    from motionlang.kernel.mccl.resolve.decode import checked as checked
     from motionlang.kernel.mccl.resolve.line import Line as Line
     from motionlang.kernel.mccl.resolve.line import line_of as line_of
     from motionlang.kernel.mccl.resolve.line import lines_of as lines_of
@@ -62,6 +64,7 @@ PUBLIC = {
     "runtime.task": "CommandTask Action FORMS",
     "runtime.program": "MacroFile FileTask",
     "runtime.writer": "LineSteps",
+    "resolve.decode": "checked",
 }
 
 

@@ -1,4 +1,7 @@
-"""Mint, the motion language of Baldor and ABB controllers; exports `DIALECT`."""
+"""Mint, the motion language of Baldor and ABB controllers.
+
+`DIALECT` is its interface for programs. `PUBLIC` are the names for hosts and questions, each imported on first use.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +26,9 @@ if TYPE_CHECKING:
     from motionlang.kernel.mint.interactive import MintInteractive as MintInteractive
     from motionlang.kernel.mint.keywords import table as table
     from motionlang.kernel.mint.keywords.identity import VIRTUAL as VIRTUAL
+    from motionlang.kernel.mint.keywords.switchable import name_of as name_of
+    from motionlang.kernel.mint.keywords.switchable import row_with_default as row_with_default
+    from motionlang.kernel.mint.keywords.switchable import with_default as with_default
     from motionlang.kernel.mint.models import named as named
     from motionlang.kernel.mint.runtime.errors import NUMBERS as NUMBERS
     from motionlang.kernel.mint.runtime.printing import shows_float as shows_float
@@ -35,6 +41,7 @@ PUBLIC = {
     "interactive": "MintInteractive",
     "runtime.errors": "NUMBERS",
     "runtime.printing": "shows_float",
+    "keywords.switchable": "name_of row_with_default with_default",
 }
 
 

@@ -1,8 +1,7 @@
 """Motion mathematics: planners, and the `Profile` that each of them returns.
 
-A `Profile` is position as an exact function of time. Planners are imported on first use, so a program without
-motion does not load them. `sample` needs NumPy, and the modules of `pvt` serve drives. Import both by name, never
-from here.
+A `Profile` is position as an exact function of time. Each name is imported on first use, so a program without motion
+loads no planner. `ORDERS` and `PieceTable` load NumPy.
 
 Units. The unit of length, L, is the caller's: counts for an axis, user units along a path.
 
@@ -52,6 +51,12 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.pieces import jerk_in as jerk_in
     from motionlang.kernel.planners.pieces import still_points as still_points
     from motionlang.kernel.planners.pieces import velocity_in as velocity_in
+    from motionlang.kernel.planners.pvt.motion import plan_pvt as plan_pvt
+    from motionlang.kernel.planners.pvt.motion import pvt_piece as pvt_piece
+    from motionlang.kernel.planners.pvt.velocities import VELOCITY_METHODS as VELOCITY_METHODS
+    from motionlang.kernel.planners.pvt.velocities import compare_velocities as compare_velocities
+    from motionlang.kernel.planners.pvt.velocities import knot_accelerations as knot_accelerations
+    from motionlang.kernel.planners.pvt.velocities import pvt_velocities as pvt_velocities
     from motionlang.kernel.planners.ramps import Piece as Piece
     from motionlang.kernel.planners.ramps import Recipe as Recipe
     from motionlang.kernel.planners.ramps import named_ramps as named_ramps
@@ -78,6 +83,8 @@ PUBLIC = {
     "formula": "summit",
     "sample": "ORDERS PieceTable",
     "limits": "check_finite check_positive",
+    "pvt.motion": "plan_pvt pvt_piece",
+    "pvt.velocities": "VELOCITY_METHODS pvt_velocities compare_velocities knot_accelerations",
 }
 
 if not TYPE_CHECKING:

@@ -1,8 +1,8 @@
 """The servo behind the profile: control loops, motors, and their simulation.
 
 `Loop` and its forms define how the error becomes a voltage, `Motor` and `Drive` the effect of the voltage.
-`simulate` runs a complete track, `Servo` runs it up to a clock's time. A run without a motor imports nothing
-of this package; NumPy is imported only for columns.
+`simulate` runs a complete track, `Servo` runs it up to a clock's time. Each name is imported on first use: checking the
+keys of a machine file needs only the modules that describe a loop. NumPy is imported only for columns.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.readers import whole
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import replacing
-from motionlang.kernel.planners.pvt.velocities import compare_velocities, knot_accelerations
+from motionlang.kernel.planners import compare_velocities, knot_accelerations
 from motionlang.kernel.tools import count_of, total
 from motionlang.lab.copley.export import Unwritable, export
 from motionlang.lab.copley.input import Move, Points, Sent, spans_of

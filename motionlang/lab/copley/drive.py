@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import ceil, inf
 
-from motionlang.kernel.planners import Profile, from_curve, hold, plan_stop
-from motionlang.kernel.planners.pvt.motion import pvt_piece
+from motionlang.kernel.planners import Profile, from_curve, hold, plan_stop, pvt_piece
 from motionlang.lab.copley.buffer import Buffer, Entry, entry_of
 from motionlang.lab.copley.packet import UNDERFLOW
 from motionlang.lab.copley.point import WirePoint

@@ -15,8 +15,7 @@ from motionlang.cli.option_groups import Language, Picture
 from motionlang.cli.readers import integer, real, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, ProgramError, Source, WholeTrack, run
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.pvt.velocities import METHODS, pvt_velocities
+from motionlang.kernel.planners import VELOCITY_METHODS, Profile, pvt_velocities
 from motionlang.lab.copley.point import check_points
 from motionlang.lab.copley.table import read_points
 from motionlang.lab.pvt.points import (
@@ -120,7 +119,7 @@ class Points(Fitted, Picture):
     jerk: float | None = option("J", "its jerk, counts/s³, or --time for its four segments", read=POSITIVE)
     accel: float | None = option("A", "its acceleration limit, counts/s²", read=POSITIVE)
     speed: float | None = option("V", "its velocity limit, counts/s", read=POSITIVE)
-    velocities: str | None = option("", "how to choose the velocities", choices=("given", *METHODS))
+    velocities: str | None = option("", "how to choose the velocities", choices=("given", *VELOCITY_METHODS))
     sweeps: int | None = option(
         "N", "passes over the points by refine", read=whole("a whole number from 1 to 1000", 1, 1000)
     )

@@ -10,8 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from motionlang.kernel.planners import Profile, acceleration_in, jerk_in, velocity_in
-from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners import Profile, acceleration_in, jerk_in, plan_pvt, velocity_in
 from motionlang.kernel.tools import total
 
 MAX_SEGMENT = 0.255

@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from motionlang.commands.map.channels import DEVICES
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.states import Action, Condition, State, Transition
-from motionlang.kernel.lang import READ
-from motionlang.kernel.lang.wait_causes import KINDS
+from motionlang.kernel.lang import KINDS, READ
 
 # What a task waits for, by cause.
 CAUSES = {

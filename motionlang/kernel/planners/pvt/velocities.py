@@ -16,7 +16,7 @@ from motionlang.kernel.planners.limits import check_finite, check_positive
 
 Times = float | Sequence[float]
 
-METHODS: dict[str, str] = {
+VELOCITY_METHODS: dict[str, str] = {
     "zero": "every velocity zero: the drive stops at each point",
     "average": "the mean velocity over the two segments that meet at the point, zero at both ends",
     "refine": "the average, then sweeps of the formulas F2 and F1 towards continuous acceleration",
@@ -25,7 +25,7 @@ METHODS: dict[str, str] = {
 
 
 def pvt_velocities(method: str, points: Sequence[float], times: Times, sweeps: int = 1) -> list[float]:
-    """Return one velocity per point, by one of `METHODS`.
+    """Return one velocity per point, by one of `VELOCITY_METHODS`.
 
     Raises ValueError for an unknown method or impossible points.
     """
@@ -41,7 +41,9 @@ def pvt_velocities(method: str, points: Sequence[float], times: Times, sweeps: i
         return velocities
     if method == "exact":
         return smooth_velocities(points, times)
-    raise ValueError(f"there is no method {method!r} to choose velocities; choose from {', '.join(METHODS)}")
+    raise ValueError(
+        f"there is no method {method!r} to choose velocities; choose from {', '.join(VELOCITY_METHODS)}"
+    )
 
 
 def average_velocities(
