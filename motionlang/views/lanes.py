@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motionlang.kernel import Controller
-from motionlang.kernel.log.records import Changed, Switched
-from motionlang.kernel.log.stream import Stream
+from motionlang.kernel.log import Changed, Stream, Switched
 
 # group -> (name in the log, prefix of a lane's name, True for digital channels)
 GROUPS = {

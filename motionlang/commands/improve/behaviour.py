@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 from motionlang.kernel import Run
 from motionlang.kernel.lang import READ, WRITE, Structure, Unit
-from motionlang.kernel.log.records import GRAVE
+from motionlang.kernel.log import GRAVE
 
 # Positions are equal within this, user units.
 SAME = 1e-6

@@ -13,7 +13,7 @@ from typing import Any
 
 from motionlang.commands.plot.path import path_figure
 from motionlang.kernel import Run
-from motionlang.kernel.log.records import GRAVE
+from motionlang.kernel.log import GRAVE
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.servo import ServoTrace

@@ -13,7 +13,7 @@ from motionlang.commands.profile.critical_path import About, CriticalPath, Link,
 from motionlang.commands.profile.slacks import Slack, slacks
 from motionlang.commands.profile.tasks import TaskTime, parent_of, reported, task_times
 from motionlang.kernel import Run
-from motionlang.kernel.log.records import Waited
+from motionlang.kernel.log import Waited
 from motionlang.kernel.tools import exact_terms
 
 # The root of all calls, which contains the lines outside subs.

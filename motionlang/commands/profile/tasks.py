@@ -16,7 +16,7 @@ from operator import itemgetter
 
 from motionlang.kernel import Run
 from motionlang.kernel.lang import MOVING
-from motionlang.kernel.log.log import Log
+from motionlang.kernel.log import Log
 
 # A `Waited` as written.
 Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]

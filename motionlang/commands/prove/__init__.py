@@ -4,7 +4,7 @@ from motionlang.commands.prove.checker import Proof as Proof
 from motionlang.commands.prove.checks import prove
 from motionlang.commands.prove.outputs import ROWS
 from motionlang.kernel import Run
-from motionlang.kernel.log.track import Recorded
+from motionlang.kernel.log import Recorded
 from motionlang.kernel.report import moves
 
 

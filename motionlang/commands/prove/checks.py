@@ -54,10 +54,9 @@ from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel import Diagnostic, WholeTrack
 from motionlang.kernel.controller import Move
+from motionlang.kernel.log import Recorded, Samples
 from motionlang.kernel.log.expected_motion import MAX_PROFILES, ExpectedMotion
 from motionlang.kernel.log.order import Order, PathOrder
-from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.planners import Profile, State
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.

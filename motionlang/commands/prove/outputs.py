@@ -10,7 +10,7 @@ from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, positi
 from motionlang.commands.prove.segments import spans
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.controller import Move
-from motionlang.kernel.log.trace import Samples
+from motionlang.kernel.log import Samples
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40

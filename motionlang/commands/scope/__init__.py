@@ -25,8 +25,7 @@ from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel import Controller, Run, WholeTrack
 from motionlang.kernel.files import replacing
-from motionlang.kernel.log.records import GRAVE
-from motionlang.kernel.log.track import axes_of
+from motionlang.kernel.log import GRAVE, axes_of
 from motionlang.kernel.planners import Piece, pieces_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
@@ -41,7 +40,7 @@ from motionlang.views.window import WHOLE, Window
 
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
-    from motionlang.kernel.log.trace import Array
+    from motionlang.kernel.log import Array
     from motionlang.kernel.servo import ServoTrace
 
 Row = dict[str, Any]

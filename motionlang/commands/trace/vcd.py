@@ -18,7 +18,7 @@ from typing import IO, TYPE_CHECKING, Any, cast
 import numpy as np
 
 from motionlang.kernel import Trace
-from motionlang.kernel.log.records import Event
+from motionlang.kernel.log import Event
 from motionlang.kernel.tools import need
 from motionlang.kernel.version import __version__
 from motionlang.views.lanes import lanes

@@ -18,7 +18,7 @@ from typing import Any
 
 from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
 from motionlang.kernel import INFINITY, Machine, WholeTrack
-from motionlang.kernel.log.records import Changed, Switched
+from motionlang.kernel.log import Changed, Switched
 
 # Yields the moments after one time up to another.
 Search = Callable[[Machine, float, float], Iterable["Moment"]]
