@@ -31,6 +31,7 @@ GROUPS = (
         "tools.diagnostics_page:files",
         "tools.vscode_grammars:files",
         "tools.stages_page:files",
+        "tools.kernel_names:files",
         "tools.highlight_tables:files",
     ),
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from heapq import heappop, heappush
 
+# No time, or no end.
 INFINITY = float("inf")
 
 

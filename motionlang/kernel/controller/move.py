@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 # Pieces of a profile after which the move continues as a new entry of the log.
 MAX_PIECES = 500
-# The value of `ended` of the entry before.
+# The value of `ended` of a move that continues as another entry.
 CONTINUED = "continued"
 
 

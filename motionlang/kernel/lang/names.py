@@ -205,4 +205,5 @@ def _no_problem(definition: Definition, name: str) -> str:
     return ""
 
 
+# The names of a text that defines none.
 NO_NAMES = Names([], [], True, _no_problem)

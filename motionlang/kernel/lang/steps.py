@@ -22,6 +22,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+# The values of a call.
 Values = list[Any]
 
 # The kinds of step. `do` is what it computes, `to` another step.

@@ -122,7 +122,7 @@ EVENTS = (
     "buffer full",
     "wait",
 )
-# Those that a machine should not have.
+# The kinds of events that a machine should not have.
 GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "velocity jump")
 
 

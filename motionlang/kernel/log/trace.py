@@ -20,6 +20,7 @@ from motionlang.kernel.log.trajectory_points import AT_ONCE, Points
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
 
+# Numbers of a column.
 Array = NDArray[np.float64]
 
 # quantity -> unit, and the unit as a component of a column's name.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-# From the table that the MX driver was written with (after PMC's manual).
+# The meanings of error codes, from the table that the MX driver was written with (after PMC's manual).
 MEANINGS: dict[int, str] = {
     0: "no error",
     1: "unrecognised command",

@@ -69,6 +69,7 @@ _MODELS = (
           at_target=False, whole_gains=True, lacks=(*_BASIC, _TASKS, _SCALES, _CONTOURS), update=0.001),
 )  # fmt: skip
 
+# The boards by name.
 MODELS: dict[str, Model] = {model.name: model for model in _MODELS}
 DEFAULT = "multiflex"
 # The board of a file by PMC's suffixes; suffixes of boards that are not simulated are missing.

@@ -14,7 +14,9 @@ from __future__ import annotations
 
 from math import inf, pi
 
+# Ramps of a velocity: v0, T1, kind1, v1 and so on.
 Recipe = tuple[float, ...]
+# One polynomial or sine of a profile.
 Piece = tuple[float, float, float, float, float, float, float]
 Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
 

@@ -13,6 +13,7 @@ from motionlang.kernel.planners.evaluate import evaluate, piece_values
 
 Array = NDArray[np.float64]
 
+# The quantities of a profile, and the derivative of position that each is.
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
 
 

@@ -21,6 +21,7 @@ MINT_STEPS = 2048.0
 MINT_STEP = FULL_SCALE / MINT_STEPS
 LM628_RATE = 6e6 / 2048.0
 """Hz: one sample every 2048 clocks of 6 MHz, 341 microseconds."""
+# The servo models of MCCL's boards.
 MODELS = ("multiflex", "dcx")
 # The initial gains of a language, by the quantity of the loop that each sets, in the units of the language:
 # `tunes` in the rows of its keywords. If a quantity sets other fields than the one it is named after, `SETS`

@@ -46,6 +46,7 @@ def _not_negative(default: float, text: str) -> Key:
 
 
 _MOTOR, _DRIVE, _LOOP = Motor(), Drive(), Loop()
+# The keys of a machine file that describe a plant.
 PLANT: dict[str, Key] = {
     "kind": Key(
         "text", "dc", "A dc or brushless motor, or a drive with its own velocity loop.", choices=PLANT_KINDS
@@ -83,6 +84,7 @@ PLANT: dict[str, Key] = {
     "speed_per_volt": _positive(_DRIVE.speed_per_volt, "For a drive: counts/s for each volt."),
     "time_constant": _positive(_DRIVE.time_constant, "For a drive: time constant of its response, s."),
 }
+# The keys of a machine file that describe a loop.
 SERVO: dict[str, Key] = {
     "proportional": Key("number", 0.0, "V per count of following error; a program's own gains win."),
     "integral": Key("number", 0.0, "V per count and servo sample."),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from motionlang.kernel.log.records import EVENTS
 
+# The axes that a controller may have.
 MAX_AXES = 64
 # key -> (kind, help). A pair is two numbers, the first not above the second.
 KEYS: dict[str, tuple[str, str]] = {
@@ -131,6 +132,7 @@ _WRITTEN = {
         "A text instead of a value: four characters per element, the first one in the highest byte.",
     ),
 }
+# The tables of a machine file that may occur several times: the kind and help of each key.
 TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "input": {
         "channel": ("channel", "The digital input."),
@@ -316,6 +318,7 @@ EXPECTED: dict[str, tuple[str, ...]] = {
     "diagnostic": (),
 }
 OUTCOMES = ("ended", "until", "stopped", "fault")
+# The keys that an entry of each table must have.
 REQUIRED = {
     "input": ("channel",),
     "analogue": ("channel", "value"),

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Hook, Observer
     from motionlang.kernel.lang.scheduler import Scheduler
 
+# The number of axes of a machine without a machine file.
 DEFAULT_AXES = 8
 # The number of the terminal that is the console.
 CONSOLE = 1

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.line import Line
     from motionlang.kernel.mccl.runtime.board import Board
 
+# The function of a command, which returns what to wait for.
 Action: TypeAlias = Callable[[Any, Command], Wait | None]
 
 # Formats of a report of an axis, by the machine file's assumption `mccl.reply-form`.

@@ -18,9 +18,9 @@ from motionlang.kernel.mint.runtime.changes import always
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.version import __version__
 
-# AXES is the item of NUMBEROF that counts axes. VIRTUAL is the name that WorkBench's library gives its own
-# simulated controller.
+# The item of NUMBEROF that counts axes.
 AXES = 0
+# The name that WorkBench's library gives its own simulated controller.
 VIRTUAL = "Virtual Controller"
 _POWER_UP = "2000-01-01 00:00:00"
 _DATE = "%Y-%m-%d %H:%M:%S"

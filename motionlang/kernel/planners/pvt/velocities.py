@@ -16,6 +16,7 @@ from motionlang.kernel.planners.limits import check_finite, check_positive
 
 Times = float | Sequence[float]
 
+# The ways to choose a velocity at each point, and what each is.
 VELOCITY_METHODS: dict[str, str] = {
     "zero": "every velocity zero: the drive stops at each point",
     "average": "the mean velocity over the two segments that meet at the point, zero at both ends",
