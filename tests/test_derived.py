@@ -1,7 +1,8 @@
-"""Derived files are current, and the documented recipe for adding a keyword works with a made-up one."""
+"""Derived files are current, and the documented recipes for adding a keyword and a command work with made-up ones."""
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -18,6 +19,56 @@ ROOT = Path(__file__).parent.parent
 SLOW = "tools.keyword_pages:mint"
 # The files that the recipe touches, and that the writers read.
 COPIED = ("motionlang", "grammars", "docs", "playground", "tests", "tools")
+# The files of a command, without their folder.
+LONGEST = {
+    "__init__.py": """\
+\"\"\"The move of a run that takes longest.\"\"\"
+
+from __future__ import annotations
+
+from motionlang.kernel import Move, Run
+
+
+def longest(run: Run) -> Move | None:
+    \"\"\"Return the first of the moves that take longest, or None.\"\"\"
+    return max(run.moves, key=lambda move: move.duration, default=None)
+""",
+    "view.py": """\
+\"\"\"The longest move in words.\"\"\"
+
+from __future__ import annotations
+
+from motionlang.kernel import Move
+
+
+def longest_line(move: Move | None) -> str:
+    return "no move" if move is None else f"line {move.line}: {move.duration:.3f} s"
+""",
+    "command.py": """\
+\"\"\"`motionlang longest`: the move of a run that takes longest.\"\"\"
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.run_command import Simulated
+from motionlang.commands.longest import longest
+from motionlang.commands.longest.view import longest_line
+from motionlang.kernel import Run
+
+
+@dataclass
+class Longest(Simulated):
+    \"\"\"Name the move that takes longest.\"\"\"
+
+    title: ClassVar[str] = "longest"
+
+    def conclude(self, result: Run) -> None:
+        sys.stdout.write(f"{longest_line(longest(result))}\\n")
+""",
+}
 
 
 @pytest.mark.parametrize(
@@ -53,11 +104,12 @@ def python(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a copy of the project in which a keyword was added by the recipe."""
+    """Return a copy of the project in which keywords and a command were added by the recipes."""
     folder = tmp_path_factory.mktemp("recipe")
     for name in COPIED:
         copy_with_bytecode(ROOT / name, folder / name, "golden", "node_modules", "dist")
-    shutil.copy(ROOT / "mkdocs.yml", folder)
+    for name in ("mkdocs.yml", "pyproject.toml"):
+        shutil.copy(ROOT / name, folder)
     mint, mccl = folder / "motionlang/kernel/mint/keywords", folder / "motionlang/kernel/mccl/keywords"
     row = (
         '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", Actions(read=of(Environment, halfway)),\n'
@@ -88,8 +140,25 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
             "a", encoding="utf-8"
         ) as evidence:
             evidence.write(f"\n{facts} · memory high · made up\n  {word}\n")
+    add_command(folder)
     python(folder, "-m", "tools.derived")
     return folder
+
+
+def add_command(folder: Path) -> None:
+    """Add a command by the recipe: its folder, its page, and three rows."""
+    for name, text in LONGEST.items():
+        path = folder / "motionlang/commands/longest" / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    row = '        "longest": ("commands.longest.command:Longest", "name the move that takes longest"),\n'
+    insert(folder / "motionlang/cli/commands.py", '        "certify": (', row)
+    insert(folder / "pyproject.toml", " | probe | processes", " | longest")
+    insert(folder / "mkdocs.yml", "          - certify:", "          - longest: commands/longest.md\n")
+    page = (
+        "# longest\n\n`motionlang longest FILE` names one move.\n\n<!-- options: longest -->\n<!-- end -->\n"
+    )
+    (folder / "docs/commands/longest.md").write_text(page, encoding="utf-8")
 
 
 @pytest.mark.parametrize(
@@ -119,3 +188,22 @@ def test_the_linter_knows_it_by_its_row(copy: Path) -> None:
         check=False,
     )
     assert "endless-wait" in result.stdout + result.stderr
+
+
+def test_a_command_added_by_the_recipe_runs(copy: Path) -> None:
+    (copy / "move.mnt").write_text("MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n", encoding="utf-8")
+    line = python(copy, "-m", "motionlang", "longest", "move.mnt", "--format", "none")
+    assert re.fullmatch(r"line [12]: \d\.\d{3} s\n", line)
+
+
+def test_a_command_added_by_the_recipe_is_listed_with_its_options(copy: Path) -> None:
+    assert "longest     name the move that takes longest" in python(copy, "-m", "motionlang", "--help")
+    folder = copy / "docs/commands"
+    assert "| [`longest`](longest.md) | name the move" in (folder / "README.md").read_text(encoding="utf-8")
+    assert "| `--until S` | end the run" in (folder / "longest.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_a_command_added_by_the_recipe_keeps_the_contracts(copy: Path) -> None:
+    run = "from importlinter.cli import lint_imports as run; exit(run(no_cache=True, no_logo=True))"
+    assert " 0 broken." in python(copy, "-c", run)
