@@ -24,9 +24,19 @@ from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.mccl.axis.axis import AxisState as AxisState
+    from motionlang.kernel.mccl.axis.launch import aim as aim
+    from motionlang.kernel.mccl.axis.motion_phase import at_target_time as at_target_time
+    from motionlang.kernel.mccl.axis.motor import torque as torque
+    from motionlang.kernel.mccl.axis.status import RECORD_PERIOD as RECORD_PERIOD
+    from motionlang.kernel.mccl.axis.volts import volts as volts
     from motionlang.kernel.mccl.codes import MEANINGS as MEANINGS
     from motionlang.kernel.mccl.codes import Fault as Fault
     from motionlang.kernel.mccl.keywords import table as table
+    from motionlang.kernel.mccl.keywords.io import is_on as is_on
+    from motionlang.kernel.mccl.keywords.motion_record import recorded_actual as recorded_actual
+    from motionlang.kernel.mccl.keywords.motion_record import recorded_optimal as recorded_optimal
+    from motionlang.kernel.mccl.keywords.motion_record import recorded_times as recorded_times
     from motionlang.kernel.mccl.models import MODELS as MODELS
     from motionlang.kernel.mccl.models import Model as Model
     from motionlang.kernel.mccl.models import models_with as models_with
@@ -65,6 +75,14 @@ PUBLIC = {
     "runtime.program": "MacroFile FileTask",
     "runtime.writer": "LineSteps",
     "resolve.decode": "checked",
+    "axis.axis": "AxisState",
+    "axis.launch": "aim",
+    "axis.motion_phase": "at_target_time",
+    "axis.motor": "torque",
+    "axis.volts": "volts",
+    "axis.status": "RECORD_PERIOD",
+    "keywords.io": "is_on",
+    "keywords.motion_record": "recorded_actual recorded_optimal recorded_times",
 }
 
 

@@ -11,9 +11,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import commands, query
-from motionlang.kernel.mccl import Command
-from motionlang.kernel.mccl.axis.volts import volts
-from motionlang.kernel.mccl.keywords.io import is_on
+from motionlang.kernel.mccl import Command, is_on, volts
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.interface import Interface

@@ -10,9 +10,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import commands, poll
-from motionlang.kernel.mccl import Board, Command
-from motionlang.kernel.mccl.axis.axis import AxisState
-from motionlang.kernel.mccl.axis.motion_phase import at_target_time
+from motionlang.kernel.mccl import AxisState, Board, Command, at_target_time
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

@@ -9,10 +9,8 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import at_once, query
 from motionlang.kernel.controller import AUXILIARY
-from motionlang.kernel.mccl import Board, Model
+from motionlang.kernel.mccl import AxisState, Board, Model, aim
 from motionlang.kernel.mccl.axis import status
-from motionlang.kernel.mccl.axis.axis import AxisState
-from motionlang.kernel.mccl.axis.launch import aim
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.call import Call

@@ -8,9 +8,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import commands, query
-from motionlang.kernel.mccl import Command
-from motionlang.kernel.mccl.axis.status import RECORD_PERIOD
-from motionlang.kernel.mccl.keywords.motion_record import recorded_actual, recorded_optimal, recorded_times
+from motionlang.kernel.mccl import RECORD_PERIOD, Command, recorded_actual, recorded_optimal, recorded_times
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.interface import Interface

@@ -15,11 +15,10 @@ from motionlang.hosts.mcapi.command import command, lacks
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import commands, query
 from motionlang.hosts.mcapi.table import STRUCTURES
-from motionlang.kernel.mccl import Board, Command
+from motionlang.kernel.mccl import AxisState, Board, Command, torque
 from motionlang.kernel.mccl.axis import flags
-from motionlang.kernel.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
+from motionlang.kernel.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.kernel.mccl.axis.limits import ALL, HARD_MINUS, HARD_PLUS, SOFT_HIGH, SOFT_LOW
-from motionlang.kernel.mccl.axis.motor import torque
 from motionlang.kernel.mccl.axis.status import SHAPES
 from motionlang.kernel.mccl.keywords.reports import STORED_DEFAULTS
 
