@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping
 
 
@@ -18,8 +17,6 @@ def lazy_names(package: str, modules: Mapping[str, str]) -> Callable[[str], obje
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         # Like `import_module`, whose package takes longer to import than most of these modules.
-        found: object = getattr(__import__(f"{package}.{homes[name]}", fromlist=[name]), name)
-        setattr(sys.modules[package], name, found)
-        return found
+        return getattr(__import__(f"{package}.{homes[name]}", fromlist=[name]), name)
 
     return opened
