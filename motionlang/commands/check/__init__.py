@@ -1,12 +1,12 @@
 """The mistakes of a program, found without a run: the command check."""
 
 from collections.abc import Mapping
+from importlib import import_module
 
-from motionlang.commands.check import mint
-from motionlang.commands.check.mccl.check import check as check_mccl
 from motionlang.kernel import Diagnostic, Dialect, Source
 
-_LINTERS = {"mint": mint.check, "mccl": check_mccl}
+# The module of each language, which is imported for its programs only.
+_LINTERS = {"mint": "mint", "mccl": "mccl.check"}
 
 
 def check(
@@ -16,4 +16,6 @@ def check(
 
     `settings` are those of the machine file.
     """
-    return _LINTERS[language.name](source, settings or {})
+    linter = import_module(f"{__name__}.{_LINTERS[language.name]}")
+    found: list[Diagnostic] = linter.check(source, settings or {})
+    return found

@@ -22,7 +22,6 @@ from motionlang.commands.compare.options import Compared
 from motionlang.commands.diff.charged import Charge, charged
 from motionlang.commands.diff.golden import golden_files
 from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
-from motionlang.commands.diff.motion import divergence
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
@@ -172,6 +171,8 @@ examples:
         diverged, charges, changed = None, [], []
         kept: list[Kept] = []
         if old_run is not None and new_run is not None:
+            from motionlang.commands.diff.motion import divergence
+
             diverged = divergence(old_run, new_run, tolerance.size("position"))
             ran = old_run.program is not None and new_run.program is not None
             charges = charged(old_run, new_run) if ran and found.time is not None else []

@@ -1,8 +1,6 @@
 """The proof of a run: checks its motion against the commands, without planners."""
 
 from motionlang.commands.prove.checker import Proof as Proof
-from motionlang.commands.prove.checks import prove
-from motionlang.commands.prove.outputs import ROWS
 from motionlang.kernel import Run
 from motionlang.kernel.log import Recorded
 from motionlang.kernel.report import moves
@@ -13,6 +11,10 @@ def proof(run: Run, views: bool = True) -> Proof:
 
     With `views` the report and the trace are checked, too.
     """
+    # The checks need NumPy; `motionlang prove --help` does not.
+    from motionlang.commands.prove.checks import prove
+    from motionlang.commands.prove.outputs import ROWS
+
     if run.expected_motion is None:
         raise ValueError("the run was not made with prove=True")
     if not views:
