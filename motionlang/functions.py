@@ -69,7 +69,7 @@ def run(
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
-    return execution.run(
+    made = execution.run(
         _checked(program),
         dialect=dialect,
         machine=machine,
@@ -84,6 +84,11 @@ def run(
         prove=prove,
         log_size=log_size,
     )
+    if any(key.startswith("budget.") for key in made.machine.settings):
+        from motionlang.commands.profile.budget import within_budget
+
+        within_budget(made)
+    return made
 
 
 def check(

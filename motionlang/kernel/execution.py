@@ -216,10 +216,6 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
         report_guesses(result)
     if "answer" in settings and result.status in ("ended", "until", "stopped"):
         report_unasked(result)
-    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
-        from motionlang.commands.profile.budget import over_budget
-
-        result.diagnostics += over_budget(result, settings)
 
 
 def end_of(settings: Mapping[str, object]) -> float:

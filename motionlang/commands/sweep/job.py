@@ -11,6 +11,7 @@ from time import perf_counter
 from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
+from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.prove import proof
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
@@ -164,7 +165,7 @@ class Worker:
         )
         if found.status == "interrupted":
             raise KeyboardInterrupt
-        return found
+        return within_budget(found)
 
     def _program(
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
