@@ -257,7 +257,7 @@ def prove(program: Program | Run) -> Proof:
     result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
     without `prove`, and the errors of `run`.
     """
-    from motionlang.commands.prove import proof
+    from motionlang.commands.prove.proof import proof
 
     return proof(program if isinstance(program, Run) else run(program, prove=True))
 

@@ -14,7 +14,7 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify import Limit, certificate, missing_limits, violations
 from motionlang.commands.certify.view import certificate_lines, limits_table
-from motionlang.commands.prove import Proof, proof
+from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.command import Prove
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import machine_of, run
@@ -52,6 +52,8 @@ examples:
 
         Programs whose machine has no limits are named at the end.
         """
+        from motionlang.commands.prove.proof import proof  # with NumPy
+
         found, without, failed = programs([self.file]), [], 0
         if not found:
             sys.stderr.write(f"no programs in {self.file}\n")

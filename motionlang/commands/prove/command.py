@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
-from motionlang.commands.prove import Proof, proof
+from motionlang.commands.prove.checker import Proof
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.result import Run as Result
 from motionlang.kernel.tools import need
@@ -60,4 +60,6 @@ def proof_of(result: Result) -> Proof | None:
         )
         result.diagnostics.append(Diagnostic("proof", message, hint=hint))
         return None
+    from motionlang.commands.prove.proof import proof  # with NumPy
+
     return proof(result)

@@ -12,7 +12,6 @@ from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
 from motionlang.commands.profile.budget import within_budget
-from motionlang.commands.prove import proof
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -198,6 +197,8 @@ class Worker:
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
         elif self.job.prove:
+            from motionlang.commands.prove.proof import proof  # with NumPy
+
             diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
