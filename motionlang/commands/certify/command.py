@@ -114,7 +114,9 @@ examples:
 def certify(result: Result, machine: str | None) -> list[Limit]:
     """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
-    result.diagnostics += violations(lines, missing_limits(result.source.name, machine))
+    result.diagnostics += violations(
+        lines, missing_limits(result.source.name, machine, result.dialect.first_axis)
+    )
     return lines
 
 

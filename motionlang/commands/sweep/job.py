@@ -202,7 +202,7 @@ class Worker:
             diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
-            diagnostics += violations(lines, missing_limits("", "the machine file"))
+            diagnostics += violations(lines, missing_limits("", "the machine file", self._dialect.first_axis))
         return problem_of(diagnostics) if diagnostics else None
 
 
