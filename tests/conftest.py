@@ -94,7 +94,7 @@ def _prove_every_run() -> None:
         pace: Callable[[float], None] | None,
         outside: Outside | None,
     ) -> None:
-        from motionlang.commands.prove.prove import prove
+        from motionlang.commands.prove.checks import prove
         from motionlang.kernel.log.expected_motion import ExpectedMotion
         from motionlang.kernel.log.track import Recorded
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.outputs import ROWS
-from motionlang.commands.prove.prove import prove
+from motionlang.commands.prove.checks import prove
 from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import prove, run
-from motionlang.commands.prove.proof import proof
+from motionlang.commands.prove import proof
 from motionlang.kernel.planners import hold
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from motionlang.commands.prove.checker import Proof
-from motionlang.commands.prove.prove import _check_move
+from motionlang.commands.prove.checks import _check_move
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
 from tests.cases import cases
 

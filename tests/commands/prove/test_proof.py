@@ -7,8 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.commands.prove.proof import proof as proof_of
-from motionlang.commands.prove.prove import prove
+from motionlang.commands.prove import proof as proof_of
+from motionlang.commands.prove.checks import prove
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.log.order import Order
 from motionlang.kernel.log.trace import Samples
@@ -557,7 +557,7 @@ def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytes
         (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
     ):
         monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", most)
-        monkeypatch.setattr("motionlang.commands.prove.prove.MAX_PROFILES", most)
+        monkeypatch.setattr("motionlang.commands.prove.checks.MAX_PROFILES", most)
         ran = run(Source("move.mnt", program), prove=True)
         assert ran.output == whole.output == ["4.0000"]
         assert [each.partition(" of motion")[0] for each in found(ran)] == expected
