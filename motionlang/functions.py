@@ -69,6 +69,11 @@ def run(
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
+    listener = None
+    if prove:
+        from motionlang.commands.prove.expected_motion import ExpectedMotion
+
+        listener = ExpectedMotion
     made = execution.run(
         _checked(program),
         dialect=dialect,
@@ -81,7 +86,7 @@ def run(
         keys=keys,
         show=show,
         nv=nv,
-        prove=prove,
+        listener=listener,
         log_size=log_size,
     )
     if any(key.startswith("budget.") for key in made.machine.settings):

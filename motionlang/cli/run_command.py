@@ -16,6 +16,8 @@ from motionlang.cli.option_groups import Output, Program, World, forms
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.execution import ONE_SHIFT, Checked, run
 from motionlang.kernel.lang.machine.axes import missing_axes
@@ -44,8 +46,6 @@ class Simulated(Output, World, Program):
     """A command that runs one program: it prints the program's output and then its report."""
 
     title: ClassVar[str] = "run"
-    # True if the run is to be proved.
-    proves: ClassVar[bool] = False
     file: str = argument("FILE", "the program; - reads standard input")
     format: str = forms("text", "json", "csv", "none", what="the report")
     until: float | None = option(
@@ -166,6 +166,10 @@ class Simulated(Output, World, Program):
 
         return reported(simulate, warn, line_of if pace is None and self._is_endless(settings) else None)
 
+    def listener(self, controller: Controller) -> MotionListener:
+        """Return what listens to the motion of the run."""
+        return MotionListener()
+
     def _is_endless(self, settings: Checked) -> bool:
         """True if no time of the user's ends the run, only a limit of processor time."""
         return self.until is None and "run.until" not in settings
@@ -197,7 +201,7 @@ class Simulated(Output, World, Program):
                 begun=prepare,
                 nv=self.nv,
                 keep_crash=True,
-                prove=self.proves,
+                listener=self.listener,
             )
 
     # ----------------------------------------------------------------------------------------------- after the run

@@ -14,6 +14,7 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 
 from motionlang import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.controller.move import Move
 from motionlang.kernel.log.records import Looped, Waited
 from motionlang.kernel.log.track import WholeTrack
@@ -64,8 +65,7 @@ def in_order(result: Run) -> Iterator[str]:
 
 def entries_end(result: Run) -> Iterator[str]:
     """Check that completed entries end within the run, the last one where its axis is."""
-    assert result.expected_motion is not None
-    axes, data = result.controller.axes, result.expected_motion.data
+    axes, data = result.controller.axes, ExpectedMotion.of_run(result).data
     last: dict[int, Move] = {}
     for move in result.controller.log.moves:
         profile, axis = move.profile, axes[move.axis]

@@ -61,7 +61,7 @@ examples:
         signed = 0
         for program in found:
             try:
-                result = run(program, until=self.until, overrides=self.overrides(), prove=True)
+                result = run(program, until=self.until, overrides=self.overrides(), listener=self.listener)
             except OSError as error:
                 complain([unreadable(str(error.filename or program), error)], None, program)
                 failed += 1

@@ -8,6 +8,8 @@ from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.result import Run as Result
 from motionlang.kernel.tools import need
@@ -27,10 +29,12 @@ exit status: 1 if the motion violates a limit, or as in run
 examples:
   motionlang prove pick.mnt
 """
-    proves: ClassVar[bool] = True
 
     def prepare(self) -> None:
         need(f"motionlang {type(self).__name__.lower()}", "numpy")
+
+    def listener(self, controller: Controller) -> ExpectedMotion:
+        return ExpectedMotion(controller)
 
     def extend(self, result: Result) -> None:
         self.proof = proof_of(result)
@@ -49,7 +53,7 @@ def proof_of(result: Result) -> Proof | None:
 
     A run that has crashed, or was interrupted after long motion, has none.
     """
-    if result.expected_motion is None or result.crash is not None:
+    if result.listener is None or result.crash is not None:
         return None
     profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
     if result.status == "interrupted" and profiles > PROVED_IN_TIME:

@@ -8,9 +8,9 @@ from math import fsum, inf, isfinite
 
 from motionlang.commands.prove.axes import taken_over
 from motionlang.commands.prove.checker import SLACK, Proof, Run, Uses, position
+from motionlang.commands.prove.order import Order, Tie
 from motionlang.commands.prove.segments import derivatives, spans
 from motionlang.commands.prove.stretches import stretches
-from motionlang.kernel.log.order import Order, Tie
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from motionlang.commands.prove.checker import Proof
-from motionlang.commands.prove.outputs import ROWS
 from motionlang.commands.prove.checks import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.outputs import ROWS
 from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
@@ -15,9 +16,8 @@ def proof(run: Run, views: bool = True) -> Proof:
 
     With `views` the report and the trace are checked, too.
     """
-    if run.expected_motion is None:
-        raise ValueError("the run was not made with prove=True")
+    expected = ExpectedMotion.of_run(run)
     if not views:
-        return prove(Recorded(run.controller), run.expected_motion, run.time)
+        return prove(Recorded(run.controller), expected, run.time)
     samples = run.trace.sample(ROWS / run.time) if run.time > 0.0 else None
-    return prove(Recorded(run.controller), run.expected_motion, run.time, moves(run), samples)
+    return prove(Recorded(run.controller), expected, run.time, moves(run), samples)

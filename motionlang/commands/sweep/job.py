@@ -12,6 +12,7 @@ from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
 from motionlang.commands.profile.budget import within_budget
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -159,7 +160,7 @@ class Worker:
             until=self.job.until,
             overrides=overrides,
             keep_crash=True,
-            prove=self.job.prove,
+            listener=ExpectedMotion if self.job.prove else None,
             compiled=compiled,
         )
         if found.status == "interrupted":

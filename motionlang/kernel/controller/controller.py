@@ -215,8 +215,7 @@ class Controller(AxisVerbs):
 
         a = self.movable(axis)
         gear(self, a, self._master(master, encoder), ratio, ramp, command, line)
-        if self.expected_motion is not None:
-            self.expected_motion.gears(a, ratio)
+        self.motion_listener.gears(a, ratio)
 
     def set_ratio(self, axis: int, ratio: float) -> None:
         """Change the ratio of an axis that follows a master; a no-op for any other axis."""
@@ -224,8 +223,7 @@ class Controller(AxisVerbs):
 
         a = self.axes[axis]
         set_ratio(a, ratio)
-        if self.expected_motion is not None:
-            self.expected_motion.gears(a, ratio)
+        self.motion_listener.gears(a, ratio)
 
     def leave_master(self, axis: int) -> None:
         """Stop following a master; the present profile continues to its end."""

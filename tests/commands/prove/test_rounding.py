@@ -7,6 +7,7 @@ import pytest
 from motionlang import prove, run
 from motionlang.commands.prove.axes import check_profile
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.source import Source
@@ -21,8 +22,7 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
     result = run(Source("found.mnt", SETTINGS + JERKS + path), prove=True)
     assert prove(result).holds
-    expected, track = result.controller.expected_motion, WholeTrack(result.controller.axes[1])
-    assert expected is not None
+    expected, track = ExpectedMotion.of_run(result), WholeTrack(result.controller.axes[1])
     i = next(k for k, order in enumerate(expected.of[1]) if order.path is not None)
     order, planned = expected.of[1][i], track.profiles[i]
     first, (c0, c1, c2, c3, c4, c5, c6), *others = planned.pieces

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
+from motionlang.commands.prove.order import Tie
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.order import Tie
 from motionlang.kernel.log.trace import Trace, quantity_of
 from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.planners.curve import pieces_of

@@ -49,7 +49,7 @@ LOCATIONS = {
     "anywhere": ("/motionlang/kernel/controller/", "/motionlang/kernel/lang/"),
     "log": (
         "/kernel/controller/core.py",
-        "/motionlang/kernel/log/expected_motion.py",
+        "/motionlang/commands/prove/expected_motion.py",
         "/motionlang/kernel/log/log.py",
     ),
 }

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from motionlang import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import report
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import Rejected
@@ -248,7 +249,7 @@ For n = 1 To 1200
 Next
 STOP(0)
 """
-    result = run(Source("live.mnt", program), prove=True)
+    result = run(Source("live.mnt", program), listener=ExpectedMotion)
     rows: list[dict[str, Any]] = list(report.moves(result))
     first, last = rows[0], rows[-1]
     assert [row.get("ended") for row in rows] == ["continued"] * (len(rows) - 1) + ["stop"]

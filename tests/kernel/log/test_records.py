@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.log import log as log_module
@@ -16,7 +17,6 @@ from motionlang.kernel.log import profiles as profiles_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.moves import Moves
-from motionlang.kernel.log.order import Order, PathOrder, Tie
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices, Waited
 from motionlang.kernel.log.stream import Store

@@ -154,8 +154,7 @@ class PathMove(Action):
     def displace(self, controller: Core, by: Sequence[float]) -> None:
         """Displace the path because the one that it is blended with was cut short."""
         self.displaced = by
-        if controller.expected_motion is not None:
-            controller.expected_motion.displace(self)
+        controller.motion_listener.displace(self)
 
     def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):

@@ -162,8 +162,7 @@ class Homing:
             self.cancel()
             if a.move is not None:
                 controller.come_to_rest(self.axis)
-            if controller.expected_motion is not None:
-                controller.expected_motion.refuse(a)
+            controller.motion_listener.refuse(a)
             controller.run_time_fault(rejected)
 
     def _unwatch(self) -> None:
