@@ -70,7 +70,9 @@ class Run:
     @property
     def trace(self) -> Trace:
         """The motion, for sampling at any rate."""
-        return self.controller.trace
+        from motionlang.kernel.log.trace import Trace
+
+        return Trace(self.controller)
 
     def _repr_html_(self) -> str:
         # Requested by a notebook, which has the views; no layer below may import them.

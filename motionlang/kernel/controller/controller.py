@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.motion.sampled_velocity import Track
     from motionlang.kernel.controller.moves.entries import Make, Table
     from motionlang.kernel.controller.triggers.limit import Limit
-    from motionlang.kernel.log.trace import Trace
 
 
 class Controller(AxisVerbs):
@@ -389,18 +388,6 @@ class Controller(AxisVerbs):
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)
 
-    def recall(self, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
-        """Return past values of one of `history.COLUMNS`; `times` must rise.
-
-        Examples are "actual" (counts) and "output" (volts).
-        """
-        a = self.axes[axis]
-        if a.feedback is None:
-            return [a.position(time) if quantity == "actual" else 0.0 for time in times]
-        from motionlang.kernel.log.history import recall
-
-        return recall(a, self.clock.now, quantity, times)
-
     def open_loop(self, axis: int, volts: float) -> None:
         """Apply a voltage to a simulated motor; motion ends at the commanded position."""
         a = self.axes[axis]
@@ -420,10 +407,3 @@ class Controller(AxisVerbs):
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.take_over(self)
-
-    @property
-    def trace(self) -> Trace:
-        """The motion so far, for sampling; imports numpy."""
-        from motionlang.kernel.log.trace import Trace
-
-        return Trace(self)
