@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.assumptions.used import depended_on
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.packed import RAMPS, packed
 from motionlang.kernel.planners.ramps import named_ramps

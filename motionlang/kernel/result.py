@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, cast
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
@@ -22,6 +21,7 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of
 

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 from motionlang.cli.command import argument
 from motionlang.cli.option_groups import Program, World, with_world
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.execution import language_of
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.repl.commands import load_file

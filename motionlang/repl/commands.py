@@ -18,8 +18,7 @@ from motionlang.commands.improve import NotPossible, improver_of
 from motionlang.commands.improve.view import improvement_lines
 from motionlang.commands.map.program_map import mapped
 from motionlang.commands.map.view.text import render as render_map
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.execution import ONE_SHIFT, dialect_of
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang.dialect import dialect

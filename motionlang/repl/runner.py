@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from traceback import walk_tb
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.execution import ONE_SHIFT
 from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Dialect

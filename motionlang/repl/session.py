@@ -12,8 +12,7 @@ from collections.abc import Callable, Mapping
 from textwrap import wrap
 
 from motionlang.commands.check import check
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.foreign import AT_PROMPT, one_sentence
 from motionlang.kernel.lang.machine.machine import Machine

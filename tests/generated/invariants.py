@@ -15,7 +15,7 @@ import jsonschema  # type: ignore[import-untyped]
 
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.records import Looped, Waited
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run

@@ -10,8 +10,8 @@ from math import fsum, inf, isfinite
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.move import CONTINUED, Move
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.log.move import CONTINUED, Move
 from motionlang.kernel.log.track import WholeTrack
 
 # The fraction of the largest figure that rounding may amount to.

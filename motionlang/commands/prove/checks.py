@@ -54,8 +54,8 @@ from motionlang.commands.prove.outputs import check_report, check_trace
 from motionlang.commands.prove.paths import check_blended, check_path, check_path_end, in_force
 from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.trace import Samples
 from motionlang.kernel.log.track import Recorded, WholeTrack
 from motionlang.kernel.planners import Profile, State

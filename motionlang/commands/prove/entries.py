@@ -11,7 +11,7 @@ from math import fsum, isfinite
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.offsets import check_offset
 from motionlang.commands.prove.order import Order
-from motionlang.kernel.controller.move import CONTINUED, MAX_PIECES, Move
+from motionlang.kernel.log.move import CONTINUED, MAX_PIECES, Move
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
 

@@ -21,11 +21,11 @@ from motionlang.kernel.controller.motion.jog import Jog
 from motionlang.kernel.controller.motion.profile_playback import Playback
 from motionlang.kernel.controller.motion.reference import PositionReference, SpeedReference
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.moves.cam import CurveFollow
 from motionlang.kernel.controller.moves.geometry import Line
 from motionlang.kernel.controller.moves.path import PathMove
 from motionlang.kernel.controller.moves.path_run import PathRun
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run
 

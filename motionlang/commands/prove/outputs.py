@@ -8,7 +8,7 @@ from math import isfinite
 
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.segments import spans
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.trace import Samples
 from motionlang.kernel.log.track import WholeTrack
 

@@ -10,7 +10,7 @@ from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.path_bounds import check_along, could_stop, spans_along
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
 from motionlang.commands.prove.segments import Span
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
 

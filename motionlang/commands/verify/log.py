@@ -6,8 +6,7 @@ import os
 
 from motionlang.cli.complaints import unreadable
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.errors import ProgramError, Rejected
 from motionlang.kernel.execution import machine_of, settings_next_to
 from motionlang.kernel.source import Source
 

@@ -28,8 +28,7 @@ from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.hosts.serve.pace import STEP, Pace
 from motionlang.hosts.serve.server import MakeHost
 from motionlang.hosts.serve.spy import Spy
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.source import Source

@@ -16,8 +16,7 @@ from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.outside import STEP, InTurn
 from motionlang.hosts.serve.pace import Pace
 from motionlang.hosts.serve.spy import Spy
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.mint.keywords.identity import VIRTUAL
 from motionlang.kernel.mint.models import named
 from motionlang.kernel.source import Source

@@ -21,7 +21,7 @@ from motionlang.hosts.mcapi.build import TARGETS, CannotBuild, build
 from motionlang.hosts.mcapi.listing import Listing
 from motionlang.hosts.mcapi.log import BadLog, model_of, read
 from motionlang.hosts.mcapi.replay import call_of, replay_file
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 
 _NOT_NEGATIVE = real("a number, 0 or more", 0.0, 1e6)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.hosts.mcapi import table as mc
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 

@@ -19,7 +19,7 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.errors import code_of
 from motionlang.hosts.mccl.port import Port
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault

@@ -16,7 +16,7 @@ from motionlang.hosts.mcapi.protocol import encode, request
 from motionlang.hosts.mcapi.registry import AT_ONCE, POLLS, QUERIES
 from motionlang.hosts.mcapi.session import BadCall, Given, commands_for
 from motionlang.hosts.mcapi.table import FUNCTIONS
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.keys import MAX_AXES
 from motionlang.kernel.mccl.codes import Fault
 

@@ -28,7 +28,7 @@ from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
 from motionlang.hosts.mccl.console import Console
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.runtime.task import CommandTask

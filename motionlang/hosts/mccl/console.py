@@ -18,7 +18,7 @@ from motionlang.hosts.console import HostConsole
 from motionlang.hosts.mccl.download import Complain, Download, Write
 from motionlang.hosts.mccl.port import BoardPort, HostWait, Port
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task

@@ -35,7 +35,7 @@ from motionlang.ide.debug.journal import Assigned, Entered, Journal
 from motionlang.ide.debug.scopes import find
 from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.execution import run, run_on
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.dialect import Dialect

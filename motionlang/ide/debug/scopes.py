@@ -17,10 +17,10 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import names
 from motionlang.kernel.controller.io.channels import Channels
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.lang.debugging import Frame, Hook, Variable
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.track import WholeTrack
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from motionlang.kernel.controller import motion, moves, triggers
 from motionlang.kernel.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.kernel.controller.core import Core
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.jog import jog
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
 
 SETTINGS = frozenset(

@@ -14,11 +14,11 @@ from motionlang.kernel.controller import moves, readers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.axis_verbs import AxisVerbs
 from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.encoder import turn
 from motionlang.kernel.controller.moves.geometry import Arc, Line
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER, Reader, Subscriber, Writer
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.reference import Slope

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller import motion, moves, triggers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import MAX_PIECES, Move
 from motionlang.kernel.controller.readings import Readings
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import MAX_PIECES, Move
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.trapezoid import plan_trapezoid
 

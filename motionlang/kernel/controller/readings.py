@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller import triggers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Clock, Event
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.trace import Trace
 from tests.cases import examples
 from tests.kernel.controller.machines import cam, machine, offset, until

@@ -7,10 +7,10 @@ from math import inf, sqrt
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.log.history import recall
+from motionlang.kernel.log.move import Action
 from motionlang.kernel.planners.curve import from_curve
 from tests.cases import cases
 

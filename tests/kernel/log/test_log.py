@@ -16,13 +16,13 @@ from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import report
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.execution import run
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.stream import Store
 from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run

@@ -10,12 +10,12 @@ import pytest
 
 from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import moves as moves_module
 from motionlang.kernel.log import profiles as profiles_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices, Waited

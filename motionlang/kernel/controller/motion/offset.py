@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.follow import Follow
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, plan
 
 if TYPE_CHECKING:

@@ -18,11 +18,11 @@ from motionlang.kernel.controller.faults import (
     LIMIT_REVERSE,
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
-    Rejected,
 )
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.triggers.watch import Watch, watched_position
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import plan
 
 if TYPE_CHECKING:
