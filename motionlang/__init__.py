@@ -26,13 +26,13 @@ if TYPE_CHECKING:
     from motionlang.kernel.errors import Diagnostic, ProgramError
     from motionlang.kernel.lang.dialect import dialect, parse
     from motionlang.kernel.lang.machine.machine import Machine
-    from motionlang.kernel.log.trace import Trace
     from motionlang.kernel.moves import Move, Moves
     from motionlang.kernel.planners import hold, plan_trapezoid
     from motionlang.kernel.report_types import Report
     from motionlang.kernel.result import Run
     from motionlang.kernel.servo import Loop, Motor, Servo, Track, simulate
     from motionlang.kernel.source import Source
+    from motionlang.kernel.tracks.trace import Trace
     from motionlang.kernel.version import __version__
     from motionlang.repl.session import Session
 
@@ -89,7 +89,7 @@ _HOMES = {
     "Servo": "kernel.servo",
     "Session": "repl.session",
     "Source": "kernel.source",
-    "Trace": "kernel.log.trace",
+    "Trace": "kernel.tracks.trace",
     "Track": "kernel.servo",
     "__version__": "kernel.version",
     "certify": "functions",

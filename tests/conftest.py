@@ -96,7 +96,7 @@ def _prove_every_run() -> None:
     ) -> None:
         from motionlang.commands.prove.checks import prove
         from motionlang.commands.prove.expected_motion import ExpectedMotion
-        from motionlang.kernel.log.track import Recorded
+        from motionlang.kernel.tracks.track import Recorded
 
         # A debugger goes back in a run, which the motion that is expected so far does not.
         is_proved = not isinstance(result.listener, ExpectedMotion) and result.machine.hook is None

@@ -184,7 +184,7 @@ def _perform(
         result.crash, result.status = error, "fault"
     result.diagnostics[:0] = result.machine.diagnostics
     if result.machine.has_motors:
-        from motionlang.kernel.log.history import notes
+        from motionlang.kernel.tracks.history import notes
 
         result.notes += notes(result.controller)
     result.notes += result.machine.notes

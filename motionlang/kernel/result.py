@@ -26,9 +26,9 @@ from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.trace import Trace
     from motionlang.kernel.moves import Moves
     from motionlang.kernel.report_types import Report, ReportMove
+    from motionlang.kernel.tracks.trace import Trace
 
 
 class Run:
@@ -70,7 +70,7 @@ class Run:
     @property
     def trace(self) -> Trace:
         """The motion, for sampling at any rate."""
-        from motionlang.kernel.log.trace import Trace
+        from motionlang.kernel.tracks.trace import Trace
 
         return Trace(self.controller)
 

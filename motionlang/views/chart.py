@@ -12,8 +12,8 @@ from itertools import chain, islice
 from math import inf
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
+from motionlang.kernel.tracks.track import WholeTrack
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import clock_time
 from motionlang.views.quantities import COLOURS

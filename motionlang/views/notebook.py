@@ -24,7 +24,7 @@ from motionlang.views.report import moves_table, render
 from motionlang.views.terminal import printable
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.trace import Trace
+    from motionlang.kernel.tracks.trace import Trace
 
 WIDTH = 110
 # The width of a curve in points, and the intervals over it; each shows its lowest and its highest velocity.

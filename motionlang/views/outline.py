@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS
+from motionlang.kernel.tracks.trace import Trace
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.tracks.trace import Trace
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import peak_of
 from motionlang.views.outline import outline, thinned

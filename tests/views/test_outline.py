@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.trace import Trace
 from motionlang.views.outline import outline, thinned
 from tests.views.runs import ballscrew, pick, short_shift
 

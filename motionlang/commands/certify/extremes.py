@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from math import inf
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import State, state_in
 from motionlang.kernel.planners.formula import summit
 from motionlang.kernel.planners.pieces import crest_points, even_points, still_points
+from motionlang.kernel.tracks.track import WholeTrack
 
 
 @dataclass(eq=False, slots=True)
@@ -186,7 +186,7 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
     """
     if a.feedback is None:
         return None
-    from motionlang.kernel.log.history import chunks
+    from motionlang.kernel.tracks.history import chunks
 
     largest, when, squares, count = 0.0, 0.0, 0.0, 0
     for first, chunk in chunks(a, until):

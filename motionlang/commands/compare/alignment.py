@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.planners.formula import summit
+from motionlang.kernel.tracks.trace import Trace
 
 Array = NDArray[np.float64]
 

@@ -16,10 +16,10 @@ from motionlang.commands.compare.differences import scale_remarks, stroke_remark
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.commands.compare.strokes import Matched, is_explained, match
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.log.trace import MOTOR, UNITS
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.trace import MOTOR, UNITS
 
 Array = NDArray[np.float64]
 

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.commands.compare.alignment import Signal, fit, simulated
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel.tracks.trace import Trace
 
 Array = NDArray[np.float64]
 # A cost, and pairs of indices.

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import PieceTable
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import WholeTrack
 
 Array = NDArray[np.float64]
 

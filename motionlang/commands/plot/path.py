@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.planners.sample import ORDERS
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.trace import Trace
 from motionlang.views.figure import AXIS, FAINT, INK, TURBO, Area, Curve, Figure, Note, Panel, Scale
 from motionlang.views.figure_layout import Ticks
 from motionlang.views.formatting import dialect_name, outcome, peak_of

@@ -8,7 +8,7 @@ from motionlang.commands.prove.checker import SLACK, Proof, Uses
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.segments import Span, derivatives, spans
 from motionlang.commands.prove.stretches import stretches, unavoidable_speed
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})

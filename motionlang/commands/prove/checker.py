@@ -12,7 +12,7 @@ from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import CONTINUED, Move
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6

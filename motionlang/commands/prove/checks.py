@@ -56,9 +56,9 @@ from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import Recorded, WholeTrack
 from motionlang.kernel.planners import Profile, State
+from motionlang.kernel.tracks.trace import Samples
+from motionlang.kernel.tracks.track import Recorded, WholeTrack
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
 SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)

@@ -12,8 +12,8 @@ from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, positi
 from motionlang.commands.prove.offsets import check_offset
 from motionlang.commands.prove.order import Order
 from motionlang.kernel.log.move import CONTINUED, MAX_PIECES, Move
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
+from motionlang.kernel.tracks.track import WholeTrack
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED

@@ -26,8 +26,8 @@ from motionlang.kernel.controller.moves.geometry import Line
 from motionlang.kernel.controller.moves.path import PathMove
 from motionlang.kernel.controller.moves.path_run import PathRun
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import WholeTrack
 
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.

@@ -11,8 +11,8 @@ from motionlang.commands.prove.checker import SLACK, Proof, Run, Uses, position
 from motionlang.commands.prove.order import Order, Tie
 from motionlang.commands.prove.segments import derivatives, spans
 from motionlang.commands.prove.stretches import stretches
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
+from motionlang.kernel.tracks.track import WholeTrack
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)

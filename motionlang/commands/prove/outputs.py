@@ -9,8 +9,8 @@ from math import isfinite
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.segments import spans
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.trace import Samples
+from motionlang.kernel.tracks.track import WholeTrack
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40

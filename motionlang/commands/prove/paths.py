@@ -11,8 +11,8 @@ from motionlang.commands.prove.path_bounds import check_along, could_stop, spans
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
 from motionlang.commands.prove.segments import Span
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile
+from motionlang.kernel.tracks.track import WholeTrack
 
 # Paths that may overlap.
 MAX_OVERLAP = 2

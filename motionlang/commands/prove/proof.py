@@ -6,9 +6,9 @@ from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.checks import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.outputs import ROWS
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import Recorded
 
 
 def proof(run: Run, views: bool = True) -> Proof:

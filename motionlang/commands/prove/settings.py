@@ -12,7 +12,7 @@ from motionlang.commands.prove.path_bounds import could_stop
 from motionlang.commands.prove.paths import check_rest, in_force, rest_along
 from motionlang.commands.prove.segments import spans
 from motionlang.commands.prove.stretches import stopping_distance
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 
 LATE = "a rate written too late: the motion keeps the one in force"
 

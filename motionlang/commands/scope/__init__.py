@@ -26,13 +26,13 @@ from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log.records import GRAVE
-from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.planners.curve import pieces_of
 from motionlang.kernel.planners.ramps import Piece
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import WholeTrack, axes_of
 from motionlang.kernel.version import __version__
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import dialect_name, figure, outcome
@@ -43,8 +43,8 @@ from motionlang.views.window import WHOLE, Window
 
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
-    from motionlang.kernel.log.trace import Array
     from motionlang.kernel.servo.trace import ServoTrace
+    from motionlang.kernel.tracks.trace import Array
 
 Row = dict[str, Any]
 

@@ -17,8 +17,8 @@ import numpy as np
 from motionlang.commands.trace.mcap import write_mcap
 from motionlang.commands.trace.vcd import write_vcd
 from motionlang.kernel.files import replacing
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.tools import need
+from motionlang.kernel.tracks.trace import Trace
 
 Report = Callable[[float], object]
 

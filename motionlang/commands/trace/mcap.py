@@ -13,8 +13,8 @@ from heapq import merge
 from operator import itemgetter
 from typing import IO, Any
 
-from motionlang.kernel.log.trace import Column, Trace
 from motionlang.kernel.tools import need
+from motionlang.kernel.tracks.trace import Column, Trace
 from motionlang.kernel.version import __version__
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable

@@ -18,8 +18,8 @@ from typing import IO, TYPE_CHECKING, Any, cast
 import numpy as np
 
 from motionlang.kernel.log.records import Event
-from motionlang.kernel.log.trace import Trace
 from motionlang.kernel.tools import need
+from motionlang.kernel.tracks.trace import Trace
 from motionlang.kernel.version import __version__
 from motionlang.views.lanes import lanes
 

@@ -259,7 +259,7 @@ class Replay:
         times.sort()
         if quantity == "velocity":
             return [a.velocity(time) for time in times]
-        from motionlang.kernel.log.history import recall
+        from motionlang.kernel.tracks.history import recall
 
         return recall(controller, axis, "actual", times)
 

@@ -20,7 +20,7 @@ from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.log.records import Changed, Switched
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 
 # Yields the moments after one time up to another.
 Search = Callable[[Machine, float, float], Iterable["Moment"]]

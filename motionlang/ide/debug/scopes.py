@@ -21,7 +21,7 @@ from motionlang.kernel.lang.debugging import Frame, Hook, Variable
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 
 if TYPE_CHECKING:
     from motionlang.ide.debug.replay import Point

@@ -1,1 +1,1 @@
-"""The log of a run, and the motion that is read from it: streams, tracks, trace, figures."""
+"""The log of a run: what the controller writes."""

@@ -56,7 +56,7 @@ class Log:
     events     `Event`: limits, faults, clamps, stops and the like
 
     The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`.
-    `WholeTrack` of `track.py` reads them as one sequence.
+    `WholeTrack` of `kernel/tracks/track.py` reads them as one sequence.
     """
 
     def __init__(self, disk: int = DISK) -> None:

@@ -16,10 +16,10 @@ from motionlang.cli.readers import integer, real, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.execution import run
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners.curve import Profile
 from motionlang.kernel.planners.pvt.velocities import METHODS, pvt_velocities
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 from motionlang.lab.copley.point import check_points
 from motionlang.lab.copley.table import read_points
 from motionlang.lab.pvt.points import (

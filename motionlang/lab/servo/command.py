@@ -11,11 +11,11 @@ from motionlang.cli.option_groups import Output, Picture, Program
 from motionlang.cli.readers import machine_time
 from motionlang.kernel.execution import Checked
 from motionlang.kernel.execution import run as run_program
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.servo import simulate as simulate_loop
 from motionlang.kernel.servo.gains import mccl_values, mint_values
 from motionlang.kernel.servo.plant import Drive, Motor
 from motionlang.kernel.servo.settings import SERVO, make_loop
+from motionlang.kernel.tracks.track import WholeTrack
 from motionlang.lab.notes.tn1069_servo import BASES
 from motionlang.lab.notes.tn1069_servo import compare as compared
 from motionlang.lab.servo import view
@@ -186,7 +186,7 @@ class ServoRun(Program, Gains, ServoCommand):
         wrong = [each for each in result.diagnostics if each.severity == "error"]
         if wrong:
             raise Refused(wrong, source=result.source, file=self.file)
-        from motionlang.kernel.log.history import servo_trace
+        from motionlang.kernel.tracks.history import servo_trace
 
         rows: list[tuple[int, ServoTrace, float]] = []
         plants: dict[int, Motor | Drive] = {}  # of the axes whose motors are those of the options

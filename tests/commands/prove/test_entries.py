@@ -56,7 +56,7 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     from motionlang.commands.prove.checker import Proof
     from motionlang.commands.prove.checker import Run as Ran
     from motionlang.commands.prove.outputs import check_report
-    from motionlang.kernel.log.track import Recorded
+    from motionlang.kernel.tracks.track import Recorded
 
     recorded, proof = Recorded(result.controller), Proof()
     check_report(

@@ -18,7 +18,7 @@ from motionlang.commands.prove.order import Order
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion.halt import Stopping
 from tests.commands.prove.orders import orders_of, recorded, short
-from tests.kernel.log.test_figures import machine
+from tests.kernel.tracks.test_figures import machine
 
 SETTINGS = "SPEED(0, 1) = 50, 40 : ACCEL(0, 1) = 500, 500 : DECEL(0, 1) = 250, 250\n"
 PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 entry="

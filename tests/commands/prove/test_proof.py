@@ -12,12 +12,12 @@ from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.proof import proof as proof_of
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.planners import Profile, hold, plan
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.trace import Samples
+from motionlang.kernel.tracks.track import Recorded
 
 FINE = {"controller.instruction_time": 1e-9}
 MOVE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 50\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
@@ -588,7 +588,7 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     monkeypatch.setattr("motionlang.kernel.log.log.FIRST_CHECK", 4)
     monkeypatch.setattr("motionlang.kernel.log.log.MAX_PROFILES", 40)
     monkeypatch.setattr("motionlang.kernel.log.log.LEFT_PROFILES", 4)
-    monkeypatch.setattr("motionlang.kernel.log.trace.PROFILES", 8)
+    monkeypatch.setattr("motionlang.kernel.tracks.trace.PROFILES", 8)
     move = "MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
     loop = f"For i = 1 To 60\n  {move}Next\n"
     path = "VECTORR(0, 1) = 3, 4\nGO(0)\nPAUSE IDLE(0)\n"

@@ -24,9 +24,9 @@ from motionlang.kernel.log import stream
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.stream import Store
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.log.small import shrink
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"

@@ -21,10 +21,10 @@ from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices, Waited
 from motionlang.kernel.log.stream import Store
 from motionlang.kernel.log.time_slices import TimeSliceStream
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
 from motionlang.kernel.planners.curve import pieces_of
-from tests.kernel.log.test_figures import machine
+from motionlang.kernel.tracks.track import WholeTrack
+from tests.kernel.tracks.test_figures import machine
 
 
 @pytest.fixture

@@ -16,8 +16,8 @@ from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view.words import CAUSES
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.log.records import Waited
-from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import WholeTrack, axes_of
 from motionlang.views.figure import COLOURS, Curve, Figure, Lane, Panel
 from motionlang.views.lanes import Lane as Channel
 from motionlang.views.lanes import lanes

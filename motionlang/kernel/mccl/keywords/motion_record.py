@@ -85,7 +85,7 @@ def recorded_output(board: Board, axis: AxisState, times: list[float]) -> list[f
 
 
 def _recalled(board: Board, axis: AxisState, quantity: str, times: list[float]) -> list[float]:
-    from motionlang.kernel.log.history import recall
+    from motionlang.kernel.tracks.history import recall
 
     return recall(board.controller, axis.number, quantity, times)
 

@@ -115,7 +115,7 @@ def _of(environment: Environment, quantity: int, axis: int, times: Sequence[floa
 
 
 def _recalled(environment: Environment, axis: int, name: str, times: Sequence[float]) -> list[float]:
-    from motionlang.kernel.log.history import recall
+    from motionlang.kernel.tracks.history import recall
 
     return recall(environment.controller, axis, name, times)
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 from tests.kernel.controller.machines import cam, machine, offset, until
 

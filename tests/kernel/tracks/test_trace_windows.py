@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import history, stream
 from motionlang.kernel.log import log as log_module
-from motionlang.kernel.log import trace as module
-from motionlang.kernel.log.trace import Trace
-from motionlang.kernel.log.trajectory_points import Points
-from tests.kernel.log.test_figures import machine
-from tests.kernel.log.test_history import blocks
+from motionlang.kernel.log import stream
+from motionlang.kernel.tracks import history
+from motionlang.kernel.tracks import trace as module
+from motionlang.kernel.tracks.trace import Trace
+from motionlang.kernel.tracks.trajectory_points import Points
 from tests.kernel.log.test_records import shuttled
+from tests.kernel.tracks.test_figures import machine
+from tests.kernel.tracks.test_history import blocks
 
 EVERY = ("position", "velocity", "acceleration")
 

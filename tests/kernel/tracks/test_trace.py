@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import trace as module
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel.tracks import trace as module
+from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 
 

@@ -11,10 +11,10 @@ import pytest
 from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
 from motionlang.commands.prove.order import Tie
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.trace import Trace, quantity_of
-from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.planners.curve import pieces_of
-from tests.kernel.log.test_trace import ballscrew
+from motionlang.kernel.tracks.trace import Trace, quantity_of
+from motionlang.kernel.tracks.track import WholeTrack, axes_of
+from tests.kernel.tracks.test_trace import ballscrew
 
 
 def machine(**settings: float) -> Controller:

@@ -11,8 +11,10 @@ import pytest
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.feedback import Feedback
-from motionlang.kernel.log import history
-from motionlang.kernel.log.history import (
+from motionlang.kernel.servo.samples import REST_ERROR
+from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.tracks import history
+from motionlang.kernel.tracks.history import (
     MotorFigures,
     Reader,
     figures,
@@ -22,8 +24,6 @@ from motionlang.kernel.log.history import (
     servo_trace,
     window_of,
 )
-from motionlang.kernel.servo.samples import REST_ERROR
-from motionlang.kernel.servo.trace import ServoTrace
 from tests.kernel.servo.test_trace_figures import trace
 
 # A sample every millisecond, from 8 ms on: sample k has the error k, the output 10 k and the torque k / 2.

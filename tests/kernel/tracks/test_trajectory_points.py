@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import trace as trace_module
-from motionlang.kernel.log.trace import Commanded, Trace
+from motionlang.kernel.tracks import trace as trace_module
+from motionlang.kernel.tracks.trace import Commanded, Trace
 
 EVERY = ("position", "velocity", "acceleration", "jerk")
 
