@@ -22,9 +22,7 @@ from motionlang.kernel import (
     settings_next_to,
     unknown_model,
 )
-from motionlang.kernel import (
-    run as run_program,
-)
+from motionlang.kernel import run as run_program
 from motionlang.kernel.lang import Given, one_sentence
 
 if TYPE_CHECKING:
@@ -76,7 +74,12 @@ def run(
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
-    return run_program(
+    listener = None
+    if prove:
+        from motionlang.commands.prove.expected_motion import ExpectedMotion
+
+        listener = ExpectedMotion
+    made = run_program(
         _checked(program),
         dialect=dialect,
         machine=machine,
@@ -88,9 +91,14 @@ def run(
         keys=keys,
         show=show,
         nv=nv,
-        prove=prove,
+        listener=listener,
         log_size=log_size,
     )
+    if any(key.startswith("budget.") for key in made.machine.settings):
+        from motionlang.commands.profile.budget import within_budget
+
+        within_budget(made)
+    return made
 
 
 def check(
@@ -259,7 +267,7 @@ def prove(program: Program | Run) -> Proof:
     result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
     without `prove`, and the errors of `run`.
     """
-    from motionlang.commands.prove import proof
+    from motionlang.commands.prove.proof import proof
 
     return proof(program if isinstance(program, Run) else run(program, prove=True))
 

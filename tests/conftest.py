@@ -95,12 +95,14 @@ def _prove_every_run() -> None:
         outside: Outside | None,
     ) -> None:
         from motionlang.commands.prove.checks import prove
-        from motionlang.kernel.log.expected_motion import ExpectedMotion
-        from motionlang.kernel.log.track import Recorded
+        from motionlang.commands.prove.expected_motion import ExpectedMotion
+        from motionlang.kernel.tracks.track import Recorded
 
         # A debugger goes back in a run, which the motion that is expected so far does not.
-        is_proved = result.expected_motion is None and result.machine.hook is None
+        is_proved = not isinstance(result.listener, ExpectedMotion) and result.machine.hook is None
         expected = ExpectedMotion(result.controller) if is_proved else None
+        if expected is not None:
+            result.controller.motion_listener = expected
         execute(result, compiled, until, pace, outside)
         if expected is not None and not expected.is_full:
             found = prove(Recorded(result.controller), expected, result.machine.clock.now).violations

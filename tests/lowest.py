@@ -46,6 +46,7 @@ FOLDERS = (
     "tests/views",
     "tests/repl",
     "tests/kernel/log",
+    "tests/kernel/tracks",
     "tests/generated/test_results.py",
 )
 TESTED_EXTRAS = ("can", "plot", "parquet", "vcd", "completion")

@@ -11,6 +11,7 @@ from benchmarks import __main__ as driver
 from benchmarks.programs import PROGRAMS, SHIFT, Program
 from benchmarks.styles import COMPUTING, STYLES
 from motionlang import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.execution import run
 from motionlang.kernel.source import Source
 
@@ -63,7 +64,7 @@ def test_an_unknown_name_is_an_error(capsys: pytest.CaptureFixture[str]) -> None
 
 @pytest.mark.slow
 def test_the_shift_is_20_000_moves_in_eight_hours() -> None:
-    result = run(Source("shift.mnt", SHIFT), machine={}, prove=True)
+    result = run(Source("shift.mnt", SHIFT), machine={}, listener=ExpectedMotion)
     assert len(result.machine.log.moves) == 20_000
     assert 28_700 < result.time < 28_900
     assert prove(result).holds

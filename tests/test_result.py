@@ -7,6 +7,7 @@ import signal
 import pytest
 
 from motionlang import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.errors import Diagnostic, Terminated
 from motionlang.kernel.execution import (
     MACHINE_SUFFIX,
@@ -172,7 +173,7 @@ def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
 
 
 def test_a_run_of_no_time_is_proved() -> None:
-    result = run(Source("a.mnt", ""), prove=True)
+    result = run(Source("a.mnt", ""), listener=ExpectedMotion)
     assert (result.time, prove(result).violations) == (0.0, [])
 
 

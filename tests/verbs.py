@@ -78,7 +78,6 @@ VERBS: dict[str, str] = {
     "set_error_limit": "Set the following error beyond which an axis trips.",
     "settle_within": "Say when a simulated motor counts as settled.",
     "settled_time": "Time at which an axis has settled, or at which to check again.",
-    "recall": "Motion of a motor at past times.",
     "settled_since": "Time since which an axis has been within the window of `settle_within`.",
     "open_loop": "Give a simulated motor an output whatever it does.",
     "close_loop": "Let an axis hold its position again.",

@@ -63,7 +63,7 @@ machine_time = real("a time in seconds, 0 or more", 0.0)
 
 def columns(text: str) -> list[str]:
     """Return the names of columns of a trace, separated by commas."""
-    from motionlang.kernel.log import quantity_of
+    from motionlang.kernel.tracks import quantity_of
 
     found = [each.strip() for each in text.split(",")]
     for each in found:

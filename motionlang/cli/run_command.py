@@ -21,6 +21,7 @@ from motionlang.kernel import (
     ONE_SHIFT,
     STDIN,
     Checked,
+    Controller,
     Diagnostic,
     Machine,
     Outside,
@@ -36,6 +37,7 @@ from motionlang.kernel import (
     who_ended,
     with_entries,
 )
+from motionlang.kernel.controller import MotionListener
 from motionlang.kernel.lang import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces
 from motionlang.kernel.tools import MissingExtra
@@ -57,8 +59,6 @@ class Simulated(Output, World, Program):
     """A command that runs one program: it prints the program's output and then its report."""
 
     title: ClassVar[str] = "run"
-    # True if the run is to be proved.
-    proves: ClassVar[bool] = False
     file: str = argument("FILE", "the program; - reads standard input")
     format: str = forms("text", "json", "csv", "none", what="the report")
     until: float | None = option(
@@ -179,6 +179,10 @@ class Simulated(Output, World, Program):
 
         return reported(simulate, warn, line_of if pace is None and self._is_endless(settings) else None)
 
+    def listener(self, controller: Controller) -> MotionListener:
+        """Return what listens to the motion of the run."""
+        return MotionListener()
+
     def _is_endless(self, settings: Checked) -> bool:
         """True if no time of the user's ends the run, only a limit of processor time."""
         return self.until is None and "run.until" not in settings
@@ -210,7 +214,7 @@ class Simulated(Output, World, Program):
                 begun=prepare,
                 nv=self.nv,
                 keep_crash=True,
-                prove=self.proves,
+                listener=self.listener,
             )
 
     # ----------------------------------------------------------------------------------------------- after the run

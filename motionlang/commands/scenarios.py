@@ -10,6 +10,7 @@ import os
 from collections.abc import Mapping
 from math import inf
 
+from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.periods import no_cycle_notes
 from motionlang.commands.quantities import unit_of, values_of
 from motionlang.kernel import Run, Source, machine_of, read_machine, run
@@ -47,7 +48,7 @@ class Scenario:
 
     def run(self, *, cache: bool = False) -> Run:
         """Run the program in this world."""
-        return run(self.program, machine=self.settings)
+        return within_budget(run(self.program, machine=self.settings))
 
 
 def scenario_files(program: str) -> list[str]:

@@ -14,12 +14,14 @@ from math import inf
 from time import monotonic
 from typing import Any
 
-from motionlang.kernel import Checked, Dialect, Hook, Program, Run, Source, Steps, Task, run
+from motionlang.kernel import Checked, Dialect, Hook, Machine, Program, Run, Source, Steps, Task, run
 from motionlang.kernel.lang import BACK, BRANCH, Step, Values
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
 Event = tuple[int, int, bool]
 BEGINS = -1
+# A world ends after so many statements: three seconds of a loop that toggles an output as fast as it can.
+MOST = 300_000
 # The tables of settings that a search changes, and an entry of one.
 TABLES = ("input", "analogue", "answer", "key")
 Entry = dict[str, object]
@@ -27,11 +29,12 @@ Entry = dict[str, object]
 
 @dataclass
 class World:
-    """The settings around a program, a run in them, and its events."""
+    """The settings around a program, a run in them, and its events; `is_cut` if it ended after `MOST` statements."""
 
     settings: Mapping[str, object]
     result: Run
     events: Counter[Event]
+    is_cut: bool
 
 
 class Worlds:
@@ -74,9 +77,10 @@ class Worlds:
             compiled=self._compiled,
             hook=counts,
             observer=counts,
+            begun=counts.attach,
         )
         self._compiled = result.program
-        return World(settings, result, counts.events)
+        return World(settings, result, counts.events, counts.count >= MOST)
 
 
 def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
@@ -91,11 +95,21 @@ class Counts(Hook):
     def __init__(self) -> None:
         super().__init__(lambda task, time, offset: None)
         self.events: Counter[Event] = Counter()
+        self._machine: Machine | None = None
+
+    def attach(self, machine: Machine) -> None:
+        """Watch a run that is about to begin on a machine."""
+        self._machine = machine
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
-        """Count a statement."""
+        """Count a statement, and end the run after `MOST` of them."""
         self.events[offset, BEGINS, True] += 1
-        return False
+        self.count += 1
+        if self.count < MOST:
+            return False
+        if self._machine is not None and self._machine.scheduler is not None:
+            self._machine.scheduler.until = time
+        return True
 
     @property
     def seen(self) -> Counter[Event]:

@@ -8,8 +8,8 @@ virtual clock. The `log` has what happened. A result depends on the program and 
 randomness, no order of a hash.
 
 Import from here what most uses need, the rest from the room that has it: `planners`, `controller`, `servo`, `log`,
-`lang`, `mint`, `mccl`. `PUBLIC` of each has its names, docs/contributing/kernel.md what each name is. `tools`, `files`,
-`report`, `rows`, `cache` and `version` are imported as modules.
+`tracks`, `lang`, `mint`, `mccl`. `PUBLIC` of each has its names, docs/contributing/kernel.md what each name is.
+`tools`, `files`, `report`, `rows`, `cache` and `version` are imported as modules.
 
 Every house reads what the kernel makes. The kernel imports no house, except where `pyproject.toml` lists it.
 """
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis as Axis
     from motionlang.kernel.controller.clock import INFINITY as INFINITY
     from motionlang.kernel.controller.controller import Controller as Controller
-    from motionlang.kernel.controller.faults import Rejected as Rejected
     from motionlang.kernel.errors import CODES as CODES
     from motionlang.kernel.errors import Diagnostic as Diagnostic
     from motionlang.kernel.errors import OutOfTime as OutOfTime
     from motionlang.kernel.errors import ProgramError as ProgramError
+    from motionlang.kernel.errors import Rejected as Rejected
     from motionlang.kernel.errors import Terminated as Terminated
     from motionlang.kernel.execution import MACHINE_SUFFIX as MACHINE_SUFFIX
     from motionlang.kernel.execution import ONE_SHIFT as ONE_SHIFT
@@ -65,8 +65,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import Steps as Steps
     from motionlang.kernel.lang.task import Task as Task
     from motionlang.kernel.lang.waits import Wait as Wait
-    from motionlang.kernel.log.trace import Trace as Trace
-    from motionlang.kernel.log.track import WholeTrack as WholeTrack
     from motionlang.kernel.moves import Move as Move
     from motionlang.kernel.moves import Moves as Moves
     from motionlang.kernel.report_types import Report as Report
@@ -77,6 +75,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.source import STDIN_NAME as STDIN_NAME
     from motionlang.kernel.source import Source as Source
     from motionlang.kernel.source import name_of as name_of
+    from motionlang.kernel.tracks.trace import Trace as Trace
+    from motionlang.kernel.tracks.track import WholeTrack as WholeTrack
 
 # The names of each module. Each is imported on first use.
 PUBLIC = {
@@ -106,13 +106,12 @@ PUBLIC = {
     # The controller.
     "controller.controller": "Controller",
     "controller.axis": "Axis",
-    "controller.faults": "Rejected",
     "controller.clock": "INFINITY",
     # What happened.
-    "log.trace": "Trace",
-    "log.track": "WholeTrack",
+    "tracks.trace": "Trace",
+    "tracks.track": "WholeTrack",
     # Errors.
-    "errors": "Diagnostic ProgramError Terminated OutOfTime CODES",
+    "errors": "Rejected Diagnostic ProgramError Terminated OutOfTime CODES",
 }
 
 if not TYPE_CHECKING:

@@ -1,7 +1,8 @@
 """Errors in a user's program: the message, its location, and a hint.
 
 A `Diagnostic` is one error; a `ProgramError` has all errors of a file. They are displayed by
-`motionlang.views.diagnostics`. Faults of the *machine* are part of an axis's state, not errors.
+`motionlang.views.diagnostics`. The controller raises `Rejected` while a program runs. Faults of the *machine* are part
+of an axis's state, not errors.
 """
 
 from __future__ import annotations
@@ -183,6 +184,19 @@ class ProgramError(Exception):
     def of(cls, code: str, message: str, line: int = 0, column: int = 0, hint: str = "") -> ProgramError:
         """Return the error with one diagnostic."""
         return cls([Diagnostic(code, message, line, column, hint=hint)])
+
+
+class Rejected(Exception):
+    """A command that the controller rejects; `code` is one of `CODES`.
+
+    The language decides how to handle it: Mint raises a run-time error, MCCL gives a `?` code, and both
+    report a diagnostic if the program does not handle it.
+    """
+
+    def __init__(self, code: str, message: str, hint: str = "") -> None:
+        self.code, self.message, self.hint = code, message, hint
+        self.line = 0  # the program line at fault, if it is not the one being executed
+        super().__init__(message)
 
 
 class Terminated(SystemExit):

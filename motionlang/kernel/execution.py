@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 
+from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
@@ -15,7 +17,6 @@ from motionlang.kernel.lang.machine.file import first_mistake, read_machine
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
-from motionlang.kernel.log.expected_motion import ExpectedMotion
 from motionlang.kernel.result import (
     Run,
     interrupted,
@@ -36,6 +37,9 @@ from motionlang.kernel.tools import StackSpace
 ONE_SHIFT = 8 * 3600.0
 # The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
+
+# Makes the listener to the motion of a controller.
+Listener = Callable[[Controller], MotionListener]
 
 
 class Checked(dict[str, object]):
@@ -83,7 +87,7 @@ def run(
     begun: Callable[[Machine], None] | None = None,
     nv: str | None = None,
     keep_crash: bool = False,
-    prove: bool = False,
+    listener: Listener | None = None,
     log_size: float | None = None,
     compiled: Program | None = None,
     hook: Hook | None = None,
@@ -98,10 +102,10 @@ def run(
     `motionlang.run` describes the public parameters and the errors raised. The other parameters are for this
     package. `pace` is called with the machine time of the next step. `outside` is a world that acts on its own, such
     as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
-    an observer. `hook` selects a debug build, which calls it before statements. `observer` counts steps. An internal
-    error is raised, or with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the
-    compiled program of this source, made for a machine that agrees with this one in every setting for which
-    `Dialect.compiled_in` is True.
+    an observer. `listener` makes a listener to the motion of the controller, which `Run.listener` then is. `hook`
+    selects a debug build, which calls it before statements. `observer` counts steps. An internal error is raised, or
+    with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the compiled program of this
+    source, made for a machine that agrees with this one in every setting for which `Dialect.compiled_in` is True.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
@@ -137,7 +141,7 @@ def run(
         compiled = None
     if compiled is not None:
         last = end_of(settings) if until is None else until
-        _perform(result, compiled, last, pace, outside, begun, prove, keep_crash)
+        _perform(result, compiled, last, pace, outside, begun, listener, keep_crash)
         result.notes += remarks
     _finish(result, settings)
     return result
@@ -150,7 +154,7 @@ def run_on(
     result = Run(source, language, machine)
     result.program = program
     last = end_of(machine.settings) if until is None else until
-    _perform(result, program, last, None, None, None, False, False)
+    _perform(result, program, last, None, None, None, None, False)
     _finish(result, machine.settings)
     return result
 
@@ -162,12 +166,12 @@ def _perform(
     pace: Callable[[float], None] | None,
     outside: Outside | None,
     begun: Callable[[Machine], None] | None,
-    prove: bool,
+    listener: Listener | None,
     keep_crash: bool,
 ) -> None:
     """Execute a compiled program and collect remarks on the run."""
-    if prove:
-        result.expected_motion = ExpectedMotion(result.controller)
+    if listener is not None:
+        result.listener = result.controller.motion_listener = listener(result.controller)
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings
@@ -180,7 +184,7 @@ def _perform(
         result.crash, result.status = error, "fault"
     result.diagnostics[:0] = result.machine.diagnostics
     if result.machine.has_motors:
-        from motionlang.kernel.log.history import notes
+        from motionlang.kernel.tracks.history import notes
 
         result.notes += notes(result.controller)
     result.notes += result.machine.notes
@@ -216,10 +220,6 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
         report_guesses(result)
     if "answer" in settings and result.status in ("ended", "until", "stopped"):
         report_unasked(result)
-    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
-        from motionlang.commands.profile.budget import over_budget
-
-        result.diagnostics += over_budget(result, settings)
 
 
 def end_of(settings: Mapping[str, object]) -> float:

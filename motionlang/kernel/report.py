@@ -17,16 +17,16 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.assumptions.used import depended_on
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.packed import RAMPS, packed
 from motionlang.kernel.planners.ramps import named_ramps
 from motionlang.kernel.result import Run
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.history import Figures, MotorFigures
     from motionlang.kernel.report_types import Report
+    from motionlang.kernel.tracks.history import Figures, MotorFigures
 
 Row = dict[str, object]
 
@@ -265,7 +265,7 @@ def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
     """Return the motor figures of the moves; without motors empty, at no cost."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
-    from motionlang.kernel.log.history import figures
+    from motionlang.kernel.tracks.history import figures
 
     return figures(controller)
 

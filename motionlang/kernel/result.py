@@ -11,7 +11,7 @@ from math import inf
 from typing import TYPE_CHECKING, cast
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
@@ -21,14 +21,14 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
-from motionlang.kernel.log.expected_motion import ExpectedMotion
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.trace import Trace
     from motionlang.kernel.moves import Moves
     from motionlang.kernel.report_types import Report, ReportMove
+    from motionlang.kernel.tracks.trace import Trace
 
 
 class Run:
@@ -50,7 +50,7 @@ class Run:
         # An internal error, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
-        self.expected_motion: ExpectedMotion | None = None  # of a run to be proved
+        self.listener: MotionListener | None = None  # to the motion, if a caller gave one
         self.findings: dict[str, object] = {}  # what questions about the run add to its report, by field
 
     @property
@@ -70,7 +70,9 @@ class Run:
     @property
     def trace(self) -> Trace:
         """The motion, for sampling at any rate."""
-        return self.controller.trace
+        from motionlang.kernel.tracks.trace import Trace
+
+        return Trace(self.controller)
 
     def _repr_html_(self) -> str:
         # Requested by a notebook, which has the views; no layer below may import them.

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from motionlang.kernel.controller.motion.offset import OffsetMove
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.result import Run
 from tests.forged.programs import PROGRAMS

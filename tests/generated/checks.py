@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.execution import run
 from motionlang.kernel.report import text as report_of
@@ -69,7 +70,9 @@ def _findings(program: Generated) -> Iterator[str]:
 
 def _run(program: Generated, until: float = UNTIL) -> Run:
     source = Source(program.name, program.text)
-    return run(source, machine=program.machine, until=until, prove=until == UNTIL)
+    return run(
+        source, machine=program.machine, until=until, listener=ExpectedMotion if until == UNTIL else None
+    )
 
 
 def _report(result: Run) -> str:

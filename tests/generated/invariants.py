@@ -14,10 +14,11 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 
 from motionlang import prove
-from motionlang.kernel.controller.move import Move
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.records import Looped, Waited
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.track import WholeTrack
 from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
@@ -64,8 +65,7 @@ def in_order(result: Run) -> Iterator[str]:
 
 def entries_end(result: Run) -> Iterator[str]:
     """Check that completed entries end within the run, the last one where its axis is."""
-    assert result.expected_motion is not None
-    axes, data = result.controller.axes, result.expected_motion.data
+    axes, data = result.controller.axes, ExpectedMotion.of_run(result).data
     last: dict[int, Move] = {}
     for move in result.controller.log.moves:
         profile, axis = move.profile, axes[move.axis]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang import run
-from motionlang.commands.prove import proof
+from motionlang.commands.prove.proof import proof
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
 

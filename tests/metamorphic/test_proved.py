@@ -11,7 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.commands.prove import proof
+from motionlang.commands.prove.proof import proof
 from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train

@@ -137,7 +137,7 @@ def found(case: Case) -> Found:
         result.diagnostics = [(False, each.line, each) for each in check(source, language, settings)]
         return result
     ran = run(source, machine=settings, prove=True)
-    if ran.expected_motion is not None:
+    if ran.listener is not None:
         assert prove(ran).violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]
     result.diagnostics = [(False, each.line, each) for each in ran.diagnostics]

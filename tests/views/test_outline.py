@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks.trace import Trace
 from motionlang.views.outline import outline, thinned
 from tests.views.runs import ballscrew, pick, short_shift
 
@@ -38,7 +39,7 @@ def test_a_jump_is_drawn_upright() -> None:
 
 
 def test_nothing_moved_is_one_point() -> None:
-    times, values = outline(Controller(1).trace, 0, "position")
+    times, values = outline(Trace(Controller(1)), 0, "position")
     assert (times.tolist(), values.tolist()) == ([0.0], [0.0])
 
 

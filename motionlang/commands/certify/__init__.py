@@ -107,12 +107,12 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
     return line
 
 
-def missing_limits(program: str, machine: str | None) -> str:
-    """Return the hint that names the machine file in which limits are missing, or that to write."""
+def missing_limits(program: str, machine: str | None, axis: int) -> str:
+    """Return the hint that names the machine file in which limits are missing, or that to write, for an axis."""
     if machine is None:
         stem = os.path.splitext(program)[0]
         machine = "a machine file" if program == STDIN_NAME else f"{stem}{MACHINE_SUFFIX} next to the program"
-    return f"add a section such as [axis.0.limits] with speed = 500, acceleration = 8000 to {machine}"
+    return f"add a section such as [axis.{axis}.limits] with speed = 500, acceleration = 8000 to {machine}"
 
 
 def violations(lines: list[Limit], hint: str) -> list[Diagnostic]:

@@ -14,7 +14,7 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify import Limit, certificate, missing_limits, violations
 from motionlang.commands.certify.view import certificate_lines, limits_table
-from motionlang.commands.prove import Proof, proof
+from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.command import Prove
 from motionlang.kernel import ProgramError, Source, machine_of, run
 from motionlang.kernel import Run as Result
@@ -50,6 +50,8 @@ examples:
 
         Programs whose machine has no limits are named at the end.
         """
+        from motionlang.commands.prove.proof import proof  # with NumPy
+
         found, without, failed = programs([self.file]), [], 0
         if not found:
             sys.stderr.write(f"no programs in {self.file}\n")
@@ -57,7 +59,7 @@ examples:
         signed = 0
         for program in found:
             try:
-                result = run(program, until=self.until, overrides=self.overrides(), prove=True)
+                result = run(program, until=self.until, overrides=self.overrides(), listener=self.listener)
             except OSError as error:
                 complain([unreadable(str(error.filename or program), error)], None, program)
                 failed += 1
@@ -110,7 +112,9 @@ examples:
 def certify(result: Result, machine: str | None) -> list[Limit]:
     """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
-    result.diagnostics += violations(lines, missing_limits(result.source.name, machine))
+    result.diagnostics += violations(
+        lines, missing_limits(result.source.name, machine, result.dialect.first_axis)
+    )
     return lines
 
 

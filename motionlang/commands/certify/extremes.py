@@ -190,7 +190,7 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
     """
     if a.feedback is None:
         return None
-    from motionlang.kernel.log import chunks
+    from motionlang.kernel.tracks import chunks
 
     largest, when, squares, count = 0.0, 0.0, 0.0, 0
     for first, chunk in chunks(a, until):

@@ -16,8 +16,8 @@ from motionlang.commands.compare.differences import scale_remarks, stroke_remark
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.commands.compare.strokes import Matched, is_explained, match
 from motionlang.kernel import Diagnostic, ProgramError, Run, Source
-from motionlang.kernel.log import MOTOR, UNITS
 from motionlang.kernel.report import moves as moves_of
+from motionlang.kernel.tracks import MOTOR, UNITS
 
 Array = NDArray[np.float64]
 

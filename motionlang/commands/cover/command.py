@@ -34,6 +34,8 @@ from motionlang.views.terminal import table_width, wants_colour
 # The time limits of a suggested world and of the search for them, s.
 UNTIL = 300.0
 SECONDS = 20.0
+# A suggested world is as much longer as the program's own worlds, and at least so long, s.
+LONGER, SHORT = 2.0, 30.0
 
 
 @dataclass
@@ -115,11 +117,17 @@ examples:
         source, limit = read(file), UNTIL if self.until is None else self.until
         progress, ended = Progress(sys.stderr, os.path.basename(file)), False
         try:
-            own, runs = worlds_of(file), Worlds(source, language, self.seconds)
+            all_own, runs = worlds_of(file), Worlds(source, language, self.seconds)
+            own = all_own[""]
             before: Counter[Event] = Counter()
-            for settings in own.values():
-                before += runs.run(settings, limit).events
-            search = Search(runs, own[""], before, limit, progress)
+            ends = []
+            for settings in all_own.values():
+                world = runs.run(settings, limit)
+                before += world.events
+                ends += [world.result.time] if world.result.status in ("ended", "stopped") else []
+            if ends and self.until is None:
+                limit = min(limit, max(SHORT, LONGER * max(ends)))
+            search = Search(runs, own, before, limit, progress)
             was = search.coverage
             try:
                 search.run()
@@ -129,14 +137,14 @@ examples:
             raise Refused(error.diagnostics, source=source, file=file) from None
         finally:
             progress.done()
-        names = self._write_scenarios(file, search, own[""])
+        names = self._write_scenarios(file, search, own)
         rows = [replace(each, file=file) for each in (was, search.coverage)]
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
         text = f"{file}: {shares} with {count_of(len(names), 'scenario')}\n"
         text += "".join(f"  {name}: {about}\n" for name, about in names.items())
         missed = ", ".join(ranges(sorted(rows[1].missed)))
         if missed:
-            text += f"  not reached: lines {missed}\n  {tried(runs, {})}\n"
+            text += f"  not reached: lines {missed}\n  {tried(runs, own)}\n"
         self.show(coverage_document(rows[1:]), text)
         return SIGNALS.status if ended else 0
 

@@ -4,8 +4,8 @@ Problem. A statement that no run reaches needs an input, an answer, an analogue 
 the program does not say when.
 
 Idea. Begin with the worlds that `init` guesses, one for each path through the menus, as far as they reach anything new.
-Then change one entry at a time, or the inputs that one line reads together, run, and keep what reaches more; what is
-kept is changed further.
+Then change one entry at a time, or the inputs that one line reads together, run, and keep what reaches more. What is
+kept is changed further, in turn with the others: a world in which the program is stuck holds up none.
 
     what the program reads      what is tried
     a digital input             the other level from the start; at a moment of the run, for half a second or for good
@@ -21,7 +21,7 @@ Cost: a run for each change, for at most so many seconds as the search has (`Wor
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, zip_longest
@@ -85,14 +85,16 @@ class Search:
         for settings in self._guesses():
             self._try(settings)
         own: dict[str, object] = {"run.until": self.until}
-        found = self.found or [Suggestion(own, self._ran(own).result, [])]
-        pending = [self._changes(each) for each in reversed(found)]
+        bases = [Suggestion(own, self._ran(own).result, []), *self.found]
+        pending = deque(self._changes(each) for each in bases)
         while pending and not self.worlds.is_over and self.coverage.reached < self.coverage.total:
-            changed = next(pending[-1], None)
+            changed = next(pending[0], None)
             if changed is None:
-                pending.pop()
-            elif (world := self._try(changed)) is not None:
-                pending.append(self._changes(world))
+                pending.popleft()
+                continue
+            pending.rotate(-1)
+            if (world := self._try(changed)) is not None:
+                pending.appendleft(self._changes(world))
         return self.found
 
     def _covered(self) -> Coverage:
@@ -118,7 +120,7 @@ class Search:
         return self.worlds.run(layered(self.own, settings))
 
     def _try(self, settings: dict[str, object]) -> Suggestion | None:
-        """Run a world; return it if it reaches something new, and keep it."""
+        """Run a world, keep it if it reaches something new, and return it if it can be changed further."""
         key = repr(sorted(settings.items()))
         if key in self._tried:
             return None
@@ -133,7 +135,7 @@ class Search:
             return None
         reaches = sorted(before.missed.keys() - self.coverage.missed.keys())
         self.found.append(Suggestion(settings, world.result, reaches))
-        return self.found[-1]
+        return None if world.is_cut else self.found[-1]
 
     # ------------------------------------------------------------------------------------------------- changes
 

@@ -282,7 +282,7 @@ class Improver:
         if not limited:
             raise NotPossible(
                 "nothing bounds a faster cycle: the machine file has no limits",
-                missing_limits(self.source.name, self.machine),
+                missing_limits(self.source.name, self.machine, self.language.first_axis),
             )
         self.skipped = [
             f"axis {axis} has no limits{self._in}, so its speeds stay" for axis in sorted(axes - limited)

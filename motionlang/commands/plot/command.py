@@ -82,6 +82,6 @@ examples:
 def _motors(result: Result) -> dict[int, ServoTrace]:
     if all(axis.feedback is None for axis in result.controller.axes.values()):
         return {}
-    from motionlang.kernel.log import servo_traces
+    from motionlang.kernel.tracks import servo_traces
 
     return servo_traces(result.controller)

@@ -16,12 +16,18 @@ def category_of(link: Link) -> str:
     return link.cause if link.cause in ("dwell", "computing", "settling") else "waiting"
 
 
-def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic]:
+def within_budget(run: Run) -> Run:
+    """Return a run with a diagnostic for each budget of its machine file that it exceeds."""
+    budgets = {key: value for key, value in run.machine.settings.items() if key.startswith("budget.")}
+    if run.status == "ended" and budgets:
+        run.diagnostics += _over_budget(run, budgets)
+    return run
+
+
+def _over_budget(run: Run, budgets: Mapping[str, object]) -> Iterator[Diagnostic]:
     """Yield a diagnostic for each exceeded budget, at the line that contributes most."""
     made = TimeProfile(run)
-    for key, allowed in settings.items():
-        if not key.startswith("budget."):
-            continue
+    for key, allowed in budgets.items():
         assert isinstance(allowed, (int, float))
         category = key.removeprefix("budget.")
         links = [link for link in made.links if category in ("time", category_of(link))]

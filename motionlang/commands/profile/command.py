@@ -10,6 +10,7 @@ from motionlang.cli.command import flag, option
 from motionlang.cli.output_files import written
 from motionlang.cli.run_command import Simulated
 from motionlang.cli.run_to_file import refuse_input
+from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.paths_view import paths_table
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
@@ -46,6 +47,9 @@ examples:
             need("motionlang profile --paths", "numpy")
         if self.to is not None:
             refuse_input(self, self.to)
+
+    def extend(self, result: Result) -> None:
+        within_budget(result)
 
     def print_json(self, result: Result) -> None:
         self.show(self.document(result), "")

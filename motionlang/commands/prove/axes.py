@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import inf, isfinite
 
 from motionlang.commands.prove.checker import SLACK, Proof, Uses
+from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.segments import Span, derivatives, spans
 from motionlang.commands.prove.stretches import stretches, unavoidable_speed
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log.order import Order
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 from math import fsum, inf, isfinite
 
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel import Axis, Diagnostic, WholeTrack
-from motionlang.kernel.controller import CONTINUED, Move
-from motionlang.kernel.log.expected_motion import ExpectedMotion
-from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.kernel.log import CONTINUED, Move
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6

@@ -46,18 +46,18 @@ from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from motionlang.commands.prove.axes import PLANNED, check_profile
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
 from motionlang.commands.prove.entries import Ends, check_ends, take_entry
+from motionlang.commands.prove.expected_motion import MAX_PROFILES, ExpectedMotion
 from motionlang.commands.prove.followers import check_points, check_reference, check_tie
 from motionlang.commands.prove.offsets import check_missing
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.outputs import check_report, check_trace
 from motionlang.commands.prove.paths import check_blended, check_path, check_path_end, in_force
 from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel import Diagnostic, WholeTrack
-from motionlang.kernel.controller import Move
-from motionlang.kernel.log import Recorded, Samples
-from motionlang.kernel.log.expected_motion import MAX_PROFILES, ExpectedMotion
-from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.kernel.log import Move
 from motionlang.kernel.planners import Profile, State
+from motionlang.kernel.tracks import Recorded, Samples
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
 SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)

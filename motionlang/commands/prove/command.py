@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.run_command import Simulated
-from motionlang.commands.prove import Proof, proof
-from motionlang.kernel import Diagnostic
+from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.kernel import Controller, Diagnostic
 from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 
@@ -27,10 +28,12 @@ exit status: 1 if the motion violates a limit, or as in run
 examples:
   motionlang prove pick.mnt
 """
-    proves: ClassVar[bool] = True
 
     def prepare(self) -> None:
         need(f"motionlang {type(self).__name__.lower()}", "numpy")
+
+    def listener(self, controller: Controller) -> ExpectedMotion:
+        return ExpectedMotion(controller)
 
     def extend(self, result: Result) -> None:
         self.proof = proof_of(result)
@@ -49,7 +52,7 @@ def proof_of(result: Result) -> Proof | None:
 
     A run that has crashed, or was interrupted after long motion, has none.
     """
-    if result.expected_motion is None or result.crash is not None:
+    if result.listener is None or result.crash is not None:
         return None
     profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
     if result.status == "interrupted" and profiles > PROVED_IN_TIME:
@@ -60,4 +63,6 @@ def proof_of(result: Result) -> Proof | None:
         )
         result.diagnostics.append(Diagnostic("proof", message, hint=hint))
         return None
+    from motionlang.commands.prove.proof import proof  # with NumPy
+
     return proof(result)

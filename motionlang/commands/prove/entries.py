@@ -10,9 +10,9 @@ from math import fsum, isfinite
 
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.offsets import check_offset
+from motionlang.commands.prove.order import Order
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.controller import CONTINUED, MAX_PIECES, Move
-from motionlang.kernel.log.order import Order
+from motionlang.kernel.log import CONTINUED, MAX_PIECES, Move
 from motionlang.kernel.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.

@@ -8,10 +8,10 @@ from math import fsum, inf, isfinite
 
 from motionlang.commands.prove.axes import taken_over
 from motionlang.commands.prove.checker import SLACK, Proof, Run, Uses, position
+from motionlang.commands.prove.order import Order, Tie
 from motionlang.commands.prove.segments import derivatives, spans
 from motionlang.commands.prove.stretches import stretches
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log.order import Order, Tie
 from motionlang.kernel.planners import Profile
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.

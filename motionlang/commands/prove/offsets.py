@@ -6,7 +6,7 @@ The rest of an offset that it replaces is added.
 from __future__ import annotations
 
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
-from motionlang.kernel.controller import Move
+from motionlang.kernel.log import Move
 from motionlang.kernel.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.

@@ -9,8 +9,8 @@ from math import isfinite
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.commands.prove.segments import spans
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.controller import Move
-from motionlang.kernel.log import Samples
+from motionlang.kernel.log import Move
+from motionlang.kernel.tracks import Samples
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40

@@ -10,10 +10,10 @@ from itertools import pairwise
 from math import inf, isfinite
 
 from motionlang.commands.prove.checker import SLACK, Proof, Uses
+from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.commands.prove.segments import Span, combined, spans
 from motionlang.commands.prove.stretches import Stretch, stopping_distance, stretches, unavoidable_speed
-from motionlang.kernel.log.order import Order
 from motionlang.kernel.planners import Profile
 
 # Fraction of the clock's time that distinguishes one path from the next.

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import atan2, ceil, copysign, cos, fsum, hypot, pi, sin
 
+from motionlang.commands.prove.order import PathOrder
 from motionlang.commands.prove.segments import rotation
-from motionlang.kernel.log.order import PathOrder
 
 
 class PathLayout:

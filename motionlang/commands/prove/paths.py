@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from math import inf, nextafter
 
 from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.path_bounds import check_along, could_stop, spans_along
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
 from motionlang.commands.prove.segments import Span
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.controller import Move
-from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.kernel.log import Move
 from motionlang.kernel.planners import Profile
 
 # Paths that may overlap.

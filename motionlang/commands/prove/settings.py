@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from motionlang.commands.prove.axes import check_bounds
 from motionlang.commands.prove.checker import SLACK, Proof, Run
+from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.path_bounds import could_stop
 from motionlang.commands.prove.paths import check_rest, in_force, rest_along
 from motionlang.commands.prove.segments import spans
 from motionlang.commands.prove.stretches import stopping_distance
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log.order import Order
 
 LATE = "a rate written too late: the motion keeps the one in force"
 

@@ -13,8 +13,8 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.commands.prove.checker import SLACK
+from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.segments import Span
-from motionlang.kernel.log.order import Order
 
 # Seconds of a stretch whose direction is rounding.
 MOMENT = 1e-9

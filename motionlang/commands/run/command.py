@@ -65,6 +65,10 @@ examples:
         return simulate(source, settings, None, pace)
 
     def extend(self, result: Result) -> None:
+        if any(key.startswith("budget.") for key in result.machine.settings):
+            from motionlang.commands.profile.budget import within_budget
+
+            within_budget(result)
         if self.keep:
             from motionlang.commands.profile.periods import no_cycle_notes
             from motionlang.commands.quantities import values_of

@@ -25,11 +25,12 @@ from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel import Controller, Run, WholeTrack
 from motionlang.kernel.files import replacing
-from motionlang.kernel.log import GRAVE, axes_of
+from motionlang.kernel.log import GRAVE
 from motionlang.kernel.planners import Piece, pieces_of
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
+from motionlang.kernel.tracks import axes_of
 from motionlang.kernel.version import __version__
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import dialect_name, figure, outcome
@@ -40,8 +41,8 @@ from motionlang.views.window import WHOLE, Window
 
 if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
-    from motionlang.kernel.log import Array
     from motionlang.kernel.servo import ServoTrace
+    from motionlang.kernel.tracks import Array
 
 Row = dict[str, Any]
 

@@ -11,7 +11,8 @@ from time import perf_counter
 from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
-from motionlang.commands.prove import proof
+from motionlang.commands.profile.budget import within_budget
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
@@ -153,12 +154,12 @@ class Worker:
             until=self.job.until,
             overrides=overrides,
             keep_crash=True,
-            prove=self.job.prove,
+            listener=ExpectedMotion if self.job.prove else None,
             compiled=compiled,
         )
         if found.status == "interrupted":
             raise KeyboardInterrupt
-        return found
+        return within_budget(found)
 
     def _program(
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
@@ -191,10 +192,12 @@ class Worker:
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
         elif self.job.prove:
+            from motionlang.commands.prove.proof import proof  # with NumPy
+
             diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
-            diagnostics += violations(lines, missing_limits("", "the machine file"))
+            diagnostics += violations(lines, missing_limits("", "the machine file", self._dialect.first_axis))
         return problem_of(diagnostics) if diagnostics else None
 
 

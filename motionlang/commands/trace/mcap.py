@@ -14,8 +14,8 @@ from operator import itemgetter
 from typing import IO, Any
 
 from motionlang.kernel import Trace
-from motionlang.kernel.log import Column
 from motionlang.kernel.tools import need
+from motionlang.kernel.tracks import Column
 from motionlang.kernel.version import __version__
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable

@@ -19,6 +19,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.processes.parallel import in_parallel
+from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.scenarios import Scenario, unmet
 from motionlang.commands.verify.further import expectations, further_checks
 from motionlang.commands.verify.log import verify_log
@@ -101,7 +102,7 @@ def _review(program: str, verdict: Verdict) -> None:
                 f"{verdict.name}: a log is recorded, not accepted: motionlang mcapi run --record\n"
             )
         elif verdict.kind == "program":
-            result = run(program)
+            result = within_budget(run(program))
             SIGNALS.end_with(result)
             matches = review(program, result)
             verdict.failed = not matches or bool(expectations(result))
@@ -188,7 +189,7 @@ def _ran(verdict: Verdict) -> Run | None:
     """Return the run of a program; None if it or its machine file cannot be read."""
     program = verdict.name
     try:
-        result = run(program)
+        result = within_budget(run(program))
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename or program), error)])
     except ProgramError as error:

@@ -259,7 +259,9 @@ class Replay:
         times.sort()
         if quantity == "velocity":
             return [a.velocity(time) for time in times]
-        return controller.recall(axis, "actual", times)
+        from motionlang.kernel.tracks import recall
+
+        return recall(controller, axis, "actual", times)
 
 
 def _same_but_for_motion(entry: Entry, found: tuple[Value, ...]) -> bool:

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.ide.debug.expressions import WrongExpression
 from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable, WholeTrack
-from motionlang.kernel.controller import Channels, Move, fault_names
+from motionlang.kernel.controller import Channels, fault_names
 from motionlang.kernel.lang import Frame
+from motionlang.kernel.log import Move
 
 if TYPE_CHECKING:
     from motionlang.ide.debug.replay import Point

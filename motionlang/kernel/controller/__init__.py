@@ -51,19 +51,36 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.io.host_memory import PRODUCTS as PRODUCTS
     from motionlang.kernel.controller.io.host_memory import HostMemory as HostMemory
     from motionlang.kernel.controller.io.host_memory import product as product
-    from motionlang.kernel.controller.move import CONTINUED as CONTINUED
-    from motionlang.kernel.controller.move import MAX_PIECES as MAX_PIECES
-    from motionlang.kernel.controller.move import Move as Move
+    from motionlang.kernel.controller.motion.follow import Gear as Gear
+    from motionlang.kernel.controller.motion.halt import Stopping as Stopping
+    from motionlang.kernel.controller.motion.jog import Jog as Jog
+    from motionlang.kernel.controller.motion.profile_playback import Playback as Playback
+    from motionlang.kernel.controller.motion.reference import PositionReference as PositionReference
+    from motionlang.kernel.controller.motion.reference import SpeedReference as SpeedReference
+    from motionlang.kernel.controller.motion_listener import MotionListener as MotionListener
+    from motionlang.kernel.controller.moves.cam import CurveFollow as CurveFollow
+    from motionlang.kernel.controller.moves.geometry import Line as Line
+    from motionlang.kernel.controller.moves.path import PathMove as PathMove
+    from motionlang.kernel.controller.moves.path_run import PathRun as PathRun
     from motionlang.kernel.controller.triggers.events import HOMING as HOMING
 
 PUBLIC = {
-    "move": "Move CONTINUED MAX_PIECES",
     "clock": "Clock",
     "faults": "fault_names",
     "triggers.events": "HOMING",
     "io.channels": "Channels",
     "io.host_memory": "HostMemory PRODUCTS product",
     "io.encoder": "AUXILIARY",
+    "motion_listener": "MotionListener",
+    "motion.follow": "Gear",
+    "motion.halt": "Stopping",
+    "motion.jog": "Jog",
+    "motion.profile_playback": "Playback",
+    "motion.reference": "PositionReference SpeedReference",
+    "moves.cam": "CurveFollow",
+    "moves.geometry": "Line",
+    "moves.path": "PathMove",
+    "moves.path_run": "PathRun",
 }
 
 

@@ -20,9 +20,9 @@ from motionlang.kernel.planners.limits import LARGEST
 if TYPE_CHECKING:
     from motionlang.kernel.controller.feedback import Feedback
     from motionlang.kernel.controller.motion.follow import Follow
-    from motionlang.kernel.controller.move import Move
     from motionlang.kernel.controller.triggers.limit import Limit
     from motionlang.kernel.controller.triggers.watch import Watch
+    from motionlang.kernel.log.move import Move
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from motionlang.kernel.controller import motion, moves, triggers
 from motionlang.kernel.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.kernel.controller.core import Core
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.jog import jog
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
 
 SETTINGS = frozenset(
@@ -78,8 +78,7 @@ class AxisVerbs(Core):
             a.decel_time = None
         if a.move is not None and name in LIVE:
             motion.feedrate.changed(self, a, name)
-            if self.expected_motion is not None:
-                self.expected_motion.heed(a)
+            self.motion_listener.heed(a)
 
     def restore(self, axis: int) -> None:
         """Reset all `SETTINGS` of an axis at rest to their values at power-up."""
@@ -271,8 +270,7 @@ class AxisVerbs(Core):
         """
         a = self.movable(axis)
         jog(self, a, velocity, command, line, rates, ends)
-        if self.expected_motion is not None:
-            self.expected_motion.jogs(a, velocity)
+        self.motion_listener.jogs(a, velocity)
 
     def play(
         self,
@@ -307,8 +305,7 @@ class AxisVerbs(Core):
             motion.halt.check_stop(self, a)
         if ended == "stop":
             triggers.events.stopped(self, a, ended, hard)
-        if self.expected_motion is not None:
-            self.expected_motion.stop(a, ended)
+        self.motion_listener.stop(a, ended)
         self._hold(a)
         freed = triggers.conditions.release(self, a)
         if axis in self.homings:
@@ -316,8 +313,7 @@ class AxisVerbs(Core):
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
             motion.halt.stop(self, a, ended, hard)
-        if self.expected_motion is not None:
-            self.expected_motion.heed(a)
+        self.motion_listener.heed(a)
         for each in freed:
             if each is not a and not each.suspended:
                 self.start_next(each)
@@ -327,15 +323,14 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         if ended == "stop" and not a.is_at_standstill:
             triggers.events.stopped(self, a, ended)
-        if ended and self.expected_motion is not None:
-            self.expected_motion.stop(a, ended)
+        if ended:
+            self.motion_listener.stop(a, ended)
         motion.halt.stop(self, a, ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
         motion.halt.suspend(self, self.axes[axis], reason)
-        if self.expected_motion is not None:
-            self.expected_motion.heed(self.axes[axis])
+        self.motion_listener.heed(self.axes[axis])
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Remove a reason for suspension; continue if none remains."""

@@ -14,11 +14,11 @@ from motionlang.kernel.controller import moves, readers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.axis_verbs import AxisVerbs
 from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.encoder import turn
 from motionlang.kernel.controller.moves.geometry import Arc, Line
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER, Reader, Subscriber, Writer
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.reference import Slope
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.motion.sampled_velocity import Track
     from motionlang.kernel.controller.moves.entries import Make, Table
     from motionlang.kernel.controller.triggers.limit import Limit
-    from motionlang.kernel.log.trace import Trace
 
 
 class Controller(AxisVerbs):
@@ -215,8 +214,7 @@ class Controller(AxisVerbs):
 
         a = self.movable(axis)
         gear(self, a, self._master(master, encoder), ratio, ramp, command, line)
-        if self.expected_motion is not None:
-            self.expected_motion.gears(a, ratio)
+        self.motion_listener.gears(a, ratio)
 
     def set_ratio(self, axis: int, ratio: float) -> None:
         """Change the ratio of an axis that follows a master; a no-op for any other axis."""
@@ -224,8 +222,7 @@ class Controller(AxisVerbs):
 
         a = self.axes[axis]
         set_ratio(a, ratio)
-        if self.expected_motion is not None:
-            self.expected_motion.gears(a, ratio)
+        self.motion_listener.gears(a, ratio)
 
     def leave_master(self, axis: int) -> None:
         """Stop following a master; the present profile continues to its end."""
@@ -391,18 +388,6 @@ class Controller(AxisVerbs):
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)
 
-    def recall(self, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
-        """Return past values of one of `history.COLUMNS`; `times` must rise.
-
-        Examples are "actual" (counts) and "output" (volts).
-        """
-        a = self.axes[axis]
-        if a.feedback is None:
-            return [a.position(time) if quantity == "actual" else 0.0 for time in times]
-        from motionlang.kernel.log.history import recall
-
-        return recall(a, self.clock.now, quantity, times)
-
     def open_loop(self, axis: int, volts: float) -> None:
         """Apply a voltage to a simulated motor; motion ends at the commanded position."""
         a = self.axes[axis]
@@ -422,10 +407,3 @@ class Controller(AxisVerbs):
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.take_over(self)
-
-    @property
-    def trace(self) -> Trace:
-        """The motion so far, for sampling; imports numpy."""
-        from motionlang.kernel.log.trace import Trace
-
-        return Trace(self)

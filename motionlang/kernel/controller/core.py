@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller import motion, moves, triggers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import MAX_PIECES, Move
 from motionlang.kernel.controller.readings import Readings
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import MAX_PIECES, Move
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.trapezoid import plan_trapezoid
 
@@ -156,8 +156,7 @@ class Core(Readings):
         """
         if cause != BY_DESIGN and (profile.start_velocity or a.profiles[-1].shape != "hold"):
             triggers.events.check_velocity(self, a, profile, cause, ended or a.move)
-        if self.expected_motion is not None:
-            self.expected_motion.add(a)
+        self.motion_listener.add(a)
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
@@ -188,8 +187,7 @@ class Core(Readings):
         self.log.finish_updates(axes)
         for a in axes:
             del a.starts[len(a.profiles) :]
-        if self.expected_motion is not None:
-            self.expected_motion.finish_updates()
+        self.motion_listener.finish_updates()
 
     def arrive(self, a: Axis) -> None:
         """Handle the end of the profile of the move in progress."""
@@ -240,8 +238,7 @@ class Core(Readings):
             except Rejected as rejected:
                 rejected.line = rejected.line or move.line
                 for each in (a,) if move.action is None else move.action.together_with(a):
-                    if self.expected_motion is not None:
-                        self.expected_motion.refuse(each)
+                    self.motion_listener.refuse(each)
                     self._begin_waiting(each)
                 raise
 
@@ -342,8 +339,7 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stop the axis at once at its present position."""
-        if self.expected_motion is not None:
-            self.expected_motion.freeze(a, ended)
+        self.motion_listener.freeze(a, ended)
         triggers.conditions.release(self, a)
         if a.index in self.homings:
             self.homings[a.index].cancel()

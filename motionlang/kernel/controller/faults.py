@@ -1,4 +1,4 @@
-"""Rejected commands, and the faults of an axis."""
+"""The faults of an axis."""
 
 from __future__ import annotations
 
@@ -29,16 +29,3 @@ NAMES = (
 def fault_names(bits: int) -> str:
     """Return the faults of a bit pattern as text."""
     return ", ".join(name for k, name in enumerate(NAMES) if bits >> k & 1)
-
-
-class Rejected(Exception):
-    """A command that the controller rejects; `code` is one of `errors.CODES`.
-
-    The language decides how to handle it: Mint raises a run-time error, MCCL gives a `?` code, and both
-    report a diagnostic if the program does not handle it.
-    """
-
-    def __init__(self, code: str, message: str, hint: str = "") -> None:
-        self.code, self.message, self.hint = code, message, hint
-        self.line = 0  # the program line at fault, if it is not the one being executed
-        super().__init__(message)

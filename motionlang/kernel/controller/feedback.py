@@ -48,9 +48,10 @@ import numpy as np
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Clock, Event
-from motionlang.kernel.controller.faults import FOLLOWING_ERROR, Rejected
+from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.joined import Followed
 from motionlang.kernel.controller.triggers.watch import Watch, margin, watched_position
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import hold
 from motionlang.kernel.servo.axis_loop import Chosen, axis_loop
 from motionlang.kernel.servo.gains import Gains

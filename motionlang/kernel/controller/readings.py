@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller import triggers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Clock, Event
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.listeners import Listeners
+from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.triggers.conditions import Condition
     from motionlang.kernel.controller.triggers.homing import Homing
-    from motionlang.kernel.log.expected_motion import ExpectedMotion
 
 
 class Readings:
@@ -56,8 +56,8 @@ class Readings:
         self.listeners = Listeners()
         # The conditions to check once all axes of a motion have their profiles; None to check at once.
         self.deferred_checks: list[Condition] | None = None
-        # The record of a run whose motion is to be verified.
-        self.expected_motion: ExpectedMotion | None = None
+        # It is notified of verbs, profiles and settings as they happen.
+        self.motion_listener = MotionListener()
         # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
         self.fault_handler: Callable[[Rejected], bool] | None = None
 

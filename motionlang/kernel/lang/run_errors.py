@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:

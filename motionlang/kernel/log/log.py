@@ -7,17 +7,18 @@ an unnamed file, so the memory of a run does not depend on its length.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Switched, Waited
-from motionlang.kernel.log.samples import AnalogueChanges
 from motionlang.kernel.log.stream import DISK, Store, Stream
 from motionlang.kernel.log.time_slices import Mark as SliceMark
 from motionlang.kernel.log.time_slices import TimeSliceStream
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.axis import Axis
 
 # How many waits and time slices there are.
 Mark = tuple[int, SliceMark]
@@ -32,10 +33,6 @@ FIRST_CHECK, HURRY, FEW_LINES = 1024, 5e-4, 4
 
 def _most(axes: Collection[Axis]) -> int:
     return MAX_PROFILES if all(a.feedback is None for a in axes) else MAX_FOLLOWED
-
-
-def _nothing() -> None:
-    """Do nothing, because all samples are already in the log."""
 
 
 def nowhere() -> int:
@@ -59,7 +56,7 @@ class Log:
     events     `Event`: limits, faults, clamps, stops and the like
 
     The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`.
-    `WholeTrack` of `track.py` reads them as one sequence.
+    `WholeTrack` of `kernel/tracks/track.py` reads them as one sequence.
     """
 
     def __init__(self, disk: int = DISK) -> None:
@@ -69,8 +66,8 @@ class Log:
         self.outputs: Stream[Switched] = Stream(store, Switched)
         self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
         self.sampled: Stream[Sampled] = Stream(store, Sampled)
-        # Logs the samples of analogue inputs up to now.
-        self.settle: Callable[[], None] = _nothing
+        # The changes of analogue inputs with the samples, which the controller computes.
+        self.analogue_inputs: Iterable[Changed] = self.changes_of_analogue_inputs
         self.analogue_outputs: Stream[Switched] = Stream(store, Switched)
         self.settings: Stream[Setting] = Stream(store, Setting)
         self.waits: Stream[Waited] = Stream(store, Waited)
@@ -92,12 +89,6 @@ class Log:
         self._is_checked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
-
-    @property
-    def analogue_inputs(self) -> AnalogueChanges:
-        """The changes of analogue inputs so far."""
-        self.settle()
-        return AnalogueChanges(self.changes_of_analogue_inputs, self.sampled, self.moves.axes)
 
     def power_up(self, axes: Mapping[int, Axis]) -> None:
         """Connect the axes of a controller."""

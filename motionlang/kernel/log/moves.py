@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.move import CONTINUED, Action, Move
+from motionlang.kernel.log.move import CONTINUED, Action, Move
 from motionlang.kernel.log.profiles import joined, parted
 from motionlang.kernel.log.records import MoveRow
 from motionlang.kernel.log.stream import CHUNK, Records, Store, Stream
 from motionlang.kernel.planners import Profile
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.axis import Axis
 
 # The number of moves after which the oldest become rows, and how many of the newest do not.
 MAX_OBJECTS, LEFT = 24_576, 8_192

@@ -34,7 +34,7 @@ from dataclasses import dataclass
 from typing import IO, Any, Generic, TypeVar, overload
 from weakref import finalize
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.files import reason, scratch
 from motionlang.kernel.log.columns import Column, Words, layout
 

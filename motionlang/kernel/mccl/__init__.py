@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.keywords.io import is_on as is_on
     from motionlang.kernel.mccl.keywords.motion_record import recorded_actual as recorded_actual
     from motionlang.kernel.mccl.keywords.motion_record import recorded_optimal as recorded_optimal
+    from motionlang.kernel.mccl.keywords.motion_record import recorded_output as recorded_output
     from motionlang.kernel.mccl.keywords.motion_record import recorded_times as recorded_times
     from motionlang.kernel.mccl.models import MODELS as MODELS
     from motionlang.kernel.mccl.models import Model as Model
@@ -82,7 +83,7 @@ PUBLIC = {
     "axis.volts": "volts",
     "axis.status": "RECORD_PERIOD",
     "keywords.io": "is_on",
-    "keywords.motion_record": "recorded_actual recorded_optimal recorded_times",
+    "keywords.motion_record": "recorded_actual recorded_optimal recorded_times recorded_output",
 }
 
 

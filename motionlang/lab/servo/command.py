@@ -182,7 +182,7 @@ class ServoRun(Program, Gains, ServoCommand):
         wrong = [each for each in result.diagnostics if each.severity == "error"]
         if wrong:
             raise Refused(wrong, source=result.source, file=self.file)
-        from motionlang.kernel.log import servo_trace
+        from motionlang.kernel.tracks import servo_trace
 
         rows: list[tuple[int, ServoTrace, float]] = []
         plants: dict[int, Motor | Drive] = {}  # of the axes whose motors are those of the options

@@ -79,7 +79,7 @@ def test_nothing_that_is_sampled_lies_beyond(name: str) -> None:
             "acceleration": (-found.acceleration.value, found.acceleration.value),
         }
         rate = min(1000.0, 100_000 / result.time)
-        for chunk in result.controller.trace.chunks(rate, (a.index,), result.time, tuple(bounds)):
+        for chunk in result.trace.chunks(rate, (a.index,), result.time, tuple(bounds)):
             for quantity, (low, high) in bounds.items():
                 values = chunk.get(a.index, quantity)
                 slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < inf else 0.0

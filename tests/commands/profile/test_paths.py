@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from motionlang.commands.profile.paths import paths
-from motionlang.kernel.controller.move import Action
+from motionlang.kernel.log.move import Action
 
 # The position of each axis at a time, and its velocity.
 Motion = dict[int, tuple[Callable[[Any], Any], Callable[[Any], Any]]]

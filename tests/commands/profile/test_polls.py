@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.commands.diff.charged import charged
 from motionlang.commands.profile import tasks
-from motionlang.commands.profile.budget import over_budget
+from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.profile import Share, TimeProfile
 from motionlang.commands.profile.view import profile_document
 from motionlang.kernel.execution import run
@@ -387,7 +387,8 @@ def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
 def test_the_budget_the_difference_and_the_page_agree() -> None:
     text = "Wait = 50\n" + MOVE + "While Not IDLE(0)\n  n = n + 1\nEnd While\n"
     old, new = ran(text), ran(text.replace("= 200", "= 300"))
-    (over,) = over_budget(old, {"budget.motion": 1.0, "budget.computing": 0.01, "budget.dwell": 0.06})
+    old.machine.settings = {"budget.motion": 1.0, "budget.computing": 0.01, "budget.dwell": 0.06}
+    (over,) = within_budget(old).diagnostics
     assert over.message.startswith("motion took 2.1 s, 1.1 s over the budget of 1 s")
     assert over.line == 5
     (first, *others) = charged(old, new)

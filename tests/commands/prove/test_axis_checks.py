@@ -19,7 +19,7 @@ from motionlang.commands.prove.followers import (
     _wanted,
     check_points,
 )
-from motionlang.kernel.log.order import Order, Tie
+from motionlang.commands.prove.order import Order, Tie
 from motionlang.kernel.planners import Profile, hold, plan_jerk, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.pvt.motion import plan_pvt

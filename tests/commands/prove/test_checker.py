@@ -19,8 +19,8 @@ from motionlang.commands.prove.checker import (
     position,
     travelled,
 )
-from motionlang.kernel.controller.move import CONTINUED
-from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.commands.prove.order import Order, PathOrder
+from motionlang.kernel.log.move import CONTINUED
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid, plan_velocity
 
 # 10 counts in 1 s: a triangle of 40 counts/s². 40 counts in 4 s: a triangle of 10 counts/s².

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import prove, run
-from motionlang.commands.prove import proof
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.proof import proof
 from motionlang.kernel.planners import hold
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
@@ -55,12 +56,13 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     from motionlang.commands.prove.checker import Proof
     from motionlang.commands.prove.checker import Run as Ran
     from motionlang.commands.prove.outputs import check_report
-    from motionlang.kernel.log.track import Recorded
+    from motionlang.kernel.tracks.track import Recorded
 
     recorded, proof = Recorded(result.controller), Proof()
-    assert result.expected_motion is not None
     check_report(
-        proof, Ran(recorded.axes, recorded.moves, result.expected_motion, 2.0), [{**row, "duration": 5.2}]
+        proof,
+        Ran(recorded.axes, recorded.moves, ExpectedMotion.of_run(result), 2.0),
+        [{**row, "duration": 5.2}],
     )
     assert [each.message for each in proof.violations] == [
         "axis 0 from 0.000000 s: the report has it end at 5.2 s, the run at 2 s"

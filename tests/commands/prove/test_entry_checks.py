@@ -12,7 +12,7 @@ import pytest
 
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.entries import Ends, _is_at_end, _is_refused, _last, check_ends, take_entry
-from motionlang.kernel.log.order import Order, Tie
+from motionlang.commands.prove.order import Order, Tie
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid, plan_velocity
 
 SHORT = plan_trapezoid(0.0, 10.0, 50.0, 40.0, 40.0)

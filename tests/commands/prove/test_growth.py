@@ -9,9 +9,9 @@ import pytest
 
 from motionlang import prove, run
 from motionlang.commands.prove import checker, path_bounds, paths
+from motionlang.commands.prove.order import PathOrder
 from motionlang.commands.prove.path_layout import PathLayout
-from motionlang.kernel.controller.move import Move
-from motionlang.kernel.log.order import PathOrder
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.stream import Chunk, Stream
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source

@@ -8,7 +8,7 @@ from typing import Any
 
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.checks import _check_join
-from motionlang.kernel.log.order import Order, PathOrder, Tie
+from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel.planners.curve import State
 from tests.cases import cases
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from motionlang.commands.prove.checks import _both, _step
-from motionlang.kernel.log.order import Order, PathOrder
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel.planners import Profile, hold, plan_velocity
 from tests.cases import cases
 

@@ -14,8 +14,8 @@ from motionlang.commands.prove.axes import (
     _completes_trapezoid,
 )
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.segments import Span
-from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.planners.curve import State
 from tests.cases import cases
 

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.path_bounds import (
     _check_joins,
     _profile_at,
@@ -24,7 +25,6 @@ from motionlang.commands.prove.paths import (
     check_path_end,
 )
 from motionlang.commands.prove.segments import Span
-from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
 from motionlang.kernel.planners.sequence import chained
 

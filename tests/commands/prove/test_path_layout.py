@@ -6,8 +6,8 @@ from math import cos, hypot, inf, pi, sin, sqrt
 
 import pytest
 
+from motionlang.commands.prove.order import PathOrder
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
-from motionlang.kernel.log.order import PathOrder
 
 FREE = (inf, inf)
 

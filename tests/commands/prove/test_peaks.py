@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.outputs import _check_peak
-from motionlang.kernel.log.order import Order
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
 from tests.cases import cases
 

@@ -7,16 +7,17 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.commands.prove import proof as proof_of
 from motionlang.commands.prove.checks import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.order import Order
+from motionlang.commands.prove.proof import proof as proof_of
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.order import Order
-from motionlang.kernel.log.trace import Samples
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.planners import Profile, hold, plan
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.trace import Samples
+from motionlang.kernel.tracks.track import Recorded
 
 FINE = {"controller.instruction_time": 1e-9}
 MOVE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 50\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
@@ -508,23 +509,21 @@ def test_an_order_that_the_motion_breaks_is_found(name: str) -> None:
     program, forge, expected = BROKEN[name]
     result = proved(RATES + program)
     assert found(result) == []
-    assert result.expected_motion is not None
-    for axis, records in result.expected_motion.of.items():
-        result.expected_motion.of[axis] = [forge(order) for order in records]
+    orders = ExpectedMotion.of_run(result).of
+    for axis, records in orders.items():
+        orders[axis] = [forge(order) for order in records]
     assert found(result) == expected
 
 
 def test_a_report_and_a_trace_that_differ_are_found() -> None:
     result = proved(MOVE)
-    assert result.expected_motion is not None
     (row,), recorded = list(moves(result)), Recorded(result.controller)
+    expected_motion = ExpectedMotion.of_run(result)
     samples = result.trace.sample(10.0)
 
     def violations(report: dict[str, object], trace: Samples = samples) -> list[str]:
-        assert result.expected_motion is not None
         return [
-            each.message
-            for each in prove(recorded, result.expected_motion, result.time, [report], trace).violations
+            each.message for each in prove(recorded, expected_motion, result.time, [report], trace).violations
         ]
 
     assert violations(row) == []
@@ -545,25 +544,25 @@ def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytes
 
     With one profile more, nothing is recorded, and the run continues.
     """
-    monkeypatch.setattr("motionlang.kernel.log.expected_motion.MANY_EQUAL", 1)
+    monkeypatch.setattr("motionlang.commands.prove.expected_motion.MANY_EQUAL", 1)
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
     )
     whole = run(Source("move.mnt", program), prove=True)
-    assert whole.expected_motion is not None
-    count = sum(map(len, whole.expected_motion.of.values())) - len(whole.expected_motion.of)
+    orders = ExpectedMotion.of_run(whole).of
+    count = sum(map(len, orders.values())) - len(orders)
     for most, expected in (
         (count, []),
         (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
     ):
-        monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", most)
+        monkeypatch.setattr("motionlang.commands.prove.expected_motion.MAX_PROFILES", most)
         monkeypatch.setattr("motionlang.commands.prove.checks.MAX_PROFILES", most)
         ran = run(Source("move.mnt", program), prove=True)
         assert ran.output == whole.output == ["4.0000"]
         assert [each.partition(" of motion")[0] for each in found(ran)] == expected
         assert ran.report == whole.report
-        assert ran.expected_motion is not None
-        assert (ran.expected_motion.is_full, bool(ran.expected_motion.of)) == (bool(expected), not expected)
+        recorded = ExpectedMotion.of_run(ran)
+        assert (recorded.is_full, bool(recorded.of)) == (bool(expected), not expected)
 
 
 @pytest.mark.parametrize(("speed", "entries"), [("10", 1), ("10 * i", 60)])
@@ -576,13 +575,11 @@ def test_equal_expected_moves_are_stored_once(
     """
     iteration = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
     program = f"Dim i As Integer\nFor i = 1 To 60\n  {iteration}Next\n"
-    monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", 62)
-    expected = proved(program).expected_motion
-    assert expected is not None
+    monkeypatch.setattr("motionlang.commands.prove.expected_motion.MAX_PROFILES", 62)
+    expected = ExpectedMotion.of_run(proved(program))
     assert (expected.is_full, len({id(each) for each in expected.of[0]})) == (False, 1 + entries)
-    monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", 4)
-    full = proved(program).expected_motion
-    assert full is not None
+    monkeypatch.setattr("motionlang.commands.prove.expected_motion.MAX_PROFILES", 4)
+    full = ExpectedMotion.of_run(proved(program))
     assert full.is_full == (entries > 1)
 
 
@@ -591,7 +588,7 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     monkeypatch.setattr("motionlang.kernel.log.log.FIRST_CHECK", 4)
     monkeypatch.setattr("motionlang.kernel.log.log.MAX_PROFILES", 40)
     monkeypatch.setattr("motionlang.kernel.log.log.LEFT_PROFILES", 4)
-    monkeypatch.setattr("motionlang.kernel.log.trace.PROFILES", 8)
+    monkeypatch.setattr("motionlang.kernel.tracks.trace.PROFILES", 8)
     move = "MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
     loop = f"For i = 1 To 60\n  {move}Next\n"
     path = "VECTORR(0, 1) = 3, 4\nGO(0)\nPAUSE IDLE(0)\n"
@@ -600,11 +597,10 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     assert result.controller.axes[0].older is not None
     assert (proof.violations, proof.counts["moves"], proof.counts["paths"]) == ([], 122, 1)
     (row, *rows) = list(moves(result))
-    assert result.expected_motion is not None
-    recorded = Recorded(result.controller)
-    violations = prove(recorded, result.expected_motion, result.time, rows).violations
+    expected_motion, recorded = ExpectedMotion.of_run(result), Recorded(result.controller)
+    violations = prove(recorded, expected_motion, result.time, rows).violations
     assert [each.message for each in violations] == ["the report has 121 moves, the log 122"]
-    violations = prove(recorded, result.expected_motion, result.time, [{**row, "line": 99}, *rows]).violations
+    violations = prove(recorded, expected_motion, result.time, [{**row, "line": 99}, *rows]).violations
     assert [each.message for each in violations] == [
         "axis 0 from 0.000000 s: the report has it at 5e-09 s, line 99"
     ]

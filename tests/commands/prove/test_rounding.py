@@ -7,9 +7,10 @@ import pytest
 from motionlang import prove, run
 from motionlang.commands.prove.axes import check_profile
 from motionlang.commands.prove.checker import Proof
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 
 SETTINGS = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\nSCALEFACTOR(1) = 100\n"
 JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
@@ -21,8 +22,7 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
     result = run(Source("found.mnt", SETTINGS + JERKS + path), prove=True)
     assert prove(result).holds
-    expected, track = result.controller.expected_motion, WholeTrack(result.controller.axes[1])
-    assert expected is not None
+    expected, track = ExpectedMotion.of_run(result), WholeTrack(result.controller.axes[1])
     i = next(k for k, order in enumerate(expected.of[1]) if order.path is not None)
     order, planned = expected.of[1][i], track.profiles[i]
     first, (c0, c1, c2, c3, c4, c5, c6), *others = planned.pieces

@@ -12,19 +12,19 @@ import pytest
 from motionlang.commands.prove.axes import _check_knots
 from motionlang.commands.prove.checker import Proof, position
 from motionlang.commands.prove.followers import FOUR, _check_table, _moments, _wanted
+from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.commands.prove.outputs import check_trace
 from motionlang.commands.prove.path_bounds import spans_along
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.commands.prove.segments import Span, _from
 from motionlang.kernel.execution import run
-from motionlang.kernel.log.history import MoveFigures, servo_traces
-from motionlang.kernel.log.order import Order, PathOrder, Tie
-from motionlang.kernel.log.trace import Column
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners import hold, plan_trapezoid
 from motionlang.kernel.planners.sequence import chained
 from motionlang.kernel.planners.table_motion import table_curve
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.history import MoveFigures, servo_traces
+from motionlang.kernel.tracks.trace import Column
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.controller.machines import machine, until
 from tests.kernel.planners.splines import cubic_table
 

@@ -8,11 +8,11 @@ import pytest
 
 from motionlang.commands.prove.axes import check_bounds
 from motionlang.commands.prove.checker import Proof
+from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.path_bounds import check_along, could_stop
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.commands.prove.segments import Span, spans
 from motionlang.commands.prove.stretches import stopping_distance, stretches, unavoidable_speed
-from motionlang.kernel.log.order import Order, PathOrder
 from motionlang.kernel.planners import Profile, plan_jerk, plan_trapezoid
 from tests.cases import cases
 

@@ -379,7 +379,7 @@ def test_more_than_a_page_or_a_proof_takes_is_reported(cell: Cell, monkeypatch: 
     assert ran.status == 1
     assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
     assert not (cell.folder / "a.html").exists()
-    monkeypatch.setattr("motionlang.kernel.log.expected_motion.MAX_PROFILES", 0)
+    monkeypatch.setattr("motionlang.commands.prove.expected_motion.MAX_PROFILES", 0)
     ran = cell("prove", "ballscrew.mcl", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)

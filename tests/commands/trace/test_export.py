@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from motionlang.commands.trace.export import write_trace
-from motionlang.kernel.log import trace as trace_module
+from motionlang.kernel.tracks import trace as trace_module
 from tests.views.runs import ballscrew, pick
 
 NAMES = ["time_s", "axis0_position_uu", "axis0_velocity_uu_per_s", "axis0_acceleration_uu_per_s2"]

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from motionlang.commands.trace.export import write_trace
-from motionlang.kernel.log import trace as trace_module
 from motionlang.kernel.result import Run
+from motionlang.kernel.tracks import trace as trace_module
 from motionlang.views.lanes import lanes
 from tests.dumps import read
 from tests.views.runs import ballscrew, ended, new_run, pick

@@ -22,8 +22,8 @@ from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.steps import Steps
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.golden.test_gallery import PROGRAMS
 
 # Snapshots of a run, and its end if the program has none, s.

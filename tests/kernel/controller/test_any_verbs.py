@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 from tests.kernel.controller.machines import cam, machine, offset, until
 
@@ -139,7 +140,7 @@ def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
         except Rejected:
             pass
     run_on(c, c.clock.now + 2.0)
-    samples = c.trace.sample(97.0, axes=[0, 1, 2])
+    samples = Trace(c).sample(97.0, axes=[0, 1, 2])
     for axis in c.axes:
         wanted = [c.axes[axis].position(t) for t in samples.time.tolist()]
         assert np.abs(samples.get(axis, "position") - wanted)[:-1].max(initial=0.0) < 1e-6

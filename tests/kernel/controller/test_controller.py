@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from tests.recorder import Recorder
 from tests.verbs import VERBS
 

@@ -7,10 +7,11 @@ from math import inf, sqrt
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.log.move import Action
 from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.tracks.history import recall
 from tests.cases import cases
 
 
@@ -249,8 +250,8 @@ def test_past_positions_without_a_motor_are_the_commanded_ones() -> None:
     c = controller()
     c.move_to(0, 30.0)
     c.clock.advance(2.0)
-    assert c.recall(0, "actual", [0.1, 0.2, 1.5]) == pytest.approx([0.5, 2.0, 30.0])
-    assert c.recall(0, "output", [0.1, 0.2]) == [0.0, 0.0]
+    assert recall(c, 0, "actual", [0.1, 0.2, 1.5]) == pytest.approx([0.5, 2.0, 30.0])
+    assert recall(c, 0, "output", [0.1, 0.2]) == [0.0, 0.0]
 
 
 def test_when_the_velocity_on_a_curve_reaches_a_value_or_may_turn_back() -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.lang.run_errors import NotSimulated, explain
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.source import Source

@@ -7,8 +7,8 @@ from itertools import pairwise
 import pytest
 
 from motionlang import run
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.log import moves
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.source import Source
 

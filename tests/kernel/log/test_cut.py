@@ -6,7 +6,7 @@ import pytest
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.log import log
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.log.small import shrink
 
 

@@ -17,11 +17,11 @@ import motionlang
 from motionlang import prove, run
 from motionlang.kernel import execution
 from motionlang.kernel.lang.scheduler import Scheduler
-from motionlang.kernel.log.track import Recorded
 from motionlang.kernel.planners.packed import packed
 from motionlang.kernel.report import moves
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import Recorded
 from motionlang.views.report import render
 
 PACKAGE = Path(motionlang.__file__).parent
@@ -49,7 +49,7 @@ LOCATIONS = {
     "anywhere": ("/motionlang/kernel/controller/", "/motionlang/kernel/lang/"),
     "log": (
         "/kernel/controller/core.py",
-        "/motionlang/kernel/log/expected_motion.py",
+        "/motionlang/commands/prove/expected_motion.py",
         "/motionlang/kernel/log/log.py",
     ),
 }

@@ -13,19 +13,20 @@ from typing import Any
 import pytest
 
 from motionlang import prove
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import report
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.execution import run
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.stream import Store
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.log.small import shrink
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
@@ -248,7 +249,7 @@ For n = 1 To 1200
 Next
 STOP(0)
 """
-    result = run(Source("live.mnt", program), prove=True)
+    result = run(Source("live.mnt", program), listener=ExpectedMotion)
     rows: list[dict[str, Any]] = list(report.moves(result))
     first, last = rows[0], rows[-1]
     assert [row.get("ended") for row in rows] == ["continued"] * (len(rows) - 1) + ["stop"]

@@ -8,7 +8,7 @@ from typing import Annotated, Any, NamedTuple
 
 import pytest
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.columns import Numbers, Texts
 from motionlang.kernel.log.records import Changed

@@ -6,8 +6,8 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.mccl.axis import inputs
 from motionlang.kernel.mccl.axis.status import word
 from motionlang.kernel.mccl.runtime.board import Board

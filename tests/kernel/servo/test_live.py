@@ -14,10 +14,10 @@ import motionlang
 from motionlang.kernel.controller import feedback
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.feedback import Feedback
-from motionlang.kernel.log.history import figures, servo_trace
 from motionlang.kernel.result import Run
 from motionlang.kernel.servo import simulate
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.history import figures, servo_trace
 from tests.cases import examples
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}

@@ -15,7 +15,8 @@ from statistics import median
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view.words import CAUSES
 from motionlang.kernel import Axis, Run, WholeTrack
-from motionlang.kernel.log import Waited, axes_of
+from motionlang.kernel.log import Waited
+from motionlang.kernel.tracks import axes_of
 from motionlang.views.figure import COLOURS, Curve, Figure, Lane, Panel
 from motionlang.views.lanes import Lane as Channel
 from motionlang.views.lanes import lanes

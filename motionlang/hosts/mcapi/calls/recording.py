@@ -8,7 +8,14 @@ from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
 from motionlang.hosts.mcapi.errors import Refused
 from motionlang.hosts.mcapi.registry import commands, query
-from motionlang.kernel.mccl import RECORD_PERIOD, Command, recorded_actual, recorded_optimal, recorded_times
+from motionlang.kernel.mccl import (
+    RECORD_PERIOD,
+    Command,
+    recorded_actual,
+    recorded_optimal,
+    recorded_output,
+    recorded_times,
+)
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.interface import Interface
@@ -33,9 +40,9 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
     if points <= 0 or start < 0 or start + points > len(times):
         raise Refused(mc.MCERR_RANGE)
     times = times[start : start + points]
-    controller, state = board.controller, board.axis(axis)
+    state = board.axis(axis)
     if type in TORQUE:
-        return tuple(controller.recall(axis, "output", times))
+        return tuple(recorded_output(board, state, times))
     if type in ACTUAL:
         return tuple(state.reported(each) for each in recorded_actual(board, state, times))
     optimal = recorded_optimal(board, state, times)

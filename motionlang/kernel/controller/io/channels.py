@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.io.samples import AnalogueChanges
 from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.records import Changed, Switched
@@ -109,7 +110,7 @@ class AnalogueInputs(Channels):
         self._sampled = log.sampled
         self.computed: dict[int, Sensor] = {}
         self._computes = False
-        log.settle = self.settle
+        log.analogue_inputs = AnalogueChanges(log, self.settle)
 
     def __getitem__(self, channel: int) -> float:
         if channel in self.computed and (level := self.computed[channel].level()) is not None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import hold, plan_velocity
 from motionlang.kernel.planners.stop import running
 

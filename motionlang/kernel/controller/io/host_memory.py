@@ -12,8 +12,8 @@ from collections.abc import Callable, Mapping, Sequence
 from math import inf
 
 from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.bits import signed
+from motionlang.kernel.errors import Rejected
 
 Listener = Callable[[str, int, bool], None]
 

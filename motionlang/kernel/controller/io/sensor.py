@@ -4,9 +4,9 @@ Examples are a force, a distance, the tension of a web. The sensor is sampled wh
 at every tick of the profiler while the axis moves.
 
 The motion is known in advance, so the ticks need not be events. A sample is computed when it is read; the log has which
-ticks were sampled, and computes the samples again when it is read (`kernel/log/samples.py`). Programs that compare a
-sample with a level get the tick at which it passes the level from `until`. The ticks are events only if listeners must
-be notified of each sample, the language does not record dependencies, or the axis has a simulated motor.
+ticks were sampled, and computes the samples again when it is read (`samples.py`). Programs that compare a sample with a
+level get the tick at which it passes the level from `until`. The ticks are events only if listeners must be notified of
+each sample, the language does not record dependencies, or the axis has a simulated motor.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.io.samples import PERIOD, sample, value_at
 from motionlang.kernel.log.records import Sampled
-from motionlang.kernel.log.samples import PERIOD, sample, value_at
 from motionlang.kernel.log.stream import Stream
 from motionlang.kernel.planners import Profile
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.triggers.events import too_late
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:

@@ -46,10 +46,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.move import Action, Move
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile, hold, plan, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import rest, with_rest

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import BY_WORD, Axis
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action, keeps_rates
 from motionlang.kernel.controller.triggers.conditions import release
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, keeps_rates
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.ramp_down import stop_in_motion

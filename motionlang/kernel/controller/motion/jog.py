@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action, Move, keeps_rates
 from motionlang.kernel.controller.triggers.events import clamped
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move, keeps_rates
 from motionlang.kernel.planners import Profile, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted, onset

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.follow import Follow
-from motionlang.kernel.controller.move import Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, plan
 
 if TYPE_CHECKING:
@@ -45,15 +45,13 @@ def offset(
     if tie.put_off(lambda: offset(controller, a, distance, mode, over, command, line)):
         return
     left, velocity = tie.offset_left()
-    if controller.expected_motion is not None:
-        controller.expected_motion.offset(a, distance, line)
+    controller.motion_listener.offset(a, distance, line)
     total = left + distance
     if not total and not velocity:
         return
     limits = _limits(controller, a, tie, total, mode, over)
     if limits is None:
-        if controller.expected_motion is not None:
-            controller.expected_motion.refuse_offset(a)
+        controller.motion_listener.refuse_offset(a)
         return
     speed, accel, decel, bound = limits
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.halt import Stopping
-from motionlang.kernel.controller.move import Action
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.follow import FollowMove
-from motionlang.kernel.controller.move import Action, keeps_rates
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, keeps_rates
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.controller.io.samples import PERIOD
 from motionlang.kernel.controller.io.sensor import next_tick
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.motion.reference import Reference
-from motionlang.kernel.log.samples import PERIOD
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import far_end
 from motionlang.kernel.planners.dwell import rest

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action, Move
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners.dwell import rest
 
 if TYPE_CHECKING:

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Event
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.follow import Follow, FollowMove, check_chain, follows
-from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import rest

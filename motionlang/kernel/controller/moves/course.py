@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.moves.buffer import motion_at
 from motionlang.kernel.controller.moves.geometry import Segment, corner
 from motionlang.kernel.controller.triggers.events import too_late
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile, State, hold
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest

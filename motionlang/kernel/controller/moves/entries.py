@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
 from motionlang.kernel.controller.motion.offset import offset
 from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
 from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.table_motion import table_curve

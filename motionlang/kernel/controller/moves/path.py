@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Action, Move
 from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corner, limits
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.moves.path_run import PathRun
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.lookahead import Pace
 
@@ -154,8 +154,7 @@ class PathMove(Action):
     def displace(self, controller: Core, by: Sequence[float]) -> None:
         """Displace the path because the one that it is blended with was cut short."""
         self.displaced = by
-        if controller.expected_motion is not None:
-            controller.expected_motion.displace(self)
+        controller.motion_listener.displace(self)
 
     def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):

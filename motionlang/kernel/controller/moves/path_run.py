@@ -51,12 +51,12 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Event
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.moves.buffer import motions, reach
 from motionlang.kernel.controller.moves.course import SLACK, Course
 from motionlang.kernel.controller.triggers.conditions import release
 from motionlang.kernel.controller.triggers.events import BY_DESIGN, clamped_blend
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.superposition import added
 

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import BY_WORD, Axis
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import Rejected, fault_names
+from motionlang.kernel.controller.faults import fault_names
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners.direction import sets_off
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from motionlang.kernel.controller.faults import (
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.core import Core
-    from motionlang.kernel.controller.move import Move
+    from motionlang.kernel.log.move import Move
     from motionlang.kernel.planners import Profile
 
 # The name of a fault of each bit; the others are "fault".

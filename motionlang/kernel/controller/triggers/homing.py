@@ -18,11 +18,11 @@ from motionlang.kernel.controller.faults import (
     LIMIT_REVERSE,
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
-    Rejected,
 )
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.triggers.watch import Watch, watched_position
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import plan
 
 if TYPE_CHECKING:
@@ -162,8 +162,7 @@ class Homing:
             self.cancel()
             if a.move is not None:
                 controller.come_to_rest(self.axis)
-            if controller.expected_motion is not None:
-                controller.expected_motion.refuse(a)
+            controller.motion_listener.refuse(a)
             controller.run_time_fault(rejected)
 
     def _unwatch(self) -> None:

@@ -12,7 +12,6 @@ from motionlang.kernel.controller.clock import Clock, WatchedClock
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
 from motionlang.kernel.controller.io.wiring import World
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
@@ -21,6 +20,7 @@ from motionlang.kernel.lang.machine.stop import stop_of
 from motionlang.kernel.lang.machine.terminal import Terminal, labelled
 from motionlang.kernel.lang.statement_time import StatementTime
 from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import Move
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Hook, Observer

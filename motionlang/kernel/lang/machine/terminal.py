@@ -6,7 +6,7 @@ from collections.abc import Callable
 from io import StringIO
 
 from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import nowhere
 from motionlang.kernel.log.records import Printed
 from motionlang.kernel.log.stream import Stream

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.codes import Fault

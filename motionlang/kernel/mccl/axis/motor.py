@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mccl.axis.axis import GAIN, TORQUE, AxisState
 from motionlang.kernel.mccl.axis.flags import MOTOR_ERROR
 from motionlang.kernel.mccl.keywords import tuning

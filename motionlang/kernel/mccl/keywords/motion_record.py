@@ -76,7 +76,18 @@ def recorded_optimal(board: Board, axis: AxisState, times: list[float]) -> list[
 
 def recorded_actual(board: Board, axis: AxisState, times: list[float]) -> list[float]:
     """Return the actual positions of the motor at recorded times, counts."""
-    return _of_motor(axis, times, board.controller.recall(axis.number, "actual", times))
+    return _of_motor(axis, times, _recalled(board, axis, "actual", times))
+
+
+def recorded_output(board: Board, axis: AxisState, times: list[float]) -> list[float]:
+    """Return the outputs to the motor at recorded times, volts."""
+    return _recalled(board, axis, "output", times)
+
+
+def _recalled(board: Board, axis: AxisState, quantity: str, times: list[float]) -> list[float]:
+    from motionlang.kernel.tracks.history import recall
+
+    return recall(board.controller, axis.number, quantity, times)
 
 
 def _of_motor(axis: AxisState, times: list[float], positions: list[float]) -> list[float]:
@@ -96,7 +107,7 @@ def _actual(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]
 
 
 def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
-    return [real(volts) for volts in task.board.controller.recall(axis.number, "output", times)]
+    return [real(volts) for volts in recorded_output(task.board, axis, times)]
 
 
 # ------------------------------------------------------------------------------------------------- keywords

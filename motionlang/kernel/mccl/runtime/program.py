@@ -6,8 +6,7 @@ Each line is sent when the previous one has ended.
 from __future__ import annotations
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.waits import Wait

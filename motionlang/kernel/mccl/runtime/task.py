@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.step_task import StepTask
 from motionlang.kernel.lang.steps import CALL, END, JUMP, TRY, WAIT, Steps, Values
 from motionlang.kernel.lang.variable_uses import Copy

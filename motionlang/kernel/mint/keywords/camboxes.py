@@ -12,9 +12,9 @@ from functools import partial
 from itertools import pairwise
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.position_zones import Cells
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked

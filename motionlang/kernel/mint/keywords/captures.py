@@ -11,7 +11,7 @@ from functools import partial
 from math import ceil
 
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, value
 from motionlang.kernel.mint.keywords import captures_quantities as quantities
 from motionlang.kernel.mint.keywords.captures_levels import watch

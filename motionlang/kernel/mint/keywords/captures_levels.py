@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.triggers.position_zones import Cells
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mint.keywords import captures_quantities as quantities
 from motionlang.kernel.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, Source, source_of
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked

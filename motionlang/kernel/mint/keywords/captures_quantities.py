@@ -115,9 +115,9 @@ def _of(environment: Environment, quantity: int, axis: int, times: Sequence[floa
 
 
 def _recalled(environment: Environment, axis: int, name: str, times: Sequence[float]) -> list[float]:
-    from motionlang.kernel.log.history import recall
+    from motionlang.kernel.tracks.history import recall
 
-    return recall(environment.controller.axes[axis], environment.clock.now, name, times)
+    return recall(environment.controller, axis, name, times)
 
 
 def _encoder(environment: Environment, channel: int, times: Sequence[float], datums: Datums) -> list[float]:

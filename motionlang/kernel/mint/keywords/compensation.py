@@ -6,8 +6,8 @@ value.
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.takeup import Takeup
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import LOOP_TIME, PERIOD

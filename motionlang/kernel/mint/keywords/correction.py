@@ -5,7 +5,7 @@ The first shifts the target of a move, the second changes the axis's unit of tim
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.runtime.binding import of, of_word, scale_of
 from motionlang.kernel.mint.runtime.environment import Environment

@@ -7,7 +7,7 @@ or a bit pattern of elements, locations or buses.
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE

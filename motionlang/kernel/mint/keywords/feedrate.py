@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_auxiliary import AuxEncoders

@@ -7,8 +7,9 @@ is in counts of the converter. The sum is reset to 0 within the dead band and by
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected, fault_names
+from motionlang.kernel.controller.faults import fault_names
 from motionlang.kernel.controller.motion.sampled_velocity import Track
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input

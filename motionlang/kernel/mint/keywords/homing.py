@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.triggers.homing import HOME, LIMIT, STATES, Homing
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from datetime import datetime, timedelta
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.kernel.lang.run_errors import NotSimulated
 from motionlang.kernel.mint.keywords.no_effect import StoredValues

@@ -12,8 +12,8 @@ from collections.abc import Callable
 from math import ceil
 
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.bits import signed
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.defaults import PATTERNS
 from motionlang.kernel.mint.runtime.binding import Operation, of, of_word

@@ -6,7 +6,7 @@ The commands are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
 from __future__ import annotations
 
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.drives import top_speed

@@ -11,8 +11,8 @@ from functools import partial
 from math import inf
 from struct import pack, unpack
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.channels import Channels
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.runtime.binding import Maker, of
 from motionlang.kernel.mint.runtime.changes import repeatable

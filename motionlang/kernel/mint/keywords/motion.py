@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, no_axis, on_axes, on_every_axis, scale_of
 from motionlang.kernel.mint.runtime.environment import Environment

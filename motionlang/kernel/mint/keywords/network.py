@@ -5,7 +5,7 @@ The machine file's `[[remote]]` and `[[bus]]` schedule events. The event numbers
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.kernel.mint.keywords.io_inputs import checked
 from motionlang.kernel.mint.keywords.remote import ERROR_REGISTER, LAST_CHANNEL, Nodes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.motion import refuse_stopping
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of, of_word, on_axes, scale_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked

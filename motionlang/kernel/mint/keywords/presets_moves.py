@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mint.keywords.homing import Homes
 from motionlang.kernel.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.kernel.mint.keywords.torque import TorqueReferences

@@ -11,8 +11,8 @@ from math import ceil
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.readers import Level
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.buffer import loads
 from motionlang.kernel.mint.keywords.following_masters import MASTER_SETTING, Masters, distance

@@ -10,9 +10,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.motion.profile_playback import Playback
 from motionlang.kernel.controller.moves.entries import Timed
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.buffer import loads

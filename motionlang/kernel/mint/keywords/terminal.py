@@ -6,7 +6,7 @@ handlers share that of the parent task. Terminal 1 is the console.
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, of

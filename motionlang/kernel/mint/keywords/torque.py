@@ -6,7 +6,7 @@ the full output, which is proportional to torque if the motor has a current ampl
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import LOOP_TIME, PERIOD

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.resolve.symbols import Symbol
 from motionlang.kernel.mint.runtime import functions

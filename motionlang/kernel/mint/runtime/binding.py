@@ -39,8 +39,8 @@ from functools import partial
 from typing import TypeVar
 
 from motionlang.kernel.controller.axis_verbs import SETTINGS
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.runtime.changes import repeatable

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import ALL, Rejected
+from motionlang.kernel.controller.faults import ALL
 from motionlang.kernel.controller.moves.buffer import end
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.machine.machine import Machine

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.controller.faults import Rejected, fault_names
+from motionlang.kernel.controller.faults import fault_names
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mint.runtime.environment import Environment
 
 # Diagnostic code -> number of the synchronous error and its short text. Numbers up to 999 are MintMT's:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import Event as ClockEvent
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, RAISED_BY, SINGLE, kind_and_number

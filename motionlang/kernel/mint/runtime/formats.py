@@ -7,7 +7,7 @@ decimals select the exponent form. A number that is too long for its width is pr
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 
 # Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.
 WIDEST = 255

@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.io.bits import signed
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mint.runtime.printing import show_float, show_integer, shows_float
 

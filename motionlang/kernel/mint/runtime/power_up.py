@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel.errors import ProgramError, Rejected
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.switchable import word_of
 from motionlang.kernel.mint.runtime.binding import bind

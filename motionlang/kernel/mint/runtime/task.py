@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.step_task import StepTask
 from motionlang.kernel.lang.steps import CALL, RETURN

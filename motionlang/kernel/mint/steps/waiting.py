@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type

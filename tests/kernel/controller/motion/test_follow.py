@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 from tests.kernel.controller.machines import cam, machine, offset, until
 
@@ -168,7 +169,7 @@ def test_gearing_is_exact_through_any_moves(
         t = k * end / 100.0
         assert at(c, 1, t) == pytest.approx(ratio * at(c, 0, t), abs=1e-9)
         assert speed(c, 1, t) == pytest.approx(ratio * speed(c, 0, t), abs=1e-9)
-    trace = c.trace.sample(1000.0)
+    trace = Trace(c).sample(1000.0)
     assert np.abs(trace.get(1, "position") - ratio * trace.get(0, "position")).max() < 1e-9
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners.reparametrised import Reparametrised
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.faults import Rejected
 from motionlang.kernel.controller.moves.geometry import Line, corner
+from motionlang.kernel.errors import Rejected
 from tests.cases import examples
 from tests.kernel.controller.machines import machine, remaining, until
 

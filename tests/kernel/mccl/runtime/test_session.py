@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.faults import Rejected
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler
 from motionlang.kernel.mccl.runtime.session import Session

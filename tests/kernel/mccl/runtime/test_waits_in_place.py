@@ -8,10 +8,10 @@ import pytest
 
 from motionlang import run
 from motionlang.kernel.lang.scheduler import Scheduler
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.report import text as report_text
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source
+from motionlang.kernel.tracks.track import WholeTrack
 from tests.cases import cases, examples
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.kernel.controller.io import samples
 from motionlang.kernel.controller.io.channels import AnalogueInputs
-from motionlang.kernel.log import samples
 from motionlang.kernel.log.records import Sampled
 from motionlang.kernel.result import Run
 from motionlang.kernel.source import Source

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.controller.faults import Rejected
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mint.keywords import table

@@ -12,13 +12,13 @@ from typing import Any
 
 import pytest
 
+from motionlang.commands.prove import expected_motion as module
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.order import Order
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion.halt import Stopping
-from motionlang.kernel.log import expected_motion as module
-from motionlang.kernel.log.expected_motion import ExpectedMotion
-from motionlang.kernel.log.order import Order
-from tests.kernel.log.orders import orders_of, recorded, short
-from tests.kernel.log.test_figures import machine
+from tests.commands.prove.orders import orders_of, recorded, short
+from tests.kernel.tracks.test_figures import machine
 
 SETTINGS = "SPEED(0, 1) = 50, 40 : ACCEL(0, 1) = 500, 500 : DECEL(0, 1) = 250, 250\n"
 PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 entry="
@@ -218,7 +218,8 @@ def test_a_jog_that_is_changed_before_it_is_planned_again() -> None:
 def observed() -> tuple[Controller, ExpectedMotion]:
     """Return an axis with 50 counts/s, 500 counts/s² up and 250 down, observed."""
     controller = machine()
-    return controller, ExpectedMotion(controller)
+    found = controller.motion_listener = ExpectedMotion(controller)
+    return controller, found
 
 
 def test_stops_between_two_times() -> None:
@@ -273,7 +274,7 @@ def test_so_many_profiles_are_recorded(most: int, is_full: bool, monkeypatch: py
     controller.move_to(0, 20.0, line=2)
     controller.clock.advance(2.0)
     assert found.is_full is is_full
-    assert (controller.expected_motion is None) is is_full
+    assert (controller.motion_listener is not found) is is_full
     everything: list[Any] = [found.of, found.data, found.begun, found.stops, found.standstills]
     if is_full:
         assert not any(everything)
@@ -320,7 +321,7 @@ def test_a_jog_of_another_velocity_that_is_not_adopted() -> None:
 
 def test_a_ratio_that_is_not_adopted() -> None:
     controller = Controller(2)
-    found = ExpectedMotion(controller)
+    found = controller.motion_listener = ExpectedMotion(controller)
     a = controller.axes[0]
     found.gears(a, 3.0)  # it has no master
     controller.jog(1, 20.0)

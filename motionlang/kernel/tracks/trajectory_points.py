@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.log.track import WholeTrack
 from motionlang.kernel.planners.sample import PieceTable
 from motionlang.kernel.servo.demand import Generator
+from motionlang.kernel.tracks.track import WholeTrack
 
 Array = NDArray[np.float64]
 

@@ -278,12 +278,15 @@ class Reader:
         return first + len(chunk) * chunk.loop.period
 
 
-def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
-    """Return a quantity of `COLUMNS` at increasing times up to `until`."""
+def recall(controller: Controller, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
+    """Return a quantity of `COLUMNS` at increasing times up to now: counts, counts/s, volts or N m."""
+    a = controller.axes[axis]
+    if a.feedback is None:
+        return [a.position(time) if quantity == "actual" else 0.0 for time in times]
     if not times:
         return []
     made = np.empty(len(times))
-    Reader(a, until).fill(quantity, np.asarray(times, dtype=np.float64), made)
+    Reader(a, controller.clock.now).fill(quantity, np.asarray(times, dtype=np.float64), made)
     values: list[float] = made.tolist()
     return values
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.joined import Joined
-from motionlang.kernel.controller.move import Move
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, State
 
 if TYPE_CHECKING:

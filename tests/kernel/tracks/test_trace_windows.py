@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import history, stream
 from motionlang.kernel.log import log as log_module
-from motionlang.kernel.log import trace as module
-from motionlang.kernel.log.trace import Trace
-from motionlang.kernel.log.trajectory_points import Points
-from tests.kernel.log.test_figures import machine
-from tests.kernel.log.test_history import blocks
+from motionlang.kernel.log import stream
+from motionlang.kernel.tracks import history
+from motionlang.kernel.tracks import trace as module
+from motionlang.kernel.tracks.trace import Trace
+from motionlang.kernel.tracks.trajectory_points import Points
 from tests.kernel.log.test_records import shuttled
+from tests.kernel.tracks.test_figures import machine
+from tests.kernel.tracks.test_history import blocks
 
 EVERY = ("position", "velocity", "acceleration")
 
@@ -52,7 +53,7 @@ def test_rows_are_divided_until_a_range_has_few_profiles(
     They begin at 1, 1.35, 2, 2.35 … (`test_records.py`), so rows 0 to 26 have four of them and rows 27 to 54 six.
     """
     monkeypatch.setattr(module, "PROFILES", profiles)
-    trace = packed.trace
+    trace = Trace(packed)
     assert list(trace._stretches(trace.columns(), 0, count, 10.0)) == ranges
     shifted = Trace(Controller(1))
     assert list(shifted._stretches(shifted.columns(), 5, count, 10.0)) == [(5, count)]
@@ -65,7 +66,7 @@ def test_packed_motion_has_the_same_columns(
 ) -> None:
     monkeypatch.setattr(module, "ROWS", rows if rate < 100.0 else 1000)
     monkeypatch.setattr(module, "PROFILES", 2)
-    plain, found = shuttled(5).trace.sample(rate), packed.trace.sample(rate)
+    plain, found = Trace(shuttled(5)).sample(rate), Trace(packed).sample(rate)
     for quantity in EVERY:
         assert found.get(0, quantity).tolist() == pytest.approx(plain.get(0, quantity).tolist(), abs=1e-9)
 
@@ -73,12 +74,12 @@ def test_packed_motion_has_the_same_columns(
 @pytest.mark.parametrize(("until", "chunks"), [(1.8, [10, 9]), (1.9, [10, 10]), (2.0, [10, 10, 1])])
 def test_a_chunk_has_ten_rows(until: float, chunks: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "ROWS", 10)
-    assert [len(each) for each in shuttled(1).trace.chunks(10.0, until=until)] == chunks
+    assert [len(each) for each in Trace(shuttled(1)).chunks(10.0, until=until)] == chunks
 
 
 def test_so_many_rows_are_held_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MAX_ROWS", 16)
-    trace = shuttled(1).trace
+    trace = Trace(shuttled(1))
     assert len(trace.sample(10.0)) == 16
     with pytest.raises(ValueError, match="17 rows are too many to hold at once"):
         trace.sample(10.0, until=1.6)
@@ -102,7 +103,7 @@ def test_the_columns_of_a_motor_are_in_user_units(
     controller.set_scale(1, 2.0, zero=5.0)
     feedback: Any = object()
     controller.axes[1].feedback = feedback
-    trace = controller.trace.as_controller() if as_controller else controller.trace
+    trace = Trace(controller).as_controller() if as_controller else Trace(controller)
     assert [column.quantity for column in trace.columns(axes=(1,))] == [
         *("time", "position", "velocity", "acceleration"),
         *("actual", "following error", "output", "torque"),
@@ -125,13 +126,13 @@ def test_the_columns_of_a_motor_are_in_user_units(
 def test_points_end_a_cycle_after_the_run(end: float, last: float) -> None:
     controller = Controller(1)
     controller.clock.advance(end)
-    assert controller.trace.as_controller().end == last
+    assert Trace(controller).as_controller().end == last
 
 
 def test_values_before_power_up_are_those_of_the_first_piece() -> None:
-    trace = machine().trace
+    trace = Trace(machine())
     assert trace.at(0, "position", np.array([-1.0, 0.0, 1.0])).tolist() == [0.0, 0.0, 0.0]
-    trace = shuttled(1).trace
+    trace = Trace(shuttled(1))
     assert trace.at(0, "position", np.array([-1.0, 1.35])).tolist() == pytest.approx([0.0, 10.0])
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple
 
-from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel import Axis
 from motionlang.kernel.planners import Profile
 
 ENDLESS = (inf, inf)

@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.history import Reader
-from motionlang.kernel.log.track import WholeTrack, axes_of
-from motionlang.kernel.log.trajectory_points import AT_ONCE, Points
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
+from motionlang.kernel.tracks.history import Reader
+from motionlang.kernel.tracks.track import WholeTrack, axes_of
+from motionlang.kernel.tracks.trajectory_points import AT_ONCE, Points
 
 # Numbers of a column.
 Array = NDArray[np.float64]

@@ -7,14 +7,13 @@ sensor computes the samples that a program reads with the same function, so they
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from heapq import merge
 from operator import attrgetter
 
-from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.scale import in_unit
+from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.records import Changed, Sampled
-from motionlang.kernel.log.stream import Stream
 from motionlang.kernel.planners import Profile
 
 # The period of the profiler, seconds.
@@ -33,22 +32,27 @@ def sample(sampled: Sampled, profile: Profile, tick: int) -> float:
 
 
 class AnalogueChanges(Iterable[Changed]):
-    """The changes of analogue inputs in order of time; a sample that equals the one before it is none."""
+    """The changes of analogue inputs in order of time; a sample that equals the one before it is none.
 
-    def __init__(self, changes: Stream[Changed], sampled: Stream[Sampled], axes: Mapping[int, Axis]) -> None:
-        self._changes, self._sampled, self._axes = changes, sampled, axes
+    `settle` logs the samples up to now.
+    """
+
+    def __init__(self, log: Log, settle: Callable[[], None]) -> None:
+        self._log, self._settle = log, settle
 
     def __iter__(self) -> Iterator[Changed]:
-        samples = [self._samples(channel) for channel in sorted({each.channel for each in self._sampled})]
+        self._settle()
+        log = self._log
+        samples = [self._samples(channel) for channel in sorted({each.channel for each in log.sampled})]
         levels: dict[int, float] = {}
-        for each in merge(*samples, self._changes, key=attrgetter("time")):
+        for each in merge(*samples, log.changes_of_analogue_inputs, key=attrgetter("time")):
             if levels.get(each.channel, 0) != each.value:
                 levels[each.channel] = each.value
                 yield each
 
     def _samples(self, channel: int) -> Iterator[Changed]:
-        for each in self._sampled:
+        for each in self._log.sampled:
             if each.channel == channel:
-                _, profile = self._axes[each.axis].in_force(each.start)
+                _, profile = self._log.moves.axes[each.axis].in_force(each.start)
                 for tick in range(each.first, each.past):
                     yield Changed(tick * PERIOD, channel, sample(each, profile, tick))

@@ -11,21 +11,22 @@ from copy import copy
 from operator import itemgetter
 from typing import Any
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.motion.follow import Gear
-from motionlang.kernel.controller.motion.halt import Stopping
-from motionlang.kernel.controller.motion.jog import Jog
-from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.motion.reference import PositionReference, SpeedReference
-from motionlang.kernel.controller.move import Move
-from motionlang.kernel.controller.moves.cam import CurveFollow
-from motionlang.kernel.controller.moves.geometry import Line
-from motionlang.kernel.controller.moves.path import PathMove
-from motionlang.kernel.controller.moves.path_run import PathRun
-from motionlang.kernel.log.order import ENDLESS, Order, PathOrder, Tie
-from motionlang.kernel.log.track import WholeTrack
+from motionlang.commands.prove.order import ENDLESS, Order, PathOrder, Tie
+from motionlang.kernel import INFINITY, Axis, Controller, Run, WholeTrack
+from motionlang.kernel.controller import (
+    CurveFollow,
+    Gear,
+    Jog,
+    Line,
+    MotionListener,
+    PathMove,
+    PathRun,
+    Playback,
+    PositionReference,
+    SpeedReference,
+    Stopping,
+)
+from motionlang.kernel.log import Move
 
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
@@ -38,7 +39,7 @@ STRAIGHT = 0.1
 _TIME = itemgetter(0)
 
 
-class ExpectedMotion:
+class ExpectedMotion(MotionListener):
     """The records of a controller: `of` and `data` by axis, one per profile.
 
     A datum is the distance by which the zero of the axis has been moved. Equal orders are one object. Beyond
@@ -93,7 +94,13 @@ class ExpectedMotion:
         self._halts: dict[int, tuple[Stopping, Order]] = {}
         self._known = {REST: REST}  # those that further profiles may refer to
         self._controller = controller
-        controller.expected_motion = self
+
+    @classmethod
+    def of_run(cls, run: Run) -> ExpectedMotion:
+        """Return the expected motion that a run has recorded; ValueError without `prove`."""
+        if not isinstance(run.listener, cls):
+            raise ValueError("the run was not made with prove=True")
+        return run.listener
 
     def add(self, a: Axis) -> None:
         """Record the order of the newest profile of an axis's track."""
@@ -139,7 +146,7 @@ class ExpectedMotion:
             self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
             return
-        self.is_full, self._controller.expected_motion = True, None
+        self.is_full, self._controller.motion_listener = True, MotionListener()
         for each in (
             self.of,
             self.data,

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import trace as module
-from motionlang.kernel.log.trace import Trace
+from motionlang.kernel.tracks import trace as module
+from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 
 
@@ -29,7 +29,7 @@ def ballscrew(start: float = 0.0) -> Controller:
 
 
 def test_columns_have_names_and_units() -> None:
-    samples = ballscrew().trace.sample(10.0)
+    samples = Trace(ballscrew()).sample(10.0)
     assert [(c.name, c.unit, c.axis) for c in samples.columns] == [
         ("time_s", "s", None),
         ("axis0_position_uu", "uu", 0),
@@ -40,7 +40,7 @@ def test_columns_have_names_and_units() -> None:
 
 
 def test_a_move_in_user_units() -> None:
-    samples = ballscrew().trace.sample(10.0, quantities=("position", "velocity", "acceleration", "jerk"))
+    samples = Trace(ballscrew()).sample(10.0, quantities=("position", "velocity", "acceleration", "jerk"))
     np.testing.assert_allclose(samples.time, np.arange(11) / 10.0, rtol=0, atol=1e-15)
     expected = [0, 6.25, 25, 50, 75, 100, 125, 150, 175, 193.75, 200]
     np.testing.assert_allclose(samples.get(0, "position"), expected, rtol=1e-12)
@@ -52,7 +52,7 @@ def test_a_move_in_user_units() -> None:
 
 
 def test_the_last_row_is_the_very_end() -> None:
-    trace = ballscrew(start=5e-5).trace
+    trace = Trace(ballscrew(start=5e-5))
     samples = trace.sample(1000.0)
     assert len(samples) == trace.rows(1000.0) == 1002
     assert samples.time[-2] == 1.0
@@ -62,18 +62,18 @@ def test_the_last_row_is_the_very_end() -> None:
 
 
 def test_an_end_on_the_grid_is_no_further_row() -> None:
-    assert len(ballscrew().trace.sample(1000.0)) == 1001
+    assert len(Trace(ballscrew()).sample(1000.0)) == 1001
 
 
 def test_until_cuts_and_extends() -> None:
-    trace = ballscrew().trace
+    trace = Trace(ballscrew())
     assert trace.sample(1000.0, until=0.25).time[-1] == 0.25
     later = trace.sample(10.0, until=2.0)
     assert later.get(0, "position")[-1] == 200.0
 
 
 def test_only_axes_that_moved_unless_others_are_named() -> None:
-    trace = ballscrew().trace
+    trace = Trace(ballscrew())
     assert trace.axes == (0,)
     samples = trace.sample(10.0, axes=(3,))
     assert samples.columns[1].name == "axis3_position_uu"
@@ -86,20 +86,20 @@ def test_only_axes_that_moved_unless_others_are_named() -> None:
 
 
 def test_nothing_moved_and_no_time_passed_is_one_row() -> None:
-    samples = Controller(4).trace.sample(1000.0)
+    samples = Trace(Controller(4)).sample(1000.0)
     assert [values.tolist() for values in samples.data] == [[0.0], [0.0], [0.0], [0.0]]
 
 
 def test_a_zero_shifts_positions_only() -> None:
     controller = ballscrew()
     controller.set_scale(0, 1200.0, zero=120_000.0)
-    samples = controller.trace.sample(10.0)
+    samples = Trace(controller).sample(10.0)
     assert samples.get(0, "position")[0] == -100.0
     assert samples.get(0, "velocity")[5] == pytest.approx(250.0)
 
 
 def test_chunks_are_the_same_rows(monkeypatch: pytest.MonkeyPatch) -> None:
-    trace = ballscrew(start=5e-5).trace
+    trace = Trace(ballscrew(start=5e-5))
     whole = trace.sample(1000.0)
     monkeypatch.setattr(module, "ROWS", 97)
     chunks = [[values.copy() for values in chunk.data] for chunk in trace.chunks(1000.0)]
@@ -112,14 +112,14 @@ def test_chunks_are_the_same_rows(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("rate", [0.0, -1.0, float("nan"), float("inf")])
 def test_a_rate_must_be_a_number_above_zero(rate: float) -> None:
     with pytest.raises(ValueError, match="the rate must be a number above 0"):
-        ballscrew().trace.sample(rate)
+        Trace(ballscrew()).sample(rate)
 
 
 def test_what_does_not_fit_into_memory_is_refused() -> None:
     with pytest.raises(ValueError, match="too many to hold at once"):
-        ballscrew().trace.sample(1e12)
+        Trace(ballscrew()).sample(1e12)
     with pytest.raises(ValueError, match="the end must be a time"):
-        ballscrew().trace.sample(1.0, until=-1.0)
+        Trace(ballscrew()).sample(1.0, until=-1.0)
 
 
 @settings(max_examples=examples(60))
@@ -135,7 +135,7 @@ def test_samples_are_what_the_controller_reports(
     for target, gap in zip(targets, gaps, strict=False):
         controller.move_to(0, target)
         controller.clock.advance(controller.clock.now + gap)
-    samples = controller.trace.sample(rate)
+    samples = Trace(controller).sample(rate)
     axis = controller.axes[0]
     for k in range(0, len(samples), 1 + len(samples) // 50):
         time = float(samples.time[k])

@@ -6,8 +6,8 @@ from math import inf
 from typing import Any
 
 from motionlang import prove, run
-from motionlang.kernel.log.expected_motion import ExpectedMotion
-from motionlang.kernel.log.order import ENDLESS, Order, PathOrder, Tie
+from motionlang.commands.prove.expected_motion import ExpectedMotion
+from motionlang.commands.prove.order import ENDLESS, Order, PathOrder, Tie
 from motionlang.kernel.source import Source
 
 USUAL = {"speed": inf, "rates": ENDLESS, "jerks": ENDLESS}
@@ -18,9 +18,8 @@ def recorded(program: str, name: str = "orders.mnt", **machine: object) -> Expec
     settings = {"controller.instruction_time": 1e-9, **machine}
     result = run(Source(name, program), machine=settings, prove=True)
     assert result.diagnostics == []
-    assert result.expected_motion is not None
     assert prove(result).violations == []
-    return result.expected_motion
+    return ExpectedMotion.of_run(result)
 
 
 def in_short(value: Any) -> str:

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
+from motionlang.commands.prove.order import Tie
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log.order import Tie
-from motionlang.kernel.log.trace import Trace, quantity_of
-from motionlang.kernel.log.track import WholeTrack, axes_of
 from motionlang.kernel.planners.curve import pieces_of
-from tests.kernel.log.test_trace import ballscrew
+from motionlang.kernel.tracks.trace import Trace, quantity_of
+from motionlang.kernel.tracks.track import WholeTrack, axes_of
+from tests.kernel.tracks.test_trace import ballscrew
 
 
 def machine(**settings: float) -> Controller:
@@ -103,7 +103,7 @@ def test_a_motor_that_is_not_simulated_has_no_peak() -> None:
 
 
 def test_columns_by_name_and_axis() -> None:
-    trace = ballscrew().trace
+    trace = Trace(ballscrew())
     rows = trace(10.0, axes=[0], quantities=["position", "jerk"])
     assert rows.dtype.names == ("time_s", "axis0_position_uu", "axis0_jerk_uu_per_s3")
     assert rows["axis0_position_uu"][-1] == pytest.approx(200.0)
@@ -124,7 +124,7 @@ def test_columns_by_name_and_axis() -> None:
     ],
 )
 def test_chosen_columns(wanted: list[str], names: list[str]) -> None:
-    trace = ballscrew().trace
+    trace = Trace(ballscrew())
     trace.choose(wanted)
     assert [column.name for column in trace.columns()] == names
     assert len(trace.columns(axes=(0,))) == 4
@@ -144,7 +144,7 @@ def test_chosen_columns(wanted: list[str], names: list[str]) -> None:
 )
 def test_a_column_that_does_not_exist(wanted: str, message: str) -> None:
     with pytest.raises(ValueError, match=message.replace(".", r"\.")):
-        ballscrew().trace.choose([wanted])
+        Trace(ballscrew()).choose([wanted])
 
 
 def test_a_quantity_and_its_axis() -> None:
@@ -154,7 +154,7 @@ def test_a_quantity_and_its_axis() -> None:
 
 def test_values_at_any_times() -> None:
     """In any order, also before the start and after the end; a count is 1/1200 mm."""
-    trace = ballscrew().trace
+    trace = Trace(ballscrew())
     found = trace.at(0, "position", np.array([0.5, 0.0, 2.0, 0.1]))
     assert found.tolist() == pytest.approx([100.0, 0.0, 200.0, 6.25])
     assert trace.at(0, "velocity", np.array([0.05])).tolist() == pytest.approx([62.5])

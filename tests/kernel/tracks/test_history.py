@@ -11,8 +11,10 @@ import pytest
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.feedback import Feedback
-from motionlang.kernel.log import history
-from motionlang.kernel.log.history import (
+from motionlang.kernel.servo.samples import REST_ERROR
+from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.tracks import history
+from motionlang.kernel.tracks.history import (
     MotorFigures,
     Reader,
     figures,
@@ -22,8 +24,6 @@ from motionlang.kernel.log.history import (
     servo_trace,
     window_of,
 )
-from motionlang.kernel.servo.samples import REST_ERROR
-from motionlang.kernel.servo.trace import ServoTrace
 from tests.kernel.servo.test_trace_figures import trace
 
 # A sample every millisecond, from 8 ms on: sample k has the error k, the output 10 k and the torque k / 2.
@@ -58,7 +58,8 @@ def read(reader: Reader, quantity: str, *milliseconds: float) -> list[float]:
     return found
 
 
-AXIS: Any = SimpleNamespace(position=lambda time: 100.0 + time)
+AXIS: Any = SimpleNamespace(position=lambda time: 100.0 + time, feedback=True)
+CONTROLLER: Any = SimpleNamespace(axes={0: AXIS}, clock=SimpleNamespace(now=9.0))
 
 
 @pytest.mark.usefixtures("replays")
@@ -99,14 +100,14 @@ def test_times_before_the_first_sample_do_not_replay_again(replays: list[float])
 
 def test_an_axis_without_samples_is_where_it_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(history, "chunks", lambda a, until: iter(()))
-    assert recall(AXIS, 9.0, "actual", [1.0, 2.0]) == [109.0, 109.0]
-    assert recall(AXIS, 9.0, "torque", [1.0, 2.0]) == [0.0, 0.0]
-    assert recall(AXIS, 9.0, "torque", []) == []
+    assert recall(CONTROLLER, 0, "actual", [1.0, 2.0]) == [109.0, 109.0]
+    assert recall(CONTROLLER, 0, "torque", [1.0, 2.0]) == [0.0, 0.0]
+    assert recall(CONTROLLER, 0, "torque", []) == []
 
 
 @pytest.mark.usefixtures("replays")
 def test_values_are_recalled_as_a_list() -> None:
-    assert recall(AXIS, 9.0, "torque", [0.009, 0.0135]) == [4.5, 6.5]
+    assert recall(CONTROLLER, 0, "torque", [0.009, 0.0135]) == [4.5, 6.5]
 
 
 def moved(begin: float, duration: float | None, axis: int = 0, overlaid: bool = False) -> Any:

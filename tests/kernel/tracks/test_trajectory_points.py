@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.log import trace as trace_module
-from motionlang.kernel.log.trace import Commanded
+from motionlang.kernel.tracks import trace as trace_module
+from motionlang.kernel.tracks.trace import Commanded, Trace
 
 EVERY = ("position", "velocity", "acceleration", "jerk")
 
@@ -33,7 +33,7 @@ def test_points_are_those_of_the_note(start: float) -> None:
 
     A move begins at the next cycle.
     """
-    points = machine(start).trace.as_controller().sample(1000.0, quantities=("position",)).get(0, "position")
+    points = Trace(machine(start)).as_controller().sample(1000.0, quantities=("position",)).get(0, "position")
     begin = int(np.ceil(start * 1000.0))
     acc = 1250.0 / 1000.0**2
     cycles = np.arange(201)
@@ -42,7 +42,7 @@ def test_points_are_those_of_the_note(start: float) -> None:
 
 
 def test_between_the_points_are_straight_lines() -> None:
-    samples = machine(5e-5).trace.as_controller().sample(4000.0, quantities=EVERY)
+    samples = Trace(machine(5e-5)).as_controller().sample(4000.0, quantities=EVERY)
     position = samples.get(0, "position")
     assert position[4:13].tolist() == pytest.approx(
         [0.0, 0.00015625, 0.0003125, 0.00046875, 0.000625, 0.00109375, 0.0015625, 0.00203125, 0.0025],
@@ -56,7 +56,7 @@ def test_between_the_points_are_straight_lines() -> None:
 
 def test_it_leaves_the_curve_by_what_a_chord_does() -> None:
     """A chord between points of a parabola is at most A/8N² = 0.00015625 counts away."""
-    trace = machine().trace
+    trace = Trace(machine())
     exact, commanded = trace.sample(4000.0), trace.as_controller().sample(4000.0)
     count = len(exact) - 1
     away = np.abs(exact.get(0, "position")[:count] - commanded.get(0, "position")[:count])
@@ -67,13 +67,13 @@ def test_it_leaves_the_curve_by_what_a_chord_does() -> None:
 def test_the_trace_ends_at_rest_a_cycle_after_the_run() -> None:
     controller = machine(5e-5)
     assert controller.clock.now == pytest.approx(0.60005)
-    samples = controller.trace.as_controller().sample(4000.0)
+    samples = Trace(controller).as_controller().sample(4000.0)
     assert samples.time[-1] == pytest.approx(0.602)
     assert [float(column[-1]) for column in samples.data[1:]] == pytest.approx([100.0, 0.0, 0.0])
 
 
 def test_other_rates() -> None:
-    slow = machine().trace.as_controller(10.0)
+    slow = Trace(machine()).as_controller(10.0)
     assert isinstance(slow, Commanded)
     positions = slow.sample(20.0, quantities=("position",)).get(0, "position")
     assert positions[:5].tolist() == pytest.approx([0.0, 3.125, 6.25, 15.625, 25.0])
@@ -89,7 +89,7 @@ def test_a_new_speed_shows_a_cycle_later_and_a_new_zero_at_once() -> None:
     controller.clock.advance(0.1003)
     controller.jog(0, 200.0)
     controller.clock.advance(0.2)
-    samples = controller.trace.as_controller().sample(2000.0)
+    samples = Trace(controller).as_controller().sample(2000.0)
     position, velocity = samples.get(0, "position"), samples.get(0, "velocity")
     assert position[100] == pytest.approx(
         4.95
@@ -104,9 +104,9 @@ def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     controller = machine(5e-5)
     controller.move_to(0, 3.0)
     controller.clock.advance(1.7)
-    whole = controller.trace.as_controller().sample(3333.0, quantities=EVERY)
+    whole = Trace(controller).as_controller().sample(3333.0, quantities=EVERY)
     monkeypatch.setattr(trace_module, "ROWS", 7)
-    chunks = controller.trace.as_controller().sample(3333.0, quantities=EVERY)
+    chunks = Trace(controller).as_controller().sample(3333.0, quantities=EVERY)
     for one, other, allowed in zip(whole.data, chunks.data, (0, 1e-9, 1e-7, 1e-4, 1e-1), strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=allowed)
 
@@ -122,11 +122,11 @@ def test_a_stop_in_motion_keeps_to_the_set_acceleration(start: float) -> None:
     controller.clock.advance(start + 0.3)
     controller.stop(0)
     controller.clock.advance(controller.idle_time(0))
-    acceleration = controller.trace.as_controller().sample(4000.0).get(0, "acceleration")
+    acceleration = Trace(controller).as_controller().sample(4000.0).get(0, "acceleration")
     assert float(np.abs(acceleration).max()) == pytest.approx(1250.0)
 
 
 def test_lengths_are_user_units() -> None:
-    samples = machine(scale=50.0).trace.as_controller().sample(4000.0)
+    samples = Trace(machine(scale=50.0)).as_controller().sample(4000.0)
     assert samples.get(0, "position")[-1] == 2.0
     assert samples.get(0, "velocity").max() == pytest.approx(5.0)

@@ -1,0 +1,30 @@
+"""What is read from the tracks of the axes: the whole motion, the trace, the motors, the trajectory points."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from motionlang.kernel.tracks.history import chunks as chunks
+    from motionlang.kernel.tracks.history import recall as recall
+    from motionlang.kernel.tracks.history import servo_trace as servo_trace
+    from motionlang.kernel.tracks.history import servo_traces as servo_traces
+    from motionlang.kernel.tracks.trace import MOTOR as MOTOR
+    from motionlang.kernel.tracks.trace import UNITS as UNITS
+    from motionlang.kernel.tracks.trace import Array as Array
+    from motionlang.kernel.tracks.trace import Column as Column
+    from motionlang.kernel.tracks.trace import Samples as Samples
+    from motionlang.kernel.tracks.trace import quantity_of as quantity_of
+    from motionlang.kernel.tracks.track import Recorded as Recorded
+    from motionlang.kernel.tracks.track import axes_of as axes_of
+
+PUBLIC = {
+    "trace": "Samples Column Array UNITS MOTOR quantity_of",
+    "track": "Recorded axes_of",
+    "history": "recall chunks servo_trace servo_traces",
+}
+
+if not TYPE_CHECKING:
+    __getattr__ = lazy_names(__name__, PUBLIC)
