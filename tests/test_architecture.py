@@ -33,8 +33,8 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pandas": ("kernel/rows.py",),
     "mcap": ("commands/trace",),
     "vcd": ("commands/trace",),
-    "can": ("lab/copley", "hosts"),
-    "canopen": ("lab/copley", "hosts"),
+    "can": ("lab/pvt", "hosts"),
+    "canopen": ("lab/pvt", "hosts"),
     "pygments": ("views",),
     "pygls": ("ide/lsp",),
     "lsprotocol": ("ide/lsp",),
@@ -44,7 +44,7 @@ HOMES: dict[str, tuple[str, ...]] = {
 # Files whose sums are of integers, although their text does not show it.
 WHOLE_SUMS = {
     "kernel/controller/feedback.py",
-    "lab/copley/node.py",
+    "lab/pvt/drive/node.py",
     "commands/check/mint/brackets.py",
     "commands/check/mint/buffer.py",
     "kernel/mint/runtime/environment.py",
@@ -163,7 +163,7 @@ def test_no_dialect_reaches_into_the_controller() -> None:
             "kernel/mccl",
             "kernel/lang",
             "commands/check",
-            "lab/copley",
+            "lab/pvt",
             "hosts",
             "repl",
         )

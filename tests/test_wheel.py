@@ -194,11 +194,11 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
         # Imported by `figure_files.py`, which needs matplotlib first.
         "views/figure_matplotlib.py",
         # Imported by `motionlang pvt stream`, which needs the CAN libraries first.
-        "lab/copley/bus.py",
-        "lab/copley/master.py",
-        "lab/copley/node.py",
+        "lab/pvt/drive/bus.py",
+        "lab/pvt/drive/master.py",
+        "lab/pvt/drive/node.py",
         # Imported by `motionlang serve --can`, which needs them first, too.
-        "lab/copley/eds.py",
+        "lab/pvt/drive/eds.py",
         "hosts/can.py",
         # Imported by `motionlang lsp`, which needs pygls first.
         "ide/lsp/features.py",

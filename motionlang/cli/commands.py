@@ -36,7 +36,7 @@ GROUPS = {
         ),
         "map": ("commands.map.command:Map", "show what a program does: channels, axes, structure, states"),
         "plan": ("commands.plan.command:Plan", "work out the figures of a move and write a program for it"),
-        "pvt": ("lab.copley.command:Pvt", "work with position-velocity-time moves for Copley drives"),
+        "pvt": ("lab.pvt.command:Pvt", "work with position-velocity-time moves for Copley drives"),
         "servo": ("lab.servo.command:Servo", "simulate and tune the servo loop behind the profile"),
         "repl": ("repl.command:Repl", "type a program line by line at an interactive prompt"),
     },

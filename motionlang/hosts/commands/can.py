@@ -15,7 +15,7 @@ from motionlang.hosts.commands.output_queue import OutputQueue, dropped
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import need
-from motionlang.lab.copley.switches import Switches
+from motionlang.lab.pvt.drive.switches import Switches
 
 AXIS = "axis.{}."
 HINT = "choose an interface of python-can that this computer has; virtual works within one process"
@@ -57,7 +57,7 @@ class ServedDrives(Served):
         """
         need("motionlang serve --can", "can", "canopen")
         from motionlang.hosts.can import DriveServer
-        from motionlang.lab.copley.bus import BusError
+        from motionlang.lab.pvt.drive.bus import BusError
 
         logging.getLogger("canopen").setLevel(logging.CRITICAL)
         if self.eds is not None:
@@ -84,7 +84,7 @@ class ServedDrives(Served):
 
 
 def _write_eds(path: str) -> None:
-    from motionlang.lab.copley.eds import eds
+    from motionlang.lab.pvt.drive.eds import eds
 
     try:
         with replacing(path) as file:

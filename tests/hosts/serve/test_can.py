@@ -14,7 +14,7 @@ import pytest
 
 from motionlang.cli import main
 from motionlang.hosts.commands.can import _switches
-from motionlang.lab.copley.switches import Switches
+from motionlang.lab.pvt.drive.switches import Switches
 from tests.cli.programs import MAX_SECONDS
 from tests.hosts.serve.test_command import line_with
 

@@ -35,7 +35,7 @@ def test_every_verb_is_a_method_of_the_controller_and_of_the_recorder() -> None:
 
 
 @pytest.mark.parametrize(
-    "folder", ["kernel/lang", "kernel/mint", "kernel/mccl", "commands/check", "hosts", "lab/copley"]
+    "folder", ["kernel/lang", "kernel/mint", "kernel/mccl", "commands/check", "hosts", "lab/pvt"]
 )
 def test_the_dialects_call_no_other_method(folder: str) -> None:
     methods = {name for name in dir(Controller) if not name.startswith("_")}

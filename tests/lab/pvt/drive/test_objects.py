@@ -1,0 +1,260 @@
+"""CANopen objects without a bus: accepted and rejected values, and their effects."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.lab.pvt.drive import packet
+from motionlang.lab.pvt.drive.drive import IDLE, MOVING, WAITING, Drive
+from motionlang.lab.pvt.drive.objects import BY_ADDRESS, OBJECTS, SUB_MODES, Abort, ObjectServer
+from motionlang.lab.pvt.drive.packet import Packet, PacketCommand
+from motionlang.lab.pvt.drive.point import WirePoint
+
+VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY = 0x06090030, 0x08000022, 0x06010002, 0x06010001
+
+
+@pytest.fixture
+def server() -> ObjectServer:
+    """A drive that is switched on, in interpolated position mode, sub-mode -3."""
+    made = ObjectServer(Drive())
+    for index, value in ((0x6060, 7), (0x60C0, -3), (0x6040, 6), (0x6040, 7), (0x6040, 15)):
+        made.write(index, 0, value)
+    return made
+
+
+def send(server: ObjectServer, number: int, point: WirePoint) -> None:
+    server.write_packet(packet.encode_packet(Packet(number, point)))
+
+
+def added(server: ObjectServer) -> list[tuple[int, int | None, int]]:
+    return [(e.position, e.velocity, e.microseconds) for e in server.drive.buffer.entries]
+
+
+@pytest.mark.parametrize(
+    ("mode", "writes", "entry"),
+    [
+        (0, [(1, 500)], (500, None, 15_000)),
+        (-1, [(1, 500)], (500, None, 15_000)),
+        (-2, [(1, 500), (2, 20)], (500, None, 20_000)),
+        (-3, [(1, 500), (2, 20), (3, -70)], (500, -70, 20_000)),
+    ],
+)
+def test_the_last_sub_index_of_each_sub_mode_adds_the_point(
+    server: ObjectServer, mode: int, writes: list[tuple[int, int]], entry: tuple[int, int | None, int]
+) -> None:
+    server.write(0x60C0, 0, mode)
+    server.write(0x60C2, 1, 15)
+    for sub, value in writes:
+        assert added(server) == []
+        server.write(0x60C1, sub, value)
+    assert added(server) == [entry]
+
+
+@pytest.mark.parametrize(("mode", "sub"), [(0, 2), (0, 3), (-1, 2), (-1, 3), (-2, 3)])
+def test_sub_indices_that_a_sub_mode_does_not_use_are_refused(
+    server: ObjectServer, mode: int, sub: int
+) -> None:
+    server.write(0x60C0, 0, mode)
+    with pytest.raises(Abort, match=f"sub-mode {mode} does not use sub-index {sub}") as refused:
+        server.write(0x60C1, sub, 1)
+    assert refused.value.code == DEVICE_STATE
+    assert added(server) == []
+
+
+@pytest.mark.parametrize("mode", [1, 2, 3, -4, 32767])
+def test_there_are_four_sub_modes(server: ObjectServer, mode: int) -> None:
+    assert sorted(SUB_MODES) == [-3, -2, -1, 0]
+    with pytest.raises(Abort, match=f"no sub-mode {mode}") as refused:
+        server.write(0x60C0, 0, mode)
+    assert refused.value.code == VALUE_RANGE
+
+
+@pytest.mark.parametrize(
+    ("units", "index", "microseconds"),
+    [(1, -3, 1000), (15, -3, 15_000), (255, -6, 255), (20, -4, 2000), (7, -5, 70)],
+)
+def test_the_fixed_time_is_units_times_a_power_of_ten(
+    server: ObjectServer, units: int, index: int, microseconds: int
+) -> None:
+    server.write(0x60C2, 1, units)
+    server.write(0x60C2, 2, index)
+    assert server.period() == microseconds
+
+
+@pytest.mark.parametrize(("sub", "value"), [(1, 0), (1, 256), (2, -2), (2, -7)])
+def test_other_fixed_times_are_refused(server: ObjectServer, sub: int, value: int) -> None:
+    with pytest.raises(Abort, match=r"0x60C2") as refused:
+        server.write(0x60C2, sub, value)
+    assert refused.value.code == VALUE_RANGE
+
+
+def test_bit_4_of_the_control_word_starts_and_ends(server: ObjectServer) -> None:
+    send(server, 0, WirePoint(0, 0, 100))
+    send(server, 1, WirePoint(500, 50_000, 100))
+    send(server, 2, WirePoint(1000, 0, 0))
+    assert server.read(0x6041, 0) == 0x0637
+    server.write(0x6040, 0, 0x1F)
+    assert server.drive.state == MOVING
+    assert server.read(0x6041, 0) == 0x1237
+    server.drive.run_until(50_000)
+    server.write(0x6040, 0, 0x0F)
+    assert "move aborted at 187.5: by the control word" in [what for _, what in server.drive.log]
+
+
+@pytest.mark.parametrize("control", [0x00, 0x06, 0x07, 0x0B, 0x010F, 0x011F])
+def test_what_takes_the_drive_out_of_the_move(server: ObjectServer, control: int) -> None:
+    """Disable voltage, shutdown, disable operation, quick stop and halt do."""
+    send(server, 0, WirePoint(0, 0, 255))
+    send(server, 1, WirePoint(500, 50_000, 255))
+    server.write(0x6040, 0, 0x1F)
+    server.drive.run_until(100_000)
+    server.write(0x6040, 0, control)
+    assert server.drive.state != MOVING
+
+
+def test_a_drive_that_is_disabled_in_mid_move_brakes_first(server: ObjectServer) -> None:
+    """Bit 6 is disabled, bit 12 is in motion, and bit 10 is at the target."""
+    send(server, 0, WirePoint(0, 0, 255))
+    send(server, 1, WirePoint(500, 50_000, 255))
+    server.write(0x6040, 0, 0x1F)
+    server.drive.run_until(100_000)
+    server.write(0x6040, 0, 0x00)
+    assert server.read(0x6041, 0) == 0x1250
+    server.drive.run_until(200_000)
+    assert (server.read(0x6041, 0), server.read(0x603F, 0)) == (0x0650, 0)
+
+
+def test_the_drive_must_be_switched_on_step_by_step() -> None:
+    server = ObjectServer(Drive())
+    server.write(0x6060, 0, 7)
+    server.write(0x6040, 0, 0x1F)
+    assert server.read(0x6041, 0) & 0x6F == 0x40
+    assert server.drive.state == IDLE
+    for control, bits in ((0x06, 0x21), (0x07, 0x23), (0x0F, 0x27)):
+        server.write(0x6040, 0, control)
+        assert server.read(0x6041, 0) & 0x6F == bits
+
+
+def test_only_interpolated_position_mode_starts() -> None:
+    server = ObjectServer(Drive())
+    for control in (0x06, 0x07, 0x0F, 0x1F):
+        server.write(0x6040, 0, control)
+    assert server.drive.state == IDLE
+    with pytest.raises(Abort, match="mode 4 is not simulated, only 1, 3, 6, 7") as refused:
+        server.write(0x6060, 0, 4)
+    assert refused.value.code == VALUE_RANGE
+
+
+def test_the_first_sub_mode_waits_for_three_points() -> None:
+    server = ObjectServer(Drive())
+    for index, value in ((0x6060, 7), (0x6040, 6), (0x6040, 7), (0x6040, 15), (0x6040, 31)):
+        server.write(index, 0, value)
+    assert server.drive.state == WAITING
+    for position, state in ((0, WAITING), (5, WAITING), (9, MOVING)):
+        server.write(0x60C1, 1, position)
+        assert server.drive.state == state
+
+
+def test_modes_do_not_change_in_mid_move(server: ObjectServer) -> None:
+    server.write(0x60C0, 0, 0)
+    server.write(0x6040, 0, 0x1F)
+    assert server.drive.state == WAITING
+    for index, value in ((0x60C0, -1), (0x6060, 0)):
+        with pytest.raises(Abort, match="while a move is in progress") as refused:
+            server.write(index, 0, value)
+        assert refused.value.code == DEVICE_STATE
+
+
+def test_a_lost_segment_is_a_sequence_error_until_it_is_cleared(server: ObjectServer) -> None:
+    send(server, 0, WirePoint(0, 0, 10))
+    send(server, 2, WirePoint(2, 0, 10))
+    send(server, 1, WirePoint(1, 0, 10))
+    assert added(server) == [(0, 0, 10_000)]
+    status = packet.decode_status(server.read(0x2012, 0))
+    assert (status.errors, status.next_number) == (packet.SEQUENCE, 1)
+    server.write_packet(packet.encode_command(PacketCommand(packet.CLEAR_ERRORS, packet.SEQUENCE)))
+    send(server, 1, WirePoint(1, 0, 10))
+    assert len(added(server)) == 2
+    assert packet.decode_status(server.read(0x2012, 0)).errors == 0
+
+
+def test_buffer_commands(server: ObjectServer) -> None:
+    for n in range(5):
+        send(server, n, WirePoint(n, 0, 10))
+    server.write_packet(packet.encode_command(PacketCommand(packet.POP, 2)))
+    assert [index for index, _, _ in added(server)] == [0, 1, 2]
+    server.write_packet(packet.encode_command(PacketCommand(packet.CLEAR)))
+    assert added(server) == []
+    assert server.read(0x2013, 0) == 5
+    server.write_packet(packet.encode_command(PacketCommand(packet.RESET_ID)))
+    assert server.read(0x2013, 0) == 0
+
+
+def test_free_count_and_status(server: ObjectServer) -> None:
+    assert server.read(0x2011, 0) == 32
+    assert server.read(0x2012, 0) == 0x8020_0000
+    send(server, 0, WirePoint(0, 0, 10))
+    assert server.read(0x2011, 0) == 31
+    assert server.read(0x2012, 0) == 0x001F_0001
+
+
+def test_a_full_buffer_refuses_the_record_and_latches_an_overflow(server: ObjectServer) -> None:
+    server.write(0x60C0, 0, -1)
+    for n in range(32):
+        server.write(0x60C1, 1, n)
+    with pytest.raises(Abort, match="full"):
+        server.write(0x60C1, 1, 32)
+    assert packet.decode_status(server.read(0x2012, 0)).errors == packet.OVERFLOW
+
+
+@pytest.mark.parametrize("entry", OBJECTS, ids=lambda o: f"{o.index:04X}-{o.sub}")
+def test_every_object_keeps_its_access(server: ObjectServer, entry: object) -> None:
+    index, sub = next(address for address, o in BY_ADDRESS.items() if o is entry)
+    access = BY_ADDRESS[index, sub].access
+    if "r" in access:
+        assert isinstance(server.read(index, sub), int)
+    else:
+        with pytest.raises(Abort) as refused:
+            server.read(index, sub)
+        assert refused.value.code == WRITE_ONLY
+    if "w" not in access:
+        with pytest.raises(Abort) as refused:
+            server.write(index, sub, 0)
+        assert refused.value.code == READ_ONLY
+
+
+def test_three_objects_are_records(server: ObjectServer) -> None:
+    """They are the homing speeds, and the point and the fixed time of interpolation."""
+    subs: dict[int, list[int]] = {}
+    for each in OBJECTS:
+        subs.setdefault(each.index, []).append(each.sub)
+    assert {index: found for index, found in subs.items() if found != [0]} == {
+        0x6099: [1, 2],
+        0x60C1: [1, 2, 3],
+        0x60C2: [1, 2],
+    }
+    assert server.read(0x6061, 0) == server.read(0x6060, 0) == 7
+    assert server.read(0x606B, 0) == server.read(0x606C, 0) == 0
+
+
+@pytest.mark.parametrize(("data", "code"), [(b"123", 0x06070010), (b"\x38" + bytes(7), VALUE_RANGE)])
+def test_bad_packets_are_refused_with_their_code(server: ObjectServer, data: bytes, code: int) -> None:
+    with pytest.raises(Abort) as refused:
+        server.write_packet(data)
+    assert refused.value.code == code
+
+
+def test_the_quick_stop_deceleration_brakes(server: ObjectServer) -> None:
+    assert server.drive.abort_deceleration == 1_000_000.0
+    server.write(0x6085, 0, 5000)
+    assert server.drive.abort_deceleration == 50_000.0
+    assert server.read(0x6085, 0) == 5000
+    server.write(0x6085, 0, 1)
+    assert server.drive.abort_deceleration == 10.0
+    with pytest.raises(Abort, match="greater than zero"):
+        server.write(0x6085, 0, 0)
+
+
+def test_positions_are_32_bits_and_wrap() -> None:
+    server = ObjectServer(Drive(2.0**31))
+    assert server.read(0x6062, 0) == -(2**31)
