@@ -8,6 +8,7 @@ from typing import Any, overload
 from motionlang.kernel.report_types import ReportMove, ReportMoveMotor, ReportPhase
 from motionlang.kernel.result import Run
 from motionlang.kernel.rows import Table, transposed
+from motionlang.kernel.tools import in_notebook
 
 # The columns of every table of moves; those of a simulated motor follow if there is one.
 COLUMNS = (
@@ -56,11 +57,7 @@ class Move:
         )
 
     def _repr_html_(self) -> str:
-        # Requested by a notebook, which has the views; no layer below may import them.
-        from importlib import import_module
-
-        shown: str = import_module("motionlang.views.notebook").move_html(self, self._run)
-        return shown
+        return in_notebook("move_html", self, self._run)
 
 
 class Moves(Table, Sequence[Move]):
@@ -103,7 +100,4 @@ class Moves(Table, Sequence[Move]):
         return f"<Moves: {len(self)} of {self._run.source.name}>"
 
     def _repr_html_(self) -> str:
-        from importlib import import_module
-
-        shown: str = import_module("motionlang.views.notebook").moves_html(self, self._run)
-        return shown
+        return in_notebook("moves_html", self, self._run)

@@ -23,7 +23,7 @@ from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import clipped, count_of
+from motionlang.kernel.tools import clipped, count_of, in_notebook
 
 if TYPE_CHECKING:
     from motionlang.kernel.moves import Moves
@@ -75,11 +75,7 @@ class Run:
         return Trace(self.controller)
 
     def _repr_html_(self) -> str:
-        # Requested by a notebook, which has the views; no layer below may import them.
-        from importlib import import_module
-
-        shown: str = import_module("motionlang.views.notebook").html(self)
-        return shown
+        return in_notebook("html", self)
 
     def __repr__(self) -> str:
         counts = count_of(len(self.machine.log.moves), "move")

@@ -9,12 +9,22 @@ from __future__ import annotations
 from _thread import allocate_lock
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from importlib import import_module
 from math import fsum
 from sys import getrecursionlimit, setrecursionlimit
 from traceback import walk_stack
 
 # Maximum characters of a value in a message.
 _MAX_SHOWN = 60
+
+
+def in_notebook(kind: str, *values: object) -> str:
+    """Return the page that a notebook shows of a value.
+
+    The notebook asks the value itself, so the views, which nothing in the kernel imports, are found by name.
+    """
+    page: str = getattr(import_module("motionlang.views.notebook"), kind)(*values)
+    return page
 
 
 def shown(value: object) -> str:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
+from motionlang.kernel.tools import in_notebook
 from motionlang.kernel.tracks.history import Reader
 from motionlang.kernel.tracks.track import WholeTrack, axes_of
 from motionlang.kernel.tracks.trajectory_points import AT_ONCE, Points
@@ -129,11 +130,7 @@ class Trace:
         )
 
     def _repr_html_(self) -> str:
-        # Requested by a notebook, which has the views; no layer below may import them.
-        from importlib import import_module
-
-        shown: str = import_module("motionlang.views.notebook").trace_html(self)
-        return shown
+        return in_notebook("trace_html", self)
 
     def __call__(
         self,
