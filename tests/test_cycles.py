@@ -22,7 +22,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel", "moves report report_types result"):
         "a run makes its report on request, and a report is made from a run",
     ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",
-    ("kernel/controller", "axis core feedback joined move readings"):
+    ("kernel/controller", "axis core feedback joined motion_listener readings"):
         "a controller owns its axes, an axis its move and its motor; each part asks its owner",
     ("kernel/controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
     ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",

@@ -26,6 +26,7 @@ def test_words_in_every_form_in_every_loop(name: str) -> None:
         assert trouble(name, text) == "", text
 
 
+@pytest.mark.slow
 @cases("name", dialects())
 def test_programs_of_the_gallery_with_pieces_changed(name: str) -> None:
     for text in inputs(name, examples(SLICE), 0):

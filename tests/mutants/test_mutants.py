@@ -66,7 +66,6 @@ def test_the_same_are_chosen_again_from_every_package() -> None:
     assert {each.package for each in once} >= {
         "cli",
         "controller",
-        "copley",
         "lang",
         "mccl",
         "mint",

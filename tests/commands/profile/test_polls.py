@@ -308,6 +308,7 @@ def test_tasks_that_poll_wait() -> None:
         assert min(task.computing, task.ready) > -1e-9
 
 
+@pytest.mark.slow
 def test_a_shift_of_polling_is_a_few_records() -> None:
     """Seven hours of polling an input are one loop in the log, and one wait."""
     world = {"input": [{"channel": 3, "at": 25_200.0}]}

@@ -269,6 +269,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="a signal kills the process")
 def test_a_killed_process_of_this_machine_costs_its_chunk(tmp_path: Path) -> None:
     script = tmp_path / "killed.py"

@@ -61,6 +61,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
     assert "Traceback" not in err
 
 
+@pytest.mark.slow
 def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
     """More is logged than the pipe and the queue can store, but hosts are answered.
 

@@ -109,6 +109,7 @@ def test_a_serial_device_with_pyserial(tmp_path: Path) -> None:
             assert line.read_until(b"P>") == b"\r\ntwice 42.0000\r\nP>"
 
 
+@pytest.mark.slow
 def test_lock_step_gives_every_host_the_same_machine(tmp_path: Path) -> None:
     """Each frame takes 10 ms, in which the axis moves by 10 uu at 1000 uu/s."""
     found = []

@@ -21,6 +21,7 @@ AT_REST = Track([0.0], [hold(0.0)])
 MOVING = Track([0.0, 1.0], [plan_trapezoid(0.0, 10.0, 50.0, 40.0, 40.0), hold(10.0)])
 
 
+@pytest.mark.slow
 def test_rest_up_to_a_later_motion_is_skipped() -> None:
     """Behind the rest of 100 s, the samples are those of a run without the skip."""
     later = Track([0.0, 100.0], [hold(0.0), plan_trapezoid(0.0, 10.0, 50.0, 40.0, 40.0)])

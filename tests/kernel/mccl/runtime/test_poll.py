@@ -97,7 +97,13 @@ def outcome(runner: Runner, text: str) -> dict[str, Any]:
     return {key: report[key] for key in ("status", "time", "output", "moves", "axes")} | {"outputs": switched}
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(each, marks=pytest.mark.slow) if each == "an auxiliary encoder" else each
+        for each in PROGRAMS
+    ],
+)
 def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
     skipped = outcome(mccl, PROGRAMS[name])
     monkeypatch.setattr(Loops, "back", lambda self, task, here, t, is_inside=True: (t, None))
@@ -147,7 +153,7 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
         ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 10),
         ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 4),
         ("IN5,1ST,NO,1RL@21,IC3,JR-5,NO", 4),
-        ("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 8),
+        pytest.param("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 8, marks=pytest.mark.slow),
     ],
 )
 def test_an_hour_of_watching_is_over_at_once(
