@@ -23,6 +23,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, NotRequired, TypedDict, overload
 
+from motionlang.kernel.tools import in_notebook
+
 if TYPE_CHECKING:
     from motionlang.kernel.result import Run
 
@@ -51,11 +53,7 @@ class Report(dict[str, object]):
         return f"<Report of {{self['program']}}: {{self['status']}} at {{self['time']:g}} s, {{moves}}>"
 
     def _repr_html_(self) -> str:
-        # Requested by a notebook, which has the views; no layer below may import them.
-        from importlib import import_module
-
-        shown: str = import_module("motionlang.views.notebook").report_html(self, self._run)
-        return shown
+        return in_notebook("report_html", self, self._run)
 
     if TYPE_CHECKING:
 

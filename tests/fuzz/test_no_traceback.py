@@ -18,8 +18,8 @@ from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated
 SLICE, LONG = 300, 100_000
 
 
-@cases("name", dialects())
 @pytest.mark.slow
+@cases("name", dialects())
 def test_words_in_every_form_in_every_loop(name: str) -> None:
     words = list(WORDS[name]())
     for text in Random(f"words of {name}").sample(words, examples(SLICE)):

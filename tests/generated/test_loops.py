@@ -38,8 +38,8 @@ def test_an_overflow_is_found_whatever_the_range_of_a_counter(name: str) -> None
     assert [each[1] for each in found["diagnostics"]] == [f"{value} does not fit an Integer"]
 
 
-@cases("seed", range(examples(100)))
 @pytest.mark.slow
+@cases("seed", range(examples(100)))
 def test_loops_end_alike_without_skipping(seed: int) -> None:
     assert is_equal(seed), Draw(seed).program()
 

@@ -202,8 +202,8 @@ def test_a_macro_that_is_redefined_while_it_runs_goes_on_as_it_was(mccl: Runner)
     assert mccl("MD1,WA0.1,AL1,AR20\nGT1\nMD1,AL2,AR20\nWA0.2,TR20,MC1,TR20").output == ["1", "2"]
 
 
-@cases("row", list(table()), ids=lambda row: row.name)
 @pytest.mark.slow
+@cases("row", list(table()), ids=lambda row: row.name)
 def test_no_number_that_is_sent_with_a_command_breaks_anything(row: Keyword, mccl: Runner) -> None:
     numbers = (
         "-1",
