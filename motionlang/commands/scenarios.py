@@ -46,7 +46,7 @@ class Scenario:
         """The name of the scenario: its file name without the suffix."""
         return os.path.splitext(os.path.basename(self.path))[0]
 
-    def run(self, *, cache: bool = False) -> Run:
+    def run(self) -> Run:
         """Run the program in this world."""
         return within_budget(run(self.program, machine=self.settings))
 

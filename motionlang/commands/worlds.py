@@ -21,7 +21,7 @@ from motionlang.kernel.lang import BACK, BRANCH, Step, Values
 Event = tuple[int, int, bool]
 BEGINS = -1
 # A world ends after so many statements: three seconds of a loop that toggles an output as fast as it can.
-MOST = 300_000
+MAX_STATEMENTS = 300_000
 # The tables of settings that a search changes, and an entry of one.
 TABLES = ("input", "analogue", "answer", "key")
 Entry = dict[str, object]
@@ -29,7 +29,7 @@ Entry = dict[str, object]
 
 @dataclass
 class World:
-    """The settings around a program, a run in them, and its events; `is_cut` if it ended after `MOST` statements."""
+    """The settings around a program, a run in them, and its events; `is_cut` if it had too many statements."""
 
     settings: Mapping[str, object]
     result: Run
@@ -80,7 +80,7 @@ class Worlds:
             begun=counts.attach,
         )
         self._compiled = result.program
-        return World(settings, result, counts.events, counts.count >= MOST)
+        return World(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
 
 
 def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
@@ -102,10 +102,10 @@ class Counts(Hook):
         self._machine = machine
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
-        """Count a statement, and end the run after `MOST` of them."""
+        """Count a statement, and end the run after `MAX_STATEMENTS` of them."""
         self.events[offset, BEGINS, True] += 1
         self.count += 1
-        if self.count < MOST:
+        if self.count < MAX_STATEMENTS:
             return False
         if self._machine is not None and self._machine.scheduler is not None:
             self._machine.scheduler.until = time

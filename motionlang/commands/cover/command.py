@@ -34,8 +34,8 @@ from motionlang.views.terminal import table_width, wants_colour
 # The time limits of a suggested world and of the search for them, s.
 UNTIL = 300.0
 SECONDS = 20.0
-# A suggested world is as much longer as the program's own worlds, and at least so long, s.
-LONGER, SHORT = 2.0, 30.0
+# The factor between the time limit of a suggested world and the time of the program's own, and its minimum, s.
+UNTIL_FACTOR, MIN_UNTIL = 2.0, 30.0
 
 
 @dataclass
@@ -126,7 +126,7 @@ examples:
                 before += world.events
                 ends += [world.result.time] if world.result.status in ("ended", "stopped") else []
             if ends and self.until is None:
-                limit = min(limit, max(SHORT, LONGER * max(ends)))
+                limit = min(limit, max(MIN_UNTIL, UNTIL_FACTOR * max(ends)))
             search = Search(runs, own, before, limit, progress)
             was = search.coverage
             try:

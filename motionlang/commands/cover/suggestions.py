@@ -134,6 +134,8 @@ class Search:
         if self.coverage.reached == before.reached:
             return None
         reaches = sorted(before.missed.keys() - self.coverage.missed.keys())
+        if world.is_cut:  # the scenario ends where its run did
+            settings = {**settings, "run.until": round(world.result.time, 2)}
         self.found.append(Suggestion(settings, world.result, reaches))
         return None if world.is_cut else self.found[-1]
 

@@ -348,7 +348,8 @@ class _Search:
         that have to be on may only lead to the test of the other one.
         """
         result = world.result
-        at_rest = result.time - _last_motion(result) > QUIET
+        quiet = 0.5 * result.time if world.is_cut else QUIET
+        at_rest = result.time - _last_motion(result) > quiet
         most, seen = _work(result, at_rest), set(world.events)
         pending = [(guesses, world)]
         while pending:

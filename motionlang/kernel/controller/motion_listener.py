@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class MotionListener:
-    """What a controller reports while it moves its axes; this one ignores all of it.
+    """A listener to the motion of a controller, which ignores every report.
 
     Subclasses override what they need. They only read: a listener changes neither the axes nor the run.
     """

@@ -1,4 +1,4 @@
-"""What is read from the tracks of the axes: the whole motion, the trace, the motors, the trajectory points."""
+"""Readers of the tracks of the axes: whole motion, trace, motors, trajectory points."""
 
 from __future__ import annotations
 

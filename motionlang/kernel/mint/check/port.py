@@ -1,4 +1,4 @@
-"""What a program of Mint v4 does differently on MintMT, once it is in the notation of MintMT.
+"""Differences of a Mint v4 program on MintMT that remain once it is in the notation of MintMT.
 
 PRINT "part ", n        MintMT prints 12.0000, v4 12: PRINT "part ", n USING 1, 0
 PRINT POS(0)            MintMT prints 12.5000, v4 12.5: reported, since the number of decimals is open
