@@ -26,9 +26,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-    from motionlang.kernel.lang.program import Program
-    from motionlang.kernel.lang.scheduler import Outside
-    from motionlang.kernel.result import Run
+    from motionlang.kernel import Outside, Program, Run
 
 TESTS = Path(__file__).parent
 
@@ -96,7 +94,7 @@ def _prove_every_run() -> None:
     ) -> None:
         from motionlang.commands.prove.checks import prove
         from motionlang.commands.prove.expected_motion import ExpectedMotion
-        from motionlang.kernel.tracks.track import Recorded
+        from motionlang.kernel.tracks import Recorded
 
         # A debugger goes back in a run, which the motion that is expected so far does not.
         is_proved = not isinstance(result.listener, ExpectedMotion) and result.machine.hook is None

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import Run, run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 Runner = Callable[..., Run]
 

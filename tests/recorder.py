@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.controller import readers
-from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel import Axis
+from motionlang.kernel.controller import Clock, readers
 from motionlang.kernel.controller.axis_verbs import SETTINGS
-from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.triggers.limit import Limit

@@ -12,8 +12,7 @@ from benchmarks.programs import PROGRAMS, SHIFT, Program
 from benchmarks.styles import COMPUTING, STYLES
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 
 @pytest.mark.slow

@@ -23,9 +23,7 @@ import pytest
 from _pytest.mark import ParameterSet
 
 from motionlang.cli import commands, main
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, read_machine, run
 from tests.cli.programs import parser_of
 from tests.lab.notes.examples import printed
 

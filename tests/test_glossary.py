@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 
 PAGE = (Path(__file__).parents[1] / "docs" / "glossary.md").read_text(encoding="utf-8")
 COLUMNS = {"mint": 3, "mccl": 4}

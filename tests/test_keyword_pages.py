@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from tools.keyword_pages import stored
 
 

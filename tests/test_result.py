@@ -8,20 +8,23 @@ import pytest
 
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.errors import Diagnostic, Terminated
-from motionlang.kernel.execution import (
+from motionlang.kernel import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
+    Diagnostic,
+    Machine,
+    Run,
+    Source,
+    Terminated,
+    dialect,
     dialect_for,
     dialect_of,
     end_of,
     machine_of,
     run,
+    who_ended,
 )
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.result import Run, interrupted, report_keywords_without_effect, who_ended
-from motionlang.kernel.source import Source
+from motionlang.kernel.result import interrupted, report_keywords_without_effect
 from tests.cases import cases
 
 ENDLESS = "the program waits until IN(2), which can never happen"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.source import MAX_BYTES, Source, name_of
+from motionlang.kernel import MAX_BYTES, Source, name_of
 
 TEXT = 'Print "é"\nPrint 2\n'
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from tools import vscode_grammars
 
 FOLDER = Path(__file__).parent.parent / "editors" / "vscode"

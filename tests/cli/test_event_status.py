@@ -6,8 +6,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from motionlang.cli.event_status import complaints
-from motionlang.kernel.controller.triggers.events import HOMING
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
+from motionlang.kernel.controller import HOMING
 from tests.cases import cases
 
 NONE: frozenset[str] = frozenset()

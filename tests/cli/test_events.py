@@ -9,11 +9,10 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.execution import run
+from motionlang.kernel import Source, run
 from motionlang.kernel.log import stream
 from motionlang.kernel.log.records import EVENTS
 from motionlang.kernel.report import build
-from motionlang.kernel.source import Source
 from tests.cli.programs import Cell
 from tests.dumps import read
 from tests.test_docs import ROOT

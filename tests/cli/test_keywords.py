@@ -11,8 +11,7 @@ import pytest
 from motionlang.cli import main
 from motionlang.commands.help.view import listing, page
 from motionlang.commands.probe.facts import STRENGTHS
-from motionlang.kernel.lang.dialect import dialect, dialects
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, dialect, dialects
 from tests.cases import cases
 from tests.cli.programs import Cell
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError
 from tests.cli.programs import Cell
 
 WAITS = "PAUSE INX(3)\nPRINT TIME\n"

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import motionlang
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from tests.cli.programs import Cell
 
 OLD = Path(__file__).parents[2] / "examples" / "old"

@@ -23,9 +23,7 @@ from motionlang import __version__
 from motionlang.cli import option_groups as shared
 from motionlang.cli import signals
 from motionlang.commands.trace import export
-from motionlang.kernel.errors import Terminated
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Scheduler, Terminated, dialect
 from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]

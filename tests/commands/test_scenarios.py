@@ -8,12 +8,9 @@ import pytest
 
 from motionlang.commands.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.sweep.variants import Variants
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.keys import ABOUT, EXPECTED, TABLES
-from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, read_machine, run
+from motionlang.kernel.lang import TABLES, layered
+from motionlang.kernel.lang.machine.keys import ABOUT, EXPECTED
 
 STROKE = """\
 SPEED(0) = 200 : ACCEL(0) = 2000 : DECEL(0) = 2000

@@ -15,11 +15,8 @@ import numpy as np
 import pytest
 
 from motionlang.commands.scope import _packed, page, write_scope
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.servo import Loop, simulate
-from motionlang.kernel.servo.settings import make_plant
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
+from motionlang.kernel.servo import Loop, make_plant, simulate
 from tests.commands.trace.test_vcd import switched
 from tests.generated.motion import generate
 from tests.views.runs import ballscrew, ended, new_run, pick, short_shift

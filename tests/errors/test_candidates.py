@@ -6,8 +6,7 @@ An editor offers them; `check --fix` does not apply them.
 from __future__ import annotations
 
 from motionlang.commands.check import check
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 from tests.cases import cases
 
 # Language, text, the text that the first such finding marks, and what may have been meant.

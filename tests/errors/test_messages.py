@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel import Diagnostic, ProgramError, Terminated
 from motionlang.kernel.tools import MissingExtra, Spellings, as_hint, clipped, missing, nearest, shown
 
 

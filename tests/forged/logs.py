@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
+from motionlang.kernel import Run
 from motionlang.kernel.controller.motion.offset import OffsetMove
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log import Move
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.result import Run
 from tests.forged.programs import PROGRAMS
 from tests.forged.verdicts import ran
 

@@ -11,8 +11,7 @@ from types import FrameType
 from typing import NamedTuple
 
 from motionlang import prove, run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 from tests.forged.programs import PROGRAMS
 
 # Times of a run at which the motion of two planners is compared, and the relative difference allowed.

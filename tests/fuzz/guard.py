@@ -10,9 +10,7 @@ from types import FrameType
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, dialect
 from tests.fuzz.inputs import SUFFIX
 
 # Machine time of a run, and the limit of this process's seconds for such an input.

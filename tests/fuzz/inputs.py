@@ -7,9 +7,7 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.source import Source
+from motionlang.kernel import Keyword, Source, dialect
 
 ROOT = Path(__file__).parents[2]
 SUFFIX = {"mint": ".mnt", "mccl": ".mcl"}

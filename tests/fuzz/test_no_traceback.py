@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialects
+from motionlang.kernel import dialects
 from tests.cases import cases, examples
 from tests.fuzz.guard import trouble
 from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated
@@ -65,7 +65,7 @@ def test_inputs_are_the_same_again_and_differ() -> None:
 
 
 def test_every_word_has_its_forms() -> None:
-    from motionlang.kernel.mint.keywords import table
+    from motionlang.kernel.mint import table
 
     assert len(list(WORDS["mint"]())) == 16 * len(list(table())) > 18_000
     assert all(len(set(mint_forms(row))) > 1 for row in table())

@@ -11,11 +11,8 @@ import json
 from collections.abc import Iterator
 
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import run
+from motionlang.kernel import ProgramError, Run, Source, run
 from motionlang.kernel.report import text as report_of
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.fuzz.guard import bounded
 from tests.generated.compared import every_iteration
 from tests.generated.draw import Draw

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import CODES
+from motionlang.kernel import CODES
 from tests.generated.draw import Draw, table
 
 _MOTOR = {

@@ -5,8 +5,7 @@ from __future__ import annotations
 from functools import cache
 from random import Random
 
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, dialect
 
 # Plausible values by unit: motions of some units, which last from milliseconds to seconds.
 _UNITS = {

@@ -12,8 +12,7 @@ import sys
 from random import Random
 
 from motionlang import run
-from motionlang.kernel import report
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, report
 from tests.generated.compared import compare, is_equal_without_skipping
 
 UNTIL = 1.2

@@ -15,10 +15,9 @@ import jsonschema  # type: ignore[import-untyped]
 
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.records import Looped, Waited
-from motionlang.kernel.result import Run
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel import Run, WholeTrack
+from motionlang.kernel.log import Move, Waited
+from motionlang.kernel.log.records import Looped
 from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))

@@ -10,7 +10,7 @@ from random import Random
 from typing import Any
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.generated.compared import is_equal_without_skipping
 
 INTEGERS, FLOATS = ("i", "j", "k", "m"), ("x", "y")

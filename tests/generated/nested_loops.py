@@ -11,9 +11,7 @@ from __future__ import annotations
 import sys
 from random import Random
 
-from motionlang.kernel import report
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, report, run
 from tests.generated.compared import compare, is_equal_without_skipping
 
 MACHINE: dict[str, object] = {"input": [{"channel": 0, "at": 0.11, "for": 0.07, "every": 0.31}]}

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.kernel.result import Run
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel import Run, WholeTrack
 
 # Seconds before the end of the shorter run within which events may belong to its last instant.
 LAST = 1e-6

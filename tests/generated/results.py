@@ -42,10 +42,7 @@ from motionlang.ide.editor.machine_file import complete_machine_file, hover_mach
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.signature import signature
 from motionlang.ide.editor.tokens import tokens
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect, read_machine, run
 from tests.commits import unpacked
 from tests.dumps import read
 from tests.generated import handlers, sessions, tasks

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect, read_machine
 from motionlang.repl.session import Session
 from tests.generated.draw import Draw
 from tests.generated.motion import Generated

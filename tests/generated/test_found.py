@@ -12,10 +12,9 @@ from math import atan2, hypot, pi, radians, sin, sqrt
 import pytest
 
 from motionlang import prove, run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.controller.motion import feedrate
 from motionlang.kernel.controller.motion.takeup import Takeup
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 

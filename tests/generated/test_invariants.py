@@ -9,9 +9,8 @@ from typing import Any
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.report import text
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.generated.invariants import in_order, matches_schema, phases_add_up, table_agrees
 from tests.generated.prefix import differences
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import Run, run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import examples
 from tests.generated.checks import findings
 from tests.generated.motion import UNTIL, Generated, generate

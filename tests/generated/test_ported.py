@@ -8,12 +8,11 @@ import pytest
 
 from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.view import diff_lines
-from motionlang.kernel.execution import dialect_of, run
-from motionlang.kernel.mint.keywords import table
+from motionlang.kernel import Source, dialect_of, run
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import names_of
 from motionlang.kernel.report import build
-from motionlang.kernel.source import Source
 from tests.cell import cell
 from tests.cli.programs import Cell
 from tests.generated.motion import UNTIL, generate

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 from tests.generated.draw import Draw, table
 from tests.generated.mccl_motion import ACTIONS as MCCL_ACTIONS
 from tests.generated.mccl_motion import McclProgram

@@ -17,7 +17,7 @@ from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.verify.further import further_checks, sweep_golden
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]

@@ -11,11 +11,9 @@ from typing import Any
 import pytest
 
 from motionlang.cli.program_files import programs
+from motionlang.kernel import Run, Source, run
 from motionlang.kernel.controller.faults import NAMES
-from motionlang.kernel.execution import run
 from motionlang.kernel.report import failure, text
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 

@@ -7,9 +7,8 @@ from random import Random
 import pytest
 
 from motionlang.commands.check.mint import check
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 
 OPERANDS = (
     "a",

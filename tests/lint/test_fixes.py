@@ -10,9 +10,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.check import check
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import dialect_of
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, dialect_of
 
 TESTS = Path(__file__).parents[1]
 GOLDEN = TESTS / "lint" / "fixes.txt"

@@ -11,10 +11,7 @@ import pytest
 
 from motionlang.commands.check import check
 from motionlang.commands.check.silence import WARNINGS
-from motionlang.kernel.errors import CODES
-from motionlang.kernel.execution import dialect_of
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import CODES, Source, dialect_of, read_machine
 from motionlang.views.diagnostics import render
 
 HERE = Path(__file__).parent

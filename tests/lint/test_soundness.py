@@ -10,10 +10,8 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic, Run, Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 Lines = list[str]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from motionlang import run
 from motionlang.commands.prove.proof import proof
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:

@@ -14,7 +14,7 @@ from random import Random
 
 import pytest
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from tests.metamorphic.jobs import Contour, Train
 from tests.metamorphic.runs import grid, proved
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import prove, run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.planners.lookahead import Pace, plan_course
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 H = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200\n"
 END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"

@@ -12,7 +12,7 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.prove.proof import proof
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train
 

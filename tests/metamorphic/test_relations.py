@@ -10,7 +10,7 @@ import random
 
 import pytest
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from tests.metamorphic.runs import grid, proved
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "12")))

@@ -11,10 +11,9 @@ from random import Random
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Machine
 from motionlang.kernel.controller.faults import SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.lang.machine.machine import Machine
 from tests.reference_model.axis import Axis
 from tests.reference_model.axis import Limit as Reference
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.repl.session import Session
 from tests.cases import examples
 

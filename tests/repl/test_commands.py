@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.repl.commands import COMMANDS, GROUPS, is_command, without_dot
 from motionlang.repl.complete import candidates
 from motionlang.repl.session import Session

@@ -15,7 +15,7 @@ from prompt_toolkit.document import Document
 from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.output import ColorDepth, DummyOutput
 
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from motionlang.repl import prompt
 from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import WordLexer, styled

@@ -8,7 +8,7 @@ import threading
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import dialect
 from motionlang.repl.running import LINE, Running
 from motionlang.repl.session import Session
 from motionlang.views import progress

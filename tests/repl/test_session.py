@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.execution import ONE_SHIFT
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import ONE_SHIFT, Source, dialect
 from motionlang.repl.command import open_session
 from motionlang.repl.commands import COMMANDS, Command
 from motionlang.repl.live import Live

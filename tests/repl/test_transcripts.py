@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from motionlang.repl.session import Session
 
 FOLDER = Path(__file__).parent

@@ -13,9 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from motionlang.cli import main
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect, run
 from motionlang.views.highlight import pieces
 from motionlang.views.report import render
 

@@ -14,10 +14,7 @@ from typing import Any
 
 from motionlang import prove, run
 from motionlang.commands.check import check
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.execution import dialect_of
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, ProgramError, Source, dialect_of, read_machine
 
 FOLDER = Path(__file__).parent
 COMMENTS = {".mnt": "'", ".mcl": ";"}

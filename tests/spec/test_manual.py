@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from motionlang.kernel.mccl.keywords import table as mccl_table
-from motionlang.kernel.mint.keywords import table as mint_table
+from motionlang.kernel.mccl import table as mccl_table
+from motionlang.kernel.mint import table as mint_table
 from tests.cases import cases
 from tools.mint_manual import CHAPTERS, FOLDER, heading, pages
 

@@ -18,8 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from motionlang import Run, run
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, read_machine
 
 CHOICE = "choice"
 # Statements take some 10 µs; what takes longer waits.

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.lang.dialect import Dialect
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Controller, Dialect, Machine, Run, Source
 
 
 class Nameless(Dialect):

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Axis, Controller
 from motionlang.views.chart import chart, dots, velocity_chart, velocity_panel, velocity_spans
 from motionlang.views.figure import Curve, Panel
 from tests.views.runs import ballscrew, pick

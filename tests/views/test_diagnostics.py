@@ -6,8 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Source
 from motionlang.views.diagnostics import render, render_all, tally
 from motionlang.views.terminal import cells
 from tests.cases import examples

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.tools import count_of
 from motionlang.views.device_writes import MAX_ROWS, writes_table
 from motionlang.views.formatting import clock_time, dialect_name, figure, peak_of, significant

@@ -7,7 +7,7 @@ from pathlib import Path
 from pygments.token import Comment, Error, Keyword, Name, Number, String
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from motionlang.views.pygments_lexers import McclLexer, MintLexer
 from tests.cases import cases
 

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import motionlang
 from motionlang.commands.check.mccl.check import check
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.machine.machine import MAX_DIAGNOSTICS, Machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Machine, Source
+from motionlang.kernel.lang.machine.machine import MAX_DIAGNOSTICS
 from motionlang.views.diagnostics import MAX_SHOWN, render, render_all
 
 BAD = "".join(f"1XX{number}\n" for number in range(3000))

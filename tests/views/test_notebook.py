@@ -7,8 +7,7 @@ import re
 import pytest
 
 from motionlang.commands.sweep.table import cell, sweep_table
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 from motionlang.views.notebook import MAX_LINES, MOST_MOVES, html
 
 

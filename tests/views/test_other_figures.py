@@ -11,7 +11,7 @@ import pytest
 from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.solve import solve_move
 from motionlang.commands.sweep.plot import front_figure, line_figure, map_figure
-from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners import plan_pvt
 from motionlang.lab.pvt import plot as pvt_plot
 from motionlang.lab.pvt.plot import pvt_figure
 from motionlang.lab.servo.plot import comparison_figure, trace_figure

@@ -7,9 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.result import Run
-from motionlang.kernel.tracks.trace import Trace
+from motionlang.kernel import Controller, Run, Trace
 from motionlang.views.outline import outline, thinned
 from tests.views.runs import ballscrew, pick, short_shift
 

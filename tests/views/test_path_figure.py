@@ -6,9 +6,7 @@ import pytest
 
 from motionlang.commands.plot import path as path_plot
 from motionlang.commands.plot.path import path_figure
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
 from motionlang.views.figure import Note
 from motionlang.views.window import Window
 from tests.views.runs import ended, new_run

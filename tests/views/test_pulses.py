@@ -18,9 +18,7 @@ import pytest
 
 from motionlang.commands.plot.view import run_figure
 from motionlang.commands.scope import page
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
 from motionlang.views.figure_files import svg
 from motionlang.views.figure_layout import ON
 from motionlang.views.spans import Span, visible

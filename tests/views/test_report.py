@@ -9,12 +9,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel import report
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.execution import run
+from motionlang.kernel import Diagnostic, Run, Source, report, run
 from motionlang.kernel.report import SCHEMA, _axis, build, failure, moves, rendered, text
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 

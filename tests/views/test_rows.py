@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners import plan_pvt
 from motionlang.lab.pvt import view as pvt
 from motionlang.views import device_writes as written
 from motionlang.views.questions import _show_once

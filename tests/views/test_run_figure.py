@@ -10,12 +10,8 @@ import pytest
 
 from motionlang.commands.plot import view as plot
 from motionlang.commands.plot.view import run_figure
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.servo import Loop, simulate
-from motionlang.kernel.servo.settings import make_plant
-from motionlang.kernel.servo.trace import ServoTrace
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
+from motionlang.kernel.servo import Loop, ServoTrace, make_plant, simulate
 from motionlang.views.figure import Figure, Panel
 from motionlang.views.window import Window
 from tests.commands.trace.test_vcd import switched

@@ -13,8 +13,7 @@ from xml.etree import ElementTree
 import pytest
 
 from motionlang.commands.scope import page, write_scope
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 from motionlang.views.window import Window
 from tests.views.browser import Browser
 from tests.views.runs import pick, shift

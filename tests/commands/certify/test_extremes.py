@@ -15,12 +15,10 @@ import numpy as np
 import pytest
 
 from motionlang.commands.certify.extremes import extremes, motor_peak, peak_speed
+from motionlang.kernel import Source, run
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.execution import run
-from motionlang.kernel.planners import Profile, hold, plan_trapezoid
-from motionlang.kernel.planners.curve import State
+from motionlang.kernel.planners import Profile, State, hold, plan_trapezoid
 from motionlang.kernel.planners.formula import Formula
-from motionlang.kernel.source import Source
 from motionlang.kernel.tracks import history
 
 GALLERY = Path(__file__).parents[3] / "scripts"

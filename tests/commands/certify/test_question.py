@@ -16,9 +16,7 @@ from motionlang.commands.certify import (
 )
 from motionlang.commands.certify.extremes import Extreme, extremes, peak_speed
 from motionlang.commands.certify.view import limits_table
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
 SET = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 500 : "

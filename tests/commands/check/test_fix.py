@@ -15,9 +15,8 @@ from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.view import diff_lines
 from motionlang.commands.init import guessed
 from motionlang.commands.worlds import Worlds
-from motionlang.kernel.execution import dialect_of, run, settings_next_to
+from motionlang.kernel import Source, dialect_of, run, settings_next_to
 from motionlang.kernel.report import build
-from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.cli.programs import Cell
 

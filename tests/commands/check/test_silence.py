@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.commands.check.mint import COMMENT
 from motionlang.commands.check.silence import driven_inputs, has_host
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import cases
 
 

@@ -26,9 +26,7 @@ from motionlang.commands.compare.alignment import (
     lag,
 )
 from motionlang.commands.compare.comparison import Comparison, Mapped, compare
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
 
 Array = NDArray[np.float64]
 PROGRAM = """\

@@ -14,10 +14,7 @@ from motionlang.cli import main
 from motionlang.commands.compare.comparison import Comparison, Mapped, _own, compare
 from motionlang.commands.compare.recording import read_table
 from motionlang.commands.compare.view import comparison_document, render_comparison
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Run, Source, run
 
 PROGRAM = """\
 SPEED(0, 1) = 100, 50

@@ -15,9 +15,7 @@ import numpy as np
 import pytest
 
 from motionlang.commands.compare.comparison import Comparison, Mapped, compare
-from motionlang.kernel.execution import run, settings_next_to
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run, settings_next_to
 
 MINT = """\
 SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000

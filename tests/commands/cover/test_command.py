@@ -13,10 +13,8 @@ from motionlang.commands.cover.view import percentage
 from motionlang.commands.init import guessed
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.worlds import Counts, Event, Worlds
-from motionlang.kernel.execution import dialect_for, run
-from motionlang.kernel.lang.debugging import Hook
+from motionlang.kernel import Hook, Source, dialect_for, run
 from motionlang.kernel.report import text
-from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.cli.programs import Cell
 from tests.generated import polls

@@ -11,9 +11,8 @@ from motionlang.commands.diff.accept import Change, changes, merged
 from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.timeline import Timeline
 from motionlang.commands.diff.view import change_lines
-from motionlang.kernel.execution import run
+from motionlang.kernel import Source, run
 from motionlang.kernel.report import rendered, text
-from motionlang.kernel.source import Source
 from tests.commands.diff.test_reports import CYCLE as REPORTS_CYCLE
 
 # The iterations of the other tests, printed without the time, then a move that is stopped.

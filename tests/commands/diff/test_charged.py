@@ -9,10 +9,8 @@ import pytest
 from motionlang.commands.diff.charged import Charge, charged
 from motionlang.commands.diff.reports import difference
 from motionlang.commands.diff.view import diff_lines
-from motionlang.kernel.execution import run
+from motionlang.kernel import Run, Source, run
 from motionlang.kernel.report import build
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 # X takes 1.1 s, Z 0.5 s; then 0.1 s of nothing.
 PROGRAM = """\

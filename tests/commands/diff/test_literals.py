@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.diff.literals import changed_literals
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 # The old program, the new one, and the numbers that differ: new address, old one if another, values.
 PROGRAMS: dict[str, tuple[str, str, list[tuple[str, str | None, str, str]]]] = {

@@ -9,11 +9,7 @@ import pytest
 
 from motionlang.commands.diff import motion
 from motionlang.commands.diff.motion import ROUNDING, SAMPLES, Divergence, divergence
-from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.execution import run, settings_next_to
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel import Axis, Run, Source, WholeTrack, run, settings_next_to
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
 # The changes of a program; motion of the cam, the contour and the shear is in formulas in addition to pieces.

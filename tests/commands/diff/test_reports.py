@@ -10,10 +10,8 @@ from motionlang.commands.diff.motion import divergence
 from motionlang.commands.diff.reports import Difference, checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import diff_lines
-from motionlang.kernel.execution import run
+from motionlang.kernel import Run, Source, run
 from motionlang.kernel.report import build
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 CYCLE = """\
 Dim n

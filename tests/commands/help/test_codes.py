@@ -10,7 +10,7 @@ import pytest
 
 import motionlang
 from motionlang.commands.help.explanations import EXAMPLES, FIXES, Example
-from motionlang.kernel.errors import CODES
+from motionlang.kernel import CODES
 from tests.cli.programs import Cell
 
 # By code: why there is no example.

@@ -6,7 +6,7 @@ import pytest
 
 from motionlang.commands.help.keyword_search import MAX_FOUND, _are_similar, search
 from motionlang.commands.help.view import FIRST
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from tests.cli.programs import Cell
 
 TABLES = {name: list(dialect(name).table()) for name in dialects()}

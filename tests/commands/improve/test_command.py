@@ -10,8 +10,7 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.improve import Improver, World
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 from tests.cases import cases
 from tests.cli.programs import Cell
 

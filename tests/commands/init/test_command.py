@@ -7,8 +7,7 @@ import sys
 
 import pytest
 
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell
 
 

@@ -7,9 +7,8 @@ import pytest
 from motionlang.commands.init import guessed
 from motionlang.commands.init.file import machine_text
 from motionlang.commands.worlds import Worlds
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import Target, dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect, run
+from motionlang.kernel.lang import Target
 
 # The program, its inputs in the guessed machine file, and when it ends. An input changes 0.3 s after the program
 # waits for it; one that has to come and go is on from 1 s to 2 s, from 3 s to 4 s and so on.

@@ -9,12 +9,8 @@ from collections.abc import Iterator, Mapping
 from motionlang.commands.map.observed import Observed
 from motionlang.commands.map.program_map import ProgramMap, program_map
 from motionlang.commands.map.units import UnitMap
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import dialect_for, run
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine, ProgramError, Run, Source, dialect_for, run
 from motionlang.kernel.mint.keywords.relays import FIRST
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.generated import handlers, polls, tasks
 from tests.generated.motion import generate
 

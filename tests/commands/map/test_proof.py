@@ -11,9 +11,7 @@ from motionlang.commands.map.observed import Observed
 from motionlang.commands.map.program_map import map_of_run, program_map
 from motionlang.commands.map.states import State
 from motionlang.commands.worlds import Worlds
-from motionlang.kernel.execution import Checked, run, settings_next_to
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Checked, Source, dialect, run, settings_next_to
 from tests.cases import examples
 from tests.commands.map.proof import drawn, problems
 

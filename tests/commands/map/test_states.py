@@ -9,8 +9,7 @@ import pytest
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.states import MAX_PATHS
 from motionlang.commands.map.view.text import render_states
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 
 CASES = Path(__file__).with_name("states.txt")
 

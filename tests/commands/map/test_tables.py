@@ -5,8 +5,7 @@ from __future__ import annotations
 from motionlang.commands.map.channels import Channel, lines
 from motionlang.commands.map.comments import named
 from motionlang.commands.map.program_map import ProgramMap, program_map
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 from tests.cases import cases
 
 

@@ -7,9 +7,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.execution import run
+from motionlang.kernel import Source, run
 from motionlang.kernel.report import moves
-from motionlang.kernel.source import Source
 from tests.cli.programs import Cell
 
 THIRD = """\

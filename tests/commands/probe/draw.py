@@ -12,10 +12,10 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from motionlang.commands.probe.facts import facts_of, of_word
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.keyword import Keyword
+    from motionlang.kernel import Keyword
 
 ROWS, FACTS = 60, 40
 

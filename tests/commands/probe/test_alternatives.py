@@ -12,9 +12,8 @@ from motionlang.commands.probe.answers import HOLDS, OTHER, is_answer, read
 from motionlang.commands.probe.assumption import REFUSED, Assumption
 from motionlang.commands.probe.entries import assumptions
 from motionlang.commands.probe.probe import Motion, alone
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.switch import switch
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, read_machine
+from motionlang.kernel.lang import switch
 
 # Assumptions about the line or bus of a host, which no program on a controller can settle.
 ON_THE_LINE = 20

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from tools.fidelity_page import PAGE
 
 # Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.

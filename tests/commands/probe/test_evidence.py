@@ -6,7 +6,7 @@ import re
 
 from motionlang.commands.probe.facts import listed, of_word
 from motionlang.commands.probe.keyword_facts import TRUST, facts
-from motionlang.kernel.lang.dialect import dialect, dialects
+from motionlang.kernel import dialect, dialects
 from tests.commands.probe.draw import FACTS, ROWS, drawn, line
 
 # The type library has names, arguments, types and read or write: no meaning, short form, default or range.

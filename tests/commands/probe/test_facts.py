@@ -7,8 +7,7 @@ import pytest
 from motionlang.commands.probe import questions
 from motionlang.commands.probe.facts import facts_of, listed, of_word
 from motionlang.commands.probe.keyword_facts import facts
-from motionlang.kernel.lang.dialect import dialect, dialects
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, dialect, dialects
 
 LARGEST = 8388607.0
 # The printed default and range, copied from the pages; None if a page has none.

@@ -7,7 +7,7 @@ import pytest
 from motionlang.commands.probe.assumption import Assumption, Probe
 from motionlang.commands.probe.probe import alone, meanings
 from motionlang.commands.probe.rules import unsettled_facts
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword
 
 
 def row(

@@ -14,10 +14,8 @@ from motionlang.commands.probe.answers import HOLDS, Answers, machine_text, read
 from motionlang.commands.probe.entries import assumptions
 from motionlang.commands.probe.probe import BEGIN, END, NEXT, Motion, alone, asked, mark, written
 from motionlang.commands.probe.questions import questions
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.file import read_machine
+from motionlang.kernel import Source, dialect, read_machine
 from motionlang.kernel.lang.machine.switch import Switch
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 # The questions of separate programs.

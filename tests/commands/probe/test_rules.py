@@ -13,12 +13,11 @@ from motionlang.commands.probe.facts import of_word
 from motionlang.commands.probe.probe import alone
 from motionlang.commands.probe.questions import questions
 from motionlang.commands.probe.rules import unasked, unsettled_facts
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 
 if TYPE_CHECKING:
     from motionlang.commands.probe.assumption import Assumption
-    from motionlang.kernel.lang.keyword import Keyword
+    from motionlang.kernel import Keyword
 
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 

@@ -9,8 +9,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 RATES = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 IDLE = "PAUSE IDLE(0) And IDLE(1)"

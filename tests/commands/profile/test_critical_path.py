@@ -9,8 +9,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 RATES = "SPEED(0, 1) = 100, 100; : ACCEL(0, 1) = 1000; : DECEL(0, 1) = 1000;\n"
 WORLD = {

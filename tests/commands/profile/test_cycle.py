@@ -13,8 +13,7 @@ from motionlang.commands.profile.profile import Share, TimeProfile
 from motionlang.commands.profile.speedscope import speedscope, write_profile
 from motionlang.commands.profile.tasks import TaskTime
 from motionlang.commands.profile.view import profile_document, render_profile
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 ROOT = Path(__file__).parents[3]
 

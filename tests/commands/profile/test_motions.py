@@ -10,7 +10,7 @@ import pytest
 from motionlang.commands.profile.critical_path import Strip, _behind
 from motionlang.commands.profile.motions import Motions, _moves
 from motionlang.commands.profile.polls import Polls, _by_channel, _innermost, _iterates, _up_to
-from motionlang.kernel.lang.waits import ROUNDING
+from motionlang.kernel.lang import ROUNDING
 from motionlang.kernel.planners import hold, plan_trapezoid
 
 STILL, MOVED = (0.0, 1.0, 0.0, 0.0), (0.0, 1.0, 0.0, 5.0, 1.0, 0.0, 0.0)

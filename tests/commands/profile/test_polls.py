@@ -11,9 +11,7 @@ from motionlang.commands.profile import tasks
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.profile import Share, TimeProfile
 from motionlang.commands.profile.view import profile_document
-from motionlang.kernel.execution import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, run
 from tests.generated.compared import every_iteration
 
 # 200 at 100 with 1000 either way takes 200 / 100 + 100 / 1000 = 2.1 s.

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from motionlang.cli import main
-from motionlang.kernel.execution import run
+from motionlang.kernel import run
 
 ROOT = Path(__file__).parents[3]
 Row = dict[str, Any]

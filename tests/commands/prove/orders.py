@@ -8,7 +8,7 @@ from typing import Any
 from motionlang import prove, run
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import ENDLESS, Order, PathOrder, Tie
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 USUAL = {"speed": inf, "rates": ENDLESS, "jerks": ENDLESS}
 

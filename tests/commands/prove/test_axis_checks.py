@@ -20,9 +20,16 @@ from motionlang.commands.prove.followers import (
     check_points,
 )
 from motionlang.commands.prove.order import Order, Tie
-from motionlang.kernel.planners import Profile, hold, plan_jerk, plan_stop, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.curve import from_curve
-from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners import (
+    Profile,
+    from_curve,
+    hold,
+    plan_jerk,
+    plan_pvt,
+    plan_stop,
+    plan_trapezoid,
+    plan_velocity,
+)
 from motionlang.kernel.planners.table_motion import table_curve
 
 MOVE = Order("move", 3, 10.0, (10.0, 20.0), shape="trapezoid")

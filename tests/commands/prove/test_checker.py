@@ -20,7 +20,7 @@ from motionlang.commands.prove.checker import (
     travelled,
 )
 from motionlang.commands.prove.order import Order, PathOrder
-from motionlang.kernel.log.move import CONTINUED
+from motionlang.kernel.log import CONTINUED
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid, plan_velocity
 
 # 10 counts in 1 s: a triangle of 40 counts/s². 40 counts in 4 s: a triangle of 10 counts/s².

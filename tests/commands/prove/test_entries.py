@@ -7,10 +7,9 @@ import pytest
 from motionlang import prove, run
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.proof import proof
+from motionlang.kernel import Run, Source
 from motionlang.kernel.planners import hold
 from motionlang.kernel.report import moves
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 SETTINGS = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 MOVE = SETTINGS + "MOVER(0) = 100 : GO(0)\nPAUSE IDLE(0)\n"
@@ -56,7 +55,7 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     from motionlang.commands.prove.checker import Proof
     from motionlang.commands.prove.checker import Run as Ran
     from motionlang.commands.prove.outputs import check_report
-    from motionlang.kernel.tracks.track import Recorded
+    from motionlang.kernel.tracks import Recorded
 
     recorded, proof = Recorded(result.controller), Proof()
     check_report(

@@ -15,8 +15,8 @@ import pytest
 from motionlang.commands.prove import expected_motion as module
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import Order
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.motion.halt import Stopping
+from motionlang.kernel import Controller
+from motionlang.kernel.controller import Stopping
 from tests.commands.prove.orders import orders_of, recorded, short
 from tests.kernel.tracks.test_figures import machine
 

@@ -8,8 +8,7 @@ from typing import Any
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.followers import _check_table, _moments, check_reference, check_tie
 from motionlang.commands.prove.order import Order, Tie
-from motionlang.kernel.planners import Profile, hold, plan_stop, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.planners import Profile, from_curve, hold, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.table_motion import table_curve
 from tests.cases import cases
 

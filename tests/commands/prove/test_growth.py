@@ -11,10 +11,9 @@ from motionlang import prove, run
 from motionlang.commands.prove import checker, path_bounds, paths
 from motionlang.commands.prove.order import PathOrder
 from motionlang.commands.prove.path_layout import PathLayout
-from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.stream import Chunk, Stream
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
+from motionlang.kernel.log import Move, Stream
+from motionlang.kernel.log.stream import Chunk
 from tests.kernel.log.small import shrink
 
 BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000

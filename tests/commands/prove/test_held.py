@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from motionlang import prove, run
+from motionlang.kernel import Source
+from motionlang.kernel.controller import CurveFollow
 from motionlang.kernel.controller.motion import halt
-from motionlang.kernel.controller.moves.cam import CurveFollow
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.source import Source
 
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 TIE = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : SUSPENDINPUT(1) = 2\n"

@@ -9,7 +9,7 @@ from typing import Any
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.checks import _check_join
 from motionlang.commands.prove.order import Order, PathOrder, Tie
-from motionlang.kernel.planners.curve import State
+from motionlang.kernel.planners import State
 from tests.cases import cases
 
 FREE = (inf, inf)

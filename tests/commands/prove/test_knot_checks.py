@@ -16,7 +16,7 @@ from motionlang.commands.prove.axes import (
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.segments import Span
-from motionlang.kernel.planners.curve import State
+from motionlang.kernel.planners import State
 from tests.cases import cases
 
 FREE = (inf, inf)

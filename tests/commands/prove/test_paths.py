@@ -8,8 +8,7 @@ import pytest
 
 from motionlang.commands.profile.paths import PathRow, paths
 from motionlang.commands.profile.paths_view import at_its_end, paths_table
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 SETUP = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\n"
 

@@ -11,13 +11,10 @@ from motionlang.commands.prove.checks import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.proof import proof as proof_of
-from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel import Axis, Run, Source
 from motionlang.kernel.planners import Profile, hold, plan
 from motionlang.kernel.report import moves
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.trace import Samples
-from motionlang.kernel.tracks.track import Recorded
+from motionlang.kernel.tracks import Recorded, Samples
 
 FINE = {"controller.instruction_time": 1e-9}
 MOVE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 50\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"

@@ -8,9 +8,8 @@ from motionlang import prove, run
 from motionlang.commands.prove.axes import check_profile
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel.planners.curve import from_curve
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel import Source, WholeTrack
+from motionlang.kernel.planners import from_curve
 
 SETTINGS = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\nSCALEFACTOR(1) = 100\n"
 JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"

@@ -21,7 +21,7 @@ from motionlang.commands.prove.segments import (
 from motionlang.kernel.planners import plan_trapezoid, plan_velocity
 
 if TYPE_CHECKING:
-    from motionlang.kernel.planners.ramps import Piece
+    from motionlang.kernel.planners import Piece
 
 CUBIC: Piece = (1.0, 2.0, 3.0, 4.0, 0.0, 0.0, 0.0)
 WAVE: Piece = (0.0, 0.0, 0.0, 0.0, 3.0, 2.0, pi / 6.0)

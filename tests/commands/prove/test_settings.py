@@ -8,11 +8,10 @@ from typing import Any
 import pytest
 
 from motionlang import prove, run
-from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel import Axis, Source
 from motionlang.kernel.controller.core import Core
 from motionlang.kernel.controller.motion import feedrate
 from motionlang.kernel.controller.motion.jog import jog as honest
-from motionlang.kernel.source import Source
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
 SMOOTH = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 900\n"

@@ -17,14 +17,12 @@ from motionlang.commands.prove.outputs import check_trace
 from motionlang.commands.prove.path_bounds import spans_along
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.commands.prove.segments import Span, _from
-from motionlang.kernel.execution import run
+from motionlang.kernel import Source, WholeTrack, run
 from motionlang.kernel.planners import hold, plan_trapezoid
 from motionlang.kernel.planners.sequence import chained
 from motionlang.kernel.planners.table_motion import table_curve
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.history import MoveFigures, servo_traces
-from motionlang.kernel.tracks.trace import Column
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel.tracks import Column, servo_traces
+from motionlang.kernel.tracks.history import MoveFigures
 from tests.kernel.controller.machines import machine, until
 from tests.kernel.planners.splines import cubic_table
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import Source, dialect, run
 from motionlang.kernel.mint.program import MintProgram
 from motionlang.kernel.report import text
-from motionlang.kernel.source import Source
 
 MOVES = """
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000

@@ -18,8 +18,7 @@ from motionlang.commands.processes.cores import cores
 from motionlang.commands.quantities import quantity
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep import pool as pools
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source
 
 STROKE = Source(
     "stroke.mnt",

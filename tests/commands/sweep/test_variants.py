@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.commands.sweep.space import Dimension, Drawn, Grid
 from motionlang.commands.sweep.variants import Variants
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from motionlang.commands.trace.export import write_trace
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 from tests.commands.trace.test_vcd import switched
 from tests.views.runs import pick
 

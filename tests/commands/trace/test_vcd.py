@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from motionlang.commands.trace.export import write_trace
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from motionlang.kernel.tracks import trace as trace_module
 from motionlang.views.lanes import lanes
 from tests.dumps import read

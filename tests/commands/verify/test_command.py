@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.result import Run
+from motionlang.kernel import Run
 from tests.cli.programs import BALLSCREW, Cell
 
 

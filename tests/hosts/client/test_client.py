@@ -17,7 +17,7 @@ from motionlang.hosts.mcapi import table
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mccl.port import Port
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 Open = Callable[[], Client]
 TRANSPORTS = ("virtual", "tcp", "device", "socket://")

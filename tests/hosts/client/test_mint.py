@@ -9,7 +9,7 @@ import pytest
 from motionlang.client import FrameRejected, LineRejected, MintClient, NoReply
 from motionlang.hosts.mint.console import MintConsole
 from motionlang.hosts.serve import LockStep, Server
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 # The host writes a distance to COMMS 1; the position is COMMS 2.
 PACKER = """\

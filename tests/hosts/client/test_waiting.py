@@ -9,8 +9,7 @@ from motionlang.hosts.channel import Wire
 from motionlang.hosts.client.virtual import MintWire, VirtualWire
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mint.console import MintConsole
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Machine, Source
 from tests.hosts.client.test_slow_boards import VERSION, VERSION_WITHOUT_PROMPT, Pieces, ScriptedWire, noise
 
 SILENCE: Pieces = []

@@ -19,7 +19,7 @@ from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.hosts.serve.pace import Pace
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.

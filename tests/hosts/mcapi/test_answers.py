@@ -12,7 +12,7 @@ import pytest
 from motionlang import mcapi as mc
 from motionlang.hosts.mcapi.errors import code_of
 from motionlang.hosts.mcapi.protocol import encode, parse
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Rejected
 from motionlang.mcapi import Mcapi
 from tests.hosts.mcapi.conftest import opened
 

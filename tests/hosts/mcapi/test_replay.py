@@ -11,7 +11,7 @@ import pytest
 
 from motionlang import mcapi as mc
 from motionlang.cli import main
-from motionlang.hosts.mcapi.client import VirtualBoard
+from motionlang.hosts.mcapi import VirtualBoard
 from motionlang.hosts.mcapi.log import BadLog, Recorder, model_of, read
 from motionlang.hosts.mcapi.replay import Replay
 from motionlang.mcapi import Mcapi

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.hosts.mccl.console import Console
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 
 def test_a_round_trip_is_one_time_slice() -> None:

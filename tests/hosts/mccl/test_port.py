@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 from motionlang.commands.check import check
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mccl.port import Port
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine, Source
 from motionlang.kernel.mccl import DIALECT as MCCL
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from motionlang.hosts.mint.console import MintConsole
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Source
 
 
 class Line:

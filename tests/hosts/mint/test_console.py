@@ -7,8 +7,7 @@ import pytest
 from motionlang.hosts.mint.console import MintConsole
 from motionlang.hosts.mint.editor import CONFIGURATION, PROGRAM, Texts
 from motionlang.hosts.mint.hcp import write_frame
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source
 from tests.cases import cases
 from tests.hosts.mint.lines import Line
 

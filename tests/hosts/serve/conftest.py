@@ -11,7 +11,7 @@ import pytest
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.hosts.serve.pace import Pace
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0

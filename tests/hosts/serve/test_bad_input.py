@@ -14,8 +14,8 @@ import pytest
 
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel import Machine
+from motionlang.kernel.mccl import table
 from tests.hosts.serve.conftest import Board, Serve
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import LockStep, Server
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 pytest.importorskip("pty")
 

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, Server
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 from tests.hosts.serve.conftest import Serve, Wire
 
 

@@ -23,8 +23,7 @@ from motionlang import Run
 from motionlang.cli import main
 from motionlang.hosts.commands.output_queue import CAPACITY
 from motionlang.hosts.serve.outside import LockStep, Outside, RealTime
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 from tests.cli.programs import MAX_SECONDS
 
 pytest.importorskip("pymodbus")

@@ -24,8 +24,7 @@ from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import LockStep
 from motionlang.hosts.serve.refusals import Refusals
-from motionlang.kernel.execution import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, run
 
 PATIENCE = 60.0
 PROGRAM = "NETINTEGER(0) = 0x00030002\nNETINTEGER(5) = 0x12\nPAUSE NETINTEGER(999) = 1\n"

@@ -8,8 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.hosts.serve.outside import Closed, InTurn, LockStep, Outside, RealTime
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import INFINITY, Machine
 from tests.hosts.serve.test_time import Wall
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import main
-from motionlang.hosts.serve.server import Server
+from motionlang.hosts.serve import Server
 from tests.cases import cases
 
 PROGRAMS = {

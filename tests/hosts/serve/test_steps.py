@@ -20,8 +20,7 @@ from motionlang.hosts.serve.modbus_requests import Identity, Rejected, Request
 from motionlang.hosts.serve.modbus_requests import parse as parse_request
 from motionlang.hosts.serve.pace import BUDGET, TICK
 from motionlang.hosts.serve.spy import Spy
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import INFINITY, Machine
 from tests.hosts.serve.test_time import Wall
 
 # ------------------------------------------------------------------------------------------------- the log

@@ -7,7 +7,7 @@ import pytest
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import LockStep, RealTime
 from motionlang.hosts.serve.pace import BUDGET, LATEST, LEAD, SLICE
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 from tests.hosts.serve.conftest import Serve
 
 

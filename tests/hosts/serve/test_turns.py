@@ -15,8 +15,7 @@ from motionlang.hosts.serve import Limits, LockStep, Server
 from motionlang.hosts.serve import server as serving
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.server import MAX_KNOWN, READ, WRITE
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import INFINITY, Machine
 
 
 @pytest.fixture

@@ -10,11 +10,7 @@ from motionlang.ide.debug import checkpoints
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.replay import NEAR
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.entries import entries
-from motionlang.kernel.source import Source
+from motionlang.kernel import Hook, Source, dialect, entries, run
 from tests.ide.debug.walks import go_to_number, snapshot
 from tests.ide.debug.whole import whole
 

@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.execution import dialect_for, run
-from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.source import Source
+from motionlang.kernel import Hook, Source, dialect_for, run
 from tests.cases import examples, one_in
 from tests.generated.tasks import program as tasks_of
 from tests.golden.test_gallery import PROGRAMS, ROOT

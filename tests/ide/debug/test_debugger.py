@@ -9,11 +9,7 @@ import pytest
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.moments import FILTERS, filtered, search
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.machine.entries import entries
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, dialect, entries, run
 
 CALLS = """\
 Dim total As Integer

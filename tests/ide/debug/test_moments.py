@@ -12,9 +12,7 @@ import pytest
 
 from motionlang import run
 from motionlang.ide.debug.moments import FILTERS, MAX_TEXTS, Moment, complaints, filtered, search, together
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Run, Source
 from tests.ide.debug.test_debugger import mint
 
 PROGRAM = """\

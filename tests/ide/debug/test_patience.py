@@ -13,9 +13,9 @@ from motionlang.ide.debug import patience, replay
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.moments import search
-from motionlang.kernel.controller.clock import Clock, WatchedClock
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
+from motionlang.kernel.controller import Clock
+from motionlang.kernel.controller.clock import WatchedClock
 from tests.ide.debug.test_debugger import mint
 
 # A spline of 0.3 s that begins again when it ends, and an input that never rises. 1000 s have thousands of splines.

@@ -8,7 +8,7 @@ from motionlang.ide.debug import replay as module
 from motionlang.ide.debug.breakpoints import Watched
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
 from motionlang.ide.debug.replay import Output
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import cases
 from tests.ide.debug.test_debugger import CALLS, at, mint, value
 from tests.ide.debug.walks import go_to_number

@@ -13,7 +13,7 @@ from motionlang.ide.debug import debugger as module
 from motionlang.ide.debug.breakpoints import Watched
 from motionlang.ide.debug.debugger import Debugger, Stop
 from motionlang.ide.debug.moments import Moment, complaints, search
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 from tests.cases import cases
 from tests.ide.debug.test_debugger import CALLS, at, mccl, mint
 from tests.ide.debug.walks import go_to_number

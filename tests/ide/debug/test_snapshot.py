@@ -16,14 +16,18 @@ from typing import Any
 import pytest
 
 from motionlang.ide.debug.snapshot import Snapshot
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.execution import dialect_for, settings_next_to
-from motionlang.kernel.lang.debugging import Hook
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler, Stuck
-from motionlang.kernel.lang.steps import Steps
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel import (
+    Controller,
+    Hook,
+    Machine,
+    Scheduler,
+    Source,
+    Steps,
+    Stuck,
+    WholeTrack,
+    dialect_for,
+    settings_next_to,
+)
 from tests.golden.test_gallery import PROGRAMS
 
 # Snapshots of a run, and its end if the program has none, s.

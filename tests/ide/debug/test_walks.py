@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.execution import settings_next_to
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, settings_next_to
 from tests.cases import examples
 from tests.golden.test_gallery import PROGRAMS
 from tests.ide.debug.walks import differences, of_gallery, of_generated

@@ -16,8 +16,7 @@ from motionlang.ide.debug.breakpoints import Breakpoint
 from motionlang.ide.debug.debugger import Debugger, Stop
 from motionlang.ide.debug.moments import FILTERS, filtered
 from motionlang.ide.debug.values import shown
-from motionlang.kernel.execution import dialect_for, run, settings_next_to
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect_for, run, settings_next_to
 from tests.generated.motion import UNTIL, generate
 from tests.generated.tasks import program as tasks_of
 from tests.golden.test_gallery import PROGRAMS

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Run
 from motionlang.kernel.report import text
-from motionlang.kernel.result import Run
 
 STREAMS = (
     "waits",

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 
 
 def page(text: str, language: str = "mint") -> Page:

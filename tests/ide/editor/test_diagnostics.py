@@ -8,8 +8,7 @@ from motionlang.commands.check.fix import fix
 from motionlang.ide.editor.diagnostics import findings, settings_of
 from motionlang.ide.editor.fixes import Fix, fixes
 from motionlang.ide.editor.page import Page
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
 from tests.cases import cases
 from tests.ide.editor.pages import page
 

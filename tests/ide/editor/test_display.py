@@ -14,13 +14,9 @@ from motionlang.ide.editor.formatting import format
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import Times, _fault, times
 from motionlang.ide.editor.tokens import MODIFIERS, TYPES, tokens
-from motionlang.kernel import execution
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import Diagnostic, Run, Source, dialect, execution
 from motionlang.kernel.lang.syntax import grammar
 from motionlang.kernel.mint.syntax import layout
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.cases import cases
 from tests.ide.editor.pages import page
 

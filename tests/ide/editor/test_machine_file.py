@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 
 def completed(text: str) -> list[str]:

@@ -14,8 +14,7 @@ from motionlang.ide.editor.machine_file import complete_machine_file, hover_mach
 from motionlang.ide.editor.navigation import Symbol
 from motionlang.ide.editor.signature import signature
 from motionlang.ide.editor.times import LineTime
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, Source
 from tests.cases import cases
 from tests.ide.editor.pages import at_cursor, page
 

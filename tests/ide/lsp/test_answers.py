@@ -18,7 +18,7 @@ from lsprotocol import types
 from motionlang.ide.lsp.convert import diagnostic
 from motionlang.ide.lsp.documents import Document, characters
 from motionlang.ide.lsp.features import _difference as difference
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 from tests.ide.lsp.wire import INITIALIZE, PROGRAM, URI, Wire
 
 MACHINE = "file:///nowhere/a.machine.toml"

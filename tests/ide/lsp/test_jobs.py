@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.ide.lsp.jobs import CHECK, Job, work
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel import Diagnostic
 
 
 def checked(text: str, machine: str | None = None, language: str = "mint") -> list[tuple[str, int, int]]:

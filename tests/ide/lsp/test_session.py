@@ -21,8 +21,8 @@ from motionlang.ide.lsp import features, server, session, workers
 from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result, work
 from motionlang.ide.lsp.server import Input, _Limited
 from motionlang.ide.lsp.workers import Inline, Process
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.names import NO_NAMES
+from motionlang.kernel import Diagnostic
+from motionlang.kernel.lang import NO_NAMES
 from motionlang.kernel.mint.syntax.tokens import PARSER
 from tests.cases import cases
 from tests.ide.lsp.test_answers import MACHINE, ask, at, span

@@ -10,9 +10,7 @@ import pytest
 from motionlang import run
 from motionlang.cli import main
 from motionlang.commands.probe.entries import assumptions
-from motionlang.kernel.assumptions.used import depended_on
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, depended_on, dialect
 from tools import assumption_index
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import INFINITY, Controller
 from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
 from motionlang.kernel.controller.motion.offset import offset as begin_offset
 from motionlang.kernel.controller.moves.cam import Cam

@@ -6,7 +6,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel import Axis
 from motionlang.kernel.log import log as log_module
 from tests.cases import cases
 from tests.kernel.controller.machines import machine, until

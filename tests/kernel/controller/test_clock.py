@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.controller.clock import INFINITY, Clock, WatchedClock
+from motionlang.kernel import INFINITY
+from motionlang.kernel.controller import Clock
+from motionlang.kernel.controller.clock import WatchedClock
 from tests.cases import cases
 
 

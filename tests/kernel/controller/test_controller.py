@@ -7,9 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.kernel import Controller, Rejected
 from motionlang.kernel.controller.axis_verbs import SETTINGS
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import Rejected
 from tests.recorder import Recorder
 from tests.verbs import VERBS
 

@@ -6,7 +6,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.feedback import Feedback
 

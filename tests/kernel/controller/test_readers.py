@@ -7,7 +7,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.readers import POSITION
 from tests.recorder import Recorder
 

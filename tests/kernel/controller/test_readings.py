@@ -6,12 +6,10 @@ from math import inf, sqrt
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Controller, Machine, Rejected
 from motionlang.kernel.log.move import Action
-from motionlang.kernel.planners.curve import from_curve
-from motionlang.kernel.tracks.history import recall
+from motionlang.kernel.planners import from_curve
+from motionlang.kernel.tracks import recall
 from tests.cases import cases
 
 

@@ -11,10 +11,8 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, dialect
+from motionlang.kernel.lang import one_sentence
 from tests.cases import cases
 
 ROOT = Path(__file__).parents[3]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.lang.keyword import ROLES, TRAITS, Keyword, value
-from motionlang.kernel.mccl.keywords import table as mccl_table
-from motionlang.kernel.mccl.models import MODELS
-from motionlang.kernel.mint.keywords import table as mint_table
+from motionlang.kernel import Keyword
+from motionlang.kernel.lang.keyword import ROLES, TRAITS, value
+from motionlang.kernel.mccl import MODELS
+from motionlang.kernel.mccl import table as mccl_table
+from motionlang.kernel.mint import table as mint_table
 from motionlang.kernel.mint.models import ABSENT, LARGEST, STRINGS
 from motionlang.kernel.servo import gains
 from tests.cases import cases

@@ -10,11 +10,9 @@ import pytest
 import motionlang
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.job import Worker
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.literals import bound, canonical, edited, has_address, literals_of
+from motionlang.kernel import ProgramError, Source, dialect
+from motionlang.kernel.lang import bound, canonical, edited, has_address, literals_of
 from motionlang.kernel.report import text
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 DRILL = """\

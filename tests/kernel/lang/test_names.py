@@ -10,9 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.commands.check import check
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.lang.names import Changes, Definition, Names
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, dialect
+from motionlang.kernel.lang import Changes, Definition, Names
 from tests.cases import cases, examples
 
 GALLERY = sorted(

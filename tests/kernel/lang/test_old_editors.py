@@ -9,9 +9,8 @@ import pytest
 from motionlang import run
 from motionlang.client import Client
 from motionlang.commands.check import check
-from motionlang.kernel.execution import dialect_for
+from motionlang.kernel import Source, dialect_for
 from motionlang.kernel.lang.typography import TYPOGRAPHIC, typographic
-from motionlang.kernel.source import Source
 
 MINT = b"SPEED(0) = 50\x0c\r\n\x0cMOVER(0) = \x0c5 : GO(0)\x1a\r\nPAUSE\x0cIDLE(0)\r\n\x0c\r\nPRINT POS(0)\r\n\x1a\x1a"
 MCCL = b"1MN\x0c\r\n\x0c1MR5,\x0c1WS0\x1a\r\n\x0c\r\n1TP\r\n\x1a\x1a"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
-from motionlang.kernel.lang.run_errors import NotSimulated, explain
+from motionlang.kernel import Diagnostic, ProgramError, Rejected, Source
+from motionlang.kernel.lang import explain
+from motionlang.kernel.lang.run_errors import NotSimulated
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 TEXT = "CANSTATUS = 1\n   JOG(0) = 5  \n\n"

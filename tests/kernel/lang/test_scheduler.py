@@ -9,13 +9,9 @@ from itertools import pairwise
 import pytest
 
 from motionlang import run
-from motionlang.kernel import execution
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.lang.scheduler import Scheduler, Stuck
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.waits import Wait, wait_idle, wait_until
+from motionlang.kernel import Controller, Scheduler, Source, Stuck, Task, Wait, execution
+from motionlang.kernel.lang import wait_idle, wait_until
 from motionlang.kernel.report import text as report_text
-from motionlang.kernel.source import Source
 
 Steps = Generator[float | Wait, tuple[float, float], float]
 

@@ -5,12 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.wait_hints import what_ends
-from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel import Machine, Source, Task, Wait
+from motionlang.kernel.lang import what_ends
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 

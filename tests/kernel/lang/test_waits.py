@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 
 from motionlang import run
-from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Source
+from motionlang.kernel.controller import Clock
+from motionlang.kernel.lang import wait_idle, wait_until
 from motionlang.kernel.lang.change_times import MAX_NOTES, Dependencies
-from motionlang.kernel.lang.waits import TICK, Condition, Delay, next_tick, until_idle, wait_idle, wait_until
-from motionlang.kernel.source import Source
+from motionlang.kernel.lang.waits import TICK, Condition, Delay, next_tick, until_idle
 
 
 def test_a_delay_ends_at_its_time() -> None:

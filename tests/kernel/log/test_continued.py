@@ -7,10 +7,9 @@ from itertools import pairwise
 import pytest
 
 from motionlang import run
-from motionlang.kernel.log import moves
-from motionlang.kernel.log.move import Move
+from motionlang.kernel import Source
+from motionlang.kernel.log import Move, moves
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.source import Source
 
 PROGRAM = """Dim k As Integer
 SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, WholeTrack
 from motionlang.kernel.log import log
-from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.log.small import shrink
 
 

@@ -15,13 +15,10 @@ import pytest
 
 import motionlang
 from motionlang import prove, run
-from motionlang.kernel import execution
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Run, Scheduler, Source, execution
 from motionlang.kernel.planners.packed import packed
 from motionlang.kernel.report import moves
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import Recorded
+from motionlang.kernel.tracks import Recorded
 from motionlang.views.report import render
 
 PACKAGE = Path(motionlang.__file__).parent

@@ -14,19 +14,10 @@ import pytest
 
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel import report
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Rejected, Run, Source, WholeTrack, report, run
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.execution import run
+from motionlang.kernel.log import Log, Move, Store, stream
 from motionlang.kernel.log import log as log_module
-from motionlang.kernel.log import stream
-from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.stream import Store
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import WholeTrack
 from tests.kernel.log.small import shrink
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"

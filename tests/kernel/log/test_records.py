@@ -9,21 +9,17 @@ from typing import Any
 import pytest
 
 from motionlang.commands.prove.order import Order, PathOrder, Tie
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, WholeTrack
+from motionlang.kernel.log import Log, Move, Store, Waited, stream
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import moves as moves_module
 from motionlang.kernel.log import profiles as profiles_module
-from motionlang.kernel.log import stream
-from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import Action, Move
+from motionlang.kernel.log.move import Action
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
-from motionlang.kernel.log.records import TimeSlices, Waited
-from motionlang.kernel.log.stream import Store
+from motionlang.kernel.log.records import TimeSlices
 from motionlang.kernel.log.time_slices import TimeSliceStream
-from motionlang.kernel.planners import Profile, hold, plan_trapezoid
-from motionlang.kernel.planners.curve import pieces_of
-from motionlang.kernel.tracks.track import WholeTrack
+from motionlang.kernel.planners import Profile, hold, pieces_of, plan_trapezoid
 from tests.kernel.tracks.test_figures import machine
 
 

@@ -8,11 +8,9 @@ from typing import Annotated, Any, NamedTuple
 
 import pytest
 
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log import stream
+from motionlang.kernel import Rejected
+from motionlang.kernel.log import Changed, Store, Stream, stream
 from motionlang.kernel.log.columns import Numbers, Texts
-from motionlang.kernel.log.records import Changed
-from motionlang.kernel.log.stream import Store, Stream
 
 
 @pytest.fixture

@@ -6,11 +6,11 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.log.move import Move
+from motionlang.kernel import Machine
+from motionlang.kernel.log import Move
+from motionlang.kernel.mccl import Board
 from motionlang.kernel.mccl.axis import inputs
 from motionlang.kernel.mccl.axis.status import word
-from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.planners import plan_velocity
 
 HOME = inputs.channel_of(1, "home")

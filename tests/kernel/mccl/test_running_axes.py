@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.hosts.mccl.console import Console
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine
 
 PADDLE = "1MN,1{},1SV120000,1SA70000,1DS70000\r1VM,1GO\rWA0.4\r1PM\r1MA0\r"
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Rejected
 from motionlang.kernel.mint.runtime import functions
 from motionlang.kernel.mint.runtime.printing import show_float, show_integer
 from motionlang.kernel.mint.syntax import nodes

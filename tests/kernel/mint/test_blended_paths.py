@@ -12,9 +12,8 @@ from itertools import pairwise
 import pytest
 
 from motionlang import prove, run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.report import build
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.kernel.mint.blend_programs import program
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import Run, run
+from motionlang.kernel import Source
 from motionlang.kernel.report import moves
-from motionlang.kernel.source import Source
 
 HEAD = "SPEED(0, 1) = 50; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 200;\n"
 HANDLER = "\nEnd\nEvent ONERROR\nEnd Event"

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 RATES = (
     "SPEED(0) = 9.7 : ACCEL(0) = 100 : DECEL(0) = 80 : ERRORDECEL(0) = 200\n"

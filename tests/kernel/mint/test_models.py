@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.lang.dialect import unknown_model
-from motionlang.kernel.mint.models import MINTMT, PRODUCTS, V4, age, named
+from motionlang.kernel import unknown_model
+from motionlang.kernel.mint import named
+from motionlang.kernel.mint.models import MINTMT, PRODUCTS, V4, age
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from motionlang.kernel.planners.curve import Profile, from_curve
+from motionlang.kernel.planners import Profile, from_curve
 from motionlang.kernel.planners.table_motion import spline_slopes
 
 

@@ -7,8 +7,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.planners import Profile, crossing, plan, plan_velocity
-from motionlang.kernel.planners.curve import from_curve, hold
+from motionlang.kernel.planners import Profile, crossing, from_curve, hold, plan, plan_velocity
 from tests.cases import cases, examples
 
 

@@ -8,9 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import Profile, hold, plan, plan_trapezoid
-from motionlang.kernel.planners.curve import from_curve, relabelled
-from motionlang.kernel.planners.pvt.motion import plan_pvt
+from motionlang.kernel.planners import Profile, from_curve, hold, plan, plan_pvt, plan_trapezoid
+from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.table_motion import table_curve
 from tests.kernel.planners.cases import Move, moves, quick
 from tests.kernel.planners.splines import cubic_table

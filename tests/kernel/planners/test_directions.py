@@ -6,8 +6,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.planners import Profile, hold, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.planners import Profile, from_curve, hold, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.direction import sets_off
 
 # Of each piece its duration, velocity and half of its acceleration.

@@ -10,21 +10,23 @@ import pytest
 from motionlang.commands.plan.counts import linear_scale, rotary_scale
 from motionlang.commands.plan.reach import needed_distance, remedies, triangle
 from motionlang.commands.plan.solve import solve_move
-from motionlang.kernel.planners import Profile, plan_sinusoidal, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.curve import from_curve, hold
-from motionlang.kernel.planners.extrapolation import Extrapolated
-from motionlang.kernel.planners.leadscrew import Leadscrew
-from motionlang.kernel.planners.pieces import (
+from motionlang.kernel.planners import (
+    Profile,
     acceleration_in,
     crest_points,
     even_points,
+    from_curve,
+    hold,
     jerk_in,
-    position_in,
-    recentred,
+    plan_sinusoidal,
+    plan_trapezoid,
+    plan_velocity,
     still_points,
-    transformed,
     velocity_in,
 )
+from motionlang.kernel.planners.extrapolation import Extrapolated
+from motionlang.kernel.planners.leadscrew import Leadscrew
+from motionlang.kernel.planners.pieces import position_in, recentred, transformed
 from motionlang.kernel.planners.rate import Rate
 from motionlang.kernel.planners.sequence import ProfileSequence, chained
 from motionlang.kernel.planners.superposition import added

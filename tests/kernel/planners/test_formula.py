@@ -7,8 +7,8 @@ from math import asin, cos, inf, pi, sin
 
 import pytest
 
-from motionlang.kernel.planners.curve import State
-from motionlang.kernel.planners.formula import Formula, summit
+from motionlang.kernel.planners import State, summit
+from motionlang.kernel.planners.formula import Formula
 
 
 class Made(Formula):

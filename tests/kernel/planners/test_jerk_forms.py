@@ -13,10 +13,10 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.planners import Profile, jerk_limited
+from motionlang.kernel.planners import Profile, jerk_limited, plan_jerk
 from motionlang.kernel.planners import jerk as planner
 from motionlang.kernel.planners.feasibility import approach
-from motionlang.kernel.planners.jerk import _directly, ease, jerk_ramps, peak_speed, plan_jerk, ramp_to
+from motionlang.kernel.planners.jerk import _directly, ease, jerk_ramps, peak_speed, ramp_to
 from motionlang.kernel.planners.jerk_limited import JerkLimited, jerk_limited_approach
 from motionlang.kernel.planners.limits import LARGEST
 from motionlang.kernel.planners.segment_speed import between

@@ -8,13 +8,13 @@ from motionlang.kernel.planners import (
     Profile,
     hold,
     plan_jerk,
+    plan_pvt,
     plan_sinusoidal,
     plan_trapezoid,
     plan_velocity,
 )
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.packed import packed, unpacked
-from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.sequence import chained
 
 MOVE = plan_trapezoid(5.0, 105.0, 20.0, 40.0, 40.0)

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from motionlang.kernel.planners.ramps import FALLING, RISING, SINE, expand, named_ramps, ramp_distance
+from motionlang.kernel.planners import named_ramps
+from motionlang.kernel.planners.ramps import FALLING, RISING, SINE, expand, ramp_distance
 
 if TYPE_CHECKING:
-    from motionlang.kernel.planners.ramps import Recipe
+    from motionlang.kernel.planners import Recipe
 
 REST = (0.0, 0.0, 0.0)
 # A recipe that begins at 3, and its knots, its pieces and the marks of its phases.

@@ -14,13 +14,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import Profile, plan, plan_trapezoid, plan_velocity, reparametrised
+from motionlang.kernel.planners import (
+    PieceTable,
+    Profile,
+    from_curve,
+    plan,
+    plan_trapezoid,
+    plan_velocity,
+    reparametrised,
+)
 from motionlang.kernel.planners.arc import arc_over, line_over, rotated
-from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.evaluate import evaluate
 from motionlang.kernel.planners.reparametrised import Reparametrised, crossings, travelled
-from motionlang.kernel.planners.sample import PieceTable
 from motionlang.kernel.planners.sequence import ProfileSequence
 from motionlang.kernel.planners.superposition import Superposed, added
 from motionlang.kernel.planners.table_motion import table_curve

@@ -8,17 +8,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import (
+    ORDERS,
+    PieceTable,
     Profile,
+    from_curve,
     hold,
+    pieces_of,
     plan,
     plan_jerk,
     plan_sinusoidal,
     plan_trapezoid,
     plan_velocity,
 )
-from motionlang.kernel.planners.curve import from_curve, pieces_of
 from motionlang.kernel.planners.evaluate import evaluate
-from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from tests.kernel.planners.cases import Move, moves, quick
 
 

@@ -12,6 +12,8 @@ from motionlang.commands.plan.reach import remedies
 from motionlang.commands.plan.solve import solve_move
 from motionlang.kernel.planners import (
     Profile,
+    State,
+    from_curve,
     plan_jerk,
     plan_parabolic,
     plan_ratio,
@@ -21,7 +23,6 @@ from motionlang.kernel.planners import (
 )
 from motionlang.kernel.planners.arc import arc_over, line_over
 from motionlang.kernel.planners.cubics import _fit, cubics
-from motionlang.kernel.planners.curve import State, from_curve
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.feasibility import finish, stretched
 from motionlang.kernel.planners.jerk import peak_from_rest
@@ -38,7 +39,7 @@ from motionlang.kernel.planners.trapezoid import from_rest
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.kernel.planners.ramps import Piece
+    from motionlang.kernel.planners import Piece
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)

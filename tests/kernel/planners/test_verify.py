@@ -6,8 +6,7 @@ import math
 
 import pytest
 
-from motionlang.kernel.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapezoid
-from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel.planners import Profile, from_curve, plan_jerk, plan_sinusoidal, plan_trapezoid
 from tests.kernel.planners.verify import _Span, verify
 
 LINE = (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)

@@ -7,8 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners import Piece, Profile
 
 SMOOTH = frozenset({"sinusoidal", "scurve"})
 """Shapes that promise an acceleration without jumps."""

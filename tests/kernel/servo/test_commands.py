@@ -48,7 +48,7 @@ def test_infinite_jerk_is_null(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
-    from motionlang.kernel.source import Source
+    from motionlang.kernel import Source
 
     path = tmp_path / "move.mnt"
     path.write_text(

@@ -10,13 +10,29 @@ from dataclasses import fields
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import Source, dialect
 from motionlang.kernel.planners import hold, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Override, Servo, Track, gains, simulate
-from motionlang.kernel.servo.gains import LM628_RATE, MCCL, MINT, mccl_values, mint_values
-from motionlang.kernel.servo.settings import KEYS, PLANT, SERVO, make_loop, make_plant, problem, section
-from motionlang.kernel.servo.tuning import suggest
-from motionlang.kernel.source import Source
+from motionlang.kernel.servo import (
+    KEYS,
+    PLANT,
+    SERVO,
+    Drive,
+    Loop,
+    Motor,
+    Override,
+    Servo,
+    Track,
+    gains,
+    make_loop,
+    make_plant,
+    mccl_values,
+    mint_values,
+    section,
+    simulate,
+    suggest,
+)
+from motionlang.kernel.servo.gains import LM628_RATE, MCCL, MINT
+from motionlang.kernel.servo.settings import problem
 from motionlang.lab.servo.gains import gain_words, spoken, written
 
 TABLES = {"mint": MINT, "mccl": MCCL}

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.planners import hold, plan_velocity
-from motionlang.kernel.planners.curve import from_curve
-from motionlang.kernel.servo.demand import FOR_EVER, Generator, Track
+from motionlang.kernel.planners import from_curve, hold, plan_velocity
+from motionlang.kernel.servo import Track
+from motionlang.kernel.servo.demand import FOR_EVER, Generator
 
 # 1 + 2t + 3t² + 4t³ for 1 s, then from 10 on 20t - 10t² for 1 s: at its end it is at rest at 20.
 BEGIN, MIDDLE = 0.55, 1.55

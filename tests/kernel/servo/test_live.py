@@ -11,13 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import motionlang
+from motionlang.kernel import Controller, Run, Source
 from motionlang.kernel.controller import feedback
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.feedback import Feedback
-from motionlang.kernel.result import Run
 from motionlang.kernel.servo import simulate
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.history import figures, servo_trace
+from motionlang.kernel.tracks import servo_trace
+from motionlang.kernel.tracks.history import figures
 from tests.cases import examples
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}

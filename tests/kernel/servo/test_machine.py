@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, read_machine
 from motionlang.views.diagnostics import render_all
 
 MISTAKES = [

@@ -8,11 +8,9 @@ from typing import Any
 import pytest
 
 from motionlang.kernel.planners import hold, plan_trapezoid
-from motionlang.kernel.servo.demand import Track
-from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Motor
+from motionlang.kernel.servo import Loop, Motor, Servo, Track
 from motionlang.kernel.servo.replay import BLOCK, apply, chunks, replay, rests_until, run_to
-from motionlang.kernel.servo.servo import Servo, sample_at
+from motionlang.kernel.servo.servo import sample_at
 
 # 4096 samples a second: a block takes 2 s.
 LOOP = Loop(proportional=0.01, derivative=0.1, servo_rate=4096.0, trajectory_rate=1024.0)

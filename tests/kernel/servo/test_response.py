@@ -12,17 +12,20 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.planners import hold, plan_sinusoidal
-from motionlang.kernel.servo import Drive, Loop, Motor, Track, response, simulate
-from motionlang.kernel.servo.response import (
+from motionlang.kernel.servo import (
+    Drive,
+    Loop,
     LoopFigures,
-    bandwidth,
-    closed_loop,
+    Motor,
+    Track,
     loop_figures,
-    reaches,
+    response,
+    simulate,
     step_figures,
     step_response,
+    suggest,
 )
-from motionlang.kernel.servo.tuning import suggest
+from motionlang.kernel.servo.response import bandwidth, closed_loop, reaches
 
 if TYPE_CHECKING:
     from typing import Any

@@ -10,14 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import hold, plan_trapezoid
-from motionlang.kernel.servo.demand import Generator, Track
+from motionlang.kernel.servo import Drive, Loop, Motor, Track, make_loop, simulate
+from motionlang.kernel.servo.demand import Generator
 from motionlang.kernel.servo.discrete import discretise
-from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
 from motionlang.kernel.servo.response import DROP, _crossing, _first_fall
 from motionlang.kernel.servo.samples import SampleBlock, Window, next_other_side, next_side
-from motionlang.kernel.servo.servo import simulate
-from motionlang.kernel.servo.settings import make_loop
 from motionlang.kernel.servo.step import COLUMNS, Step, at_rest
 from motionlang.lab.notes.slip import _slid
 

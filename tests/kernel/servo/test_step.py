@@ -15,12 +15,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
-from motionlang.kernel.planners.curve import from_curve
+from motionlang.kernel import Source
+from motionlang.kernel.planners import from_curve, hold, plan_ratio, plan_sinusoidal, plan_trapezoid
 from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, servo, simulate
 from motionlang.kernel.servo.discrete import exponential
 from motionlang.kernel.servo.step import at_rest, truncated
-from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.kernel.servo.test_oracle import LOOPS, PLANTS, WHOLE
 

@@ -7,10 +7,8 @@ from math import cos, e, inf, sin
 import numpy as np
 import pytest
 
-from motionlang.kernel.servo import Loop, Motor
+from motionlang.kernel.servo import Loop, Motor, ServoTrace, make_loop
 from motionlang.kernel.servo.discrete import exponential
-from motionlang.kernel.servo.settings import make_loop
-from motionlang.kernel.servo.trace import ServoTrace
 from motionlang.kernel.tracks.history import MotorFigures, MoveFigures
 
 

@@ -7,20 +7,10 @@ from math import pi
 
 import pytest
 
-from motionlang.kernel.servo import tuning
+from motionlang.kernel.servo import Drive, Loop, LoopFigures, Motor, suggest, tuning
 from motionlang.kernel.servo.axis_loop import axis_loop
-from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
-from motionlang.kernel.servo.response import LoopFigures, bandwidth
-from motionlang.kernel.servo.tuning import (
-    BeyondPlant,
-    _least,
-    _shape,
-    _warnings,
-    linearised,
-    suggest,
-    suggested_loop,
-)
+from motionlang.kernel.servo.response import bandwidth
+from motionlang.kernel.servo.tuning import BeyondPlant, _least, _shape, _warnings, linearised, suggested_loop
 
 
 @pytest.mark.parametrize(("amplifier", "resistance"), [("voltage", 2.0), ("current", 1.0)])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.planners import hold, plan, plan_trapezoid
-from motionlang.kernel.servo.demand import Track
+from motionlang.kernel.servo import Track
 from motionlang.kernel.servo.samples import (
     SampleBlock,
     Window,

@@ -10,10 +10,9 @@ import pytest
 
 from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
 from motionlang.commands.prove.order import Tie
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.planners.curve import pieces_of
-from motionlang.kernel.tracks.trace import Trace, quantity_of
-from motionlang.kernel.tracks.track import WholeTrack, axes_of
+from motionlang.kernel import Controller, Trace, WholeTrack
+from motionlang.kernel.planners import pieces_of
+from motionlang.kernel.tracks import axes_of, quantity_of
 from tests.kernel.tracks.test_trace import ballscrew
 
 

@@ -9,21 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.feedback import Feedback
+from motionlang.kernel.servo import ServoTrace
 from motionlang.kernel.servo.samples import REST_ERROR
-from motionlang.kernel.servo.trace import ServoTrace
-from motionlang.kernel.tracks import history
-from motionlang.kernel.tracks.history import (
-    MotorFigures,
-    Reader,
-    figures,
-    motors,
-    notes,
-    recall,
-    servo_trace,
-    window_of,
-)
+from motionlang.kernel.tracks import history, recall, servo_trace
+from motionlang.kernel.tracks.history import MotorFigures, Reader, figures, motors, notes, window_of
 from tests.kernel.servo.test_trace_figures import trace
 
 # A sample every millisecond, from 8 ms on: sample k has the error k, the output 10 k and the torque k / 2.

@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Trace
 from motionlang.kernel.tracks import trace as module
-from motionlang.kernel.tracks.trace import Trace
 from tests.cases import examples
 
 

@@ -7,12 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Trace
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.tracks import history
 from motionlang.kernel.tracks import trace as module
-from motionlang.kernel.tracks.trace import Trace
 from motionlang.kernel.tracks.trajectory_points import Points
 from tests.kernel.log.test_records import shuttled
 from tests.kernel.tracks.test_figures import machine

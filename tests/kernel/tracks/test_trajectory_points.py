@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Trace
 from motionlang.kernel.tracks import trace as trace_module
-from motionlang.kernel.tracks.trace import Commanded, Trace
+from motionlang.kernel.tracks.trace import Commanded
 
 EVERY = ("position", "velocity", "acceleration", "jerk")
 

@@ -14,8 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import plan
-from motionlang.kernel.servo import Drive, Loop, simulate
-from motionlang.kernel.servo.demand import Track
+from motionlang.kernel.servo import Drive, Loop, Track, simulate
 from motionlang.lab.notes import dissect
 from motionlang.lab.notes.chapter12 import Listing, ListingRun, Settings, run_listing
 from motionlang.lab.notes.dac_override import demonstrate

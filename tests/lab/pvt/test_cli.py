@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.planners.pvt.motion import plan_pvt
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
+from motionlang.kernel.planners import plan_pvt
 from motionlang.lab.pvt.plot import pvt_figure
 from motionlang.lab.pvt.table import read_points
 from motionlang.views.figure_files import write_figure

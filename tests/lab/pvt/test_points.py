@@ -6,7 +6,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners.pvt.motion import plan_pvt, pvt_segment
+from motionlang.kernel.planners import plan_pvt
+from motionlang.kernel.planners.pvt.motion import pvt_segment
 from motionlang.lab.pvt.points import (
     Point,
     absolute,

@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source
 from motionlang.lab.pvt.points import Point
 from motionlang.lab.pvt.table import read_points, write_points
 

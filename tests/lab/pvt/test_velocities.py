@@ -7,12 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from motionlang.kernel.planners import compare_velocities, knot_accelerations, pvt_velocities
 from motionlang.kernel.planners.pvt.velocities import (
     average_velocities,
-    compare_velocities,
-    knot_accelerations,
     largest_jump,
-    pvt_velocities,
     refined_velocities,
     smooth_velocities,
 )

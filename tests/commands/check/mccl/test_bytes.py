@@ -8,9 +8,8 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.mccl import DIALECT
-from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
+from motionlang.kernel.mccl import DIALECT, table
 from tests.cases import examples
 
 names = st.sampled_from([row.name for row in table()])

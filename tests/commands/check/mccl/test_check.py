@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mccl import DIALECT
-from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 from tests.mccl_runs import Runner
 

@@ -9,10 +9,10 @@ from typing import Any
 
 from motionlang.commands.check.mint.axis_state import ANY, IDLE, MOVES, UNKNOWN, Axis, Follower
 from motionlang.commands.check.mint.effects import Facts
+from motionlang.kernel import Source
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.check.check import check_module
-from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 Known = dict[str, object]

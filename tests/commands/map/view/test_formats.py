@@ -17,9 +17,7 @@ from motionlang.commands.map.view.formats import FORMS, written
 from motionlang.commands.map.view.layout import layout
 from motionlang.commands.map.view.page import page
 from motionlang.commands.map.view.svg import picture
-from motionlang.kernel.execution import Checked, dialect_for, settings_next_to
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Checked, Source, dialect, dialect_for, settings_next_to
 from tests.commands.map.test_proof import GALLERY
 
 ROOT = Path(__file__).parents[4]

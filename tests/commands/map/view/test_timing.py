@@ -7,9 +7,7 @@ import pytest
 from motionlang.commands.map.program_map import ProgramMap, map_of_run
 from motionlang.commands.map.view.formats import written
 from motionlang.commands.map.view.timing import cycle, timing
-from motionlang.kernel.execution import Checked
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.source import Source
+from motionlang.kernel import Checked, Source, dialect
 
 # Home, then a cycle of 0.3 s of motion, 0.2 s with output 3 on, and a wait for the part of 0.5 s.
 PROGRAM = """\

@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.controller.io.host_memory import HostMemory, packed, product
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Rejected
+from motionlang.kernel.controller import Clock, HostMemory, product
+from motionlang.kernel.controller.io.host_memory import packed
 from tests.cases import cases
 
 words = st.integers(-(2**31), 2**31 - 1)

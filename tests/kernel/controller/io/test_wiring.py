@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.faults import DRIVE, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.kernel.controller.io.wiring import World
 

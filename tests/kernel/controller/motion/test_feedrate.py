@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Rejected
 from motionlang.kernel.planners.reference import Slope
 from tests.kernel.controller.machines import machine, until
 

@@ -12,9 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.tracks.trace import Trace
+from motionlang.kernel import Controller, Rejected, Trace
 from tests.cases import examples
 from tests.kernel.controller.machines import cam, machine, offset, until
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.kernel import Rejected
 from motionlang.kernel.controller.axis import BY_INPUT
 from motionlang.kernel.controller.motion import halt
-from motionlang.kernel.errors import Rejected
 from tests.kernel.controller.machines import machine, until
 
 

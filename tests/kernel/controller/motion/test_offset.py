@@ -9,7 +9,7 @@ from math import inf, sqrt
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from tests.cases import cases
 from tests.kernel.controller.machines import machine, offset, until
 

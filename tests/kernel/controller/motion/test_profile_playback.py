@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.motion.profile_playback import Playback
+from motionlang.kernel import Controller
+from motionlang.kernel.controller import Playback
 from tests.cases import examples
 from tests.kernel.controller.machines import machine, until
 from tests.kernel.planners.splines import cubic_table

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Source
 from motionlang.kernel.controller.motion.takeup import Takeup
 from motionlang.kernel.planners import plan_trapezoid
-from motionlang.kernel.source import Source
 from tests.fuzz.guard import bounded
 from tests.kernel.controller.machines import machine, until
 

@@ -11,9 +11,8 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Rejected
 from motionlang.kernel.controller.faults import ABORT
-from motionlang.kernel.errors import Rejected
 from tests.kernel.controller.machines import machine, remaining, until
 
 FAST, RATE, ERROR_RATE = 10.0, 100.0, 200.0

@@ -12,7 +12,7 @@ from random import Random
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from tests.cases import examples
 from tests.kernel.controller.machines import until
 from tests.kernel.controller.moves.test_path import path_speed, plane, positions

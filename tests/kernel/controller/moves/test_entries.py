@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import INFINITY, Controller, Rejected
 from motionlang.kernel.planners.reparametrised import Reparametrised
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from math import cos, hypot, inf, pi, radians, sin, sqrt
 
 import pytest
 
-from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corner, limits
+from motionlang.kernel.controller import Line
+from motionlang.kernel.controller.moves.geometry import Arc, Segment, corner, limits
 from tests.cases import cases
 
 ROUND = 5.0 * pi  # a quarter of the circle, units

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.moves.geometry import Line, corner
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Controller, Rejected
+from motionlang.kernel.controller import Line
+from motionlang.kernel.controller.moves.geometry import corner
 from tests.cases import examples
 from tests.kernel.controller.machines import machine, remaining, until
 

@@ -18,14 +18,12 @@ from math import cos
 
 import pytest
 
+from motionlang.kernel import Controller, Machine, Rejected
 from motionlang.kernel.controller.axis import BY_INPUT, BY_WORD
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD
 from motionlang.kernel.controller.triggers.conditions import ACTIONS
 from motionlang.kernel.controller.triggers.homing import Homing
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.planners import plan
 from motionlang.kernel.planners.reference import Slope
 from tests.cases import cases, one_in

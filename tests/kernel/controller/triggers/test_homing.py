@@ -7,11 +7,10 @@ from math import inf, sqrt
 import pytest
 
 from motionlang import run
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller, Source
 from motionlang.kernel.controller.faults import SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.kernel.controller.io.wiring import World
 from motionlang.kernel.controller.triggers.homing import Homing, next_index
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 # The machine's own zero is 20 counts below its position; the switch is active from -4 to 1, marks every 10.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.faults import LIMIT_FORWARD, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.kernel.controller.triggers.limit import Limit
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.triggers.position_zones import Cells
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.rate import Rate

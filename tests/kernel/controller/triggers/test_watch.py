@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel import Controller
 from motionlang.kernel.controller.triggers.watch import margin, side_of
 
 

@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 import motionlang
-from motionlang.kernel.lang.machine.entries import WrongEntry, entries, with_entries
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, WrongEntry, entries, with_entries
 
 NAMES: dict[str, object] = {
     "input": [{"channel": 7, "name": "Clamp", "at": 3.0}],

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 import motionlang
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, read_machine
 
 
 def read(text: str) -> dict[str, object]:

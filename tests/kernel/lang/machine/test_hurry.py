@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.source import Source
+from motionlang.kernel import Machine, Source, run
 
 
 @pytest.mark.slow

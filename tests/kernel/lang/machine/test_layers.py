@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.axes import missing_axes
-from motionlang.kernel.lang.machine.layers import layered
+from motionlang.kernel import ProgramError, missing_axes
+from motionlang.kernel.lang import layered
 from tests.cases import cases
 
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.machine.file import check_setting, first_mistake, generic, read_machine, read_toml
-from motionlang.kernel.lang.machine.keys import KEYS, TABLES
-from motionlang.kernel.source import Source
+from motionlang.kernel import Diagnostic, ProgramError, Source, check_setting, read_machine
+from motionlang.kernel.lang import KEYS, TABLES, first_mistake, generic, read_toml
 from tests.cases import cases
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller import Clock
+from motionlang.kernel.lang import Terminal
 from motionlang.kernel.lang.machine.operator import Operator
-from motionlang.kernel.lang.machine.terminal import Terminal
-from motionlang.kernel.log.log import Log
+from motionlang.kernel.log import Log
 
 
 def operator(shown: list[str] | None = None, **settings: object) -> tuple[Clock, Operator]:

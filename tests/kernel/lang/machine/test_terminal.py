@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.lang.machine.terminal import LineBuffer, Terminal
-from motionlang.kernel.log.log import Log
+from motionlang.kernel.controller import Clock
+from motionlang.kernel.lang import Terminal
+from motionlang.kernel.lang.machine.terminal import LineBuffer
+from motionlang.kernel.log import Log
 
 if TYPE_CHECKING:
     from typing import Self

@@ -11,11 +11,9 @@ from contextlib import suppress
 import pytest
 
 import motionlang
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.keys import KEYS, REQUIRED, TABLES
-from motionlang.kernel.servo.settings import KEYS as SERVO_KEYS
-from motionlang.kernel.source import Source
+from motionlang.kernel import ProgramError, Source, read_machine
+from motionlang.kernel.lang import KEYS, REQUIRED, TABLES
+from motionlang.kernel.servo import KEYS as SERVO_KEYS
 from tests.fuzz.guard import MAX_SECONDS, bounded
 
 DIGITS = "1" + "0" * 400

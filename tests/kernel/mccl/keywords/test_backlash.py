@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.mccl_runs import Runner
 
 MOTOR = {"axis.1.plant.amplifier": "current"}

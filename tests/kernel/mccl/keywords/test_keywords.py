@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel import Keyword
+from motionlang.kernel.mccl import table
 from tests.cases import cases
 from tests.mccl_runs import Runner
 from tools.keyword_pages import machine_of

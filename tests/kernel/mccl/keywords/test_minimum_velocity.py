@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import prove, run
+from motionlang.kernel import Source
 from motionlang.kernel.mccl.axis.launch import _going_on, _stepped
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.source import Source
 from tests.cases import cases, examples
 from tests.kernel.planners.verify import verify
 

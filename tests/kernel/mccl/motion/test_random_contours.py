@@ -11,7 +11,7 @@ from random import Random
 import pytest
 
 from motionlang import Run, prove, run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import examples
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", examples(25))))

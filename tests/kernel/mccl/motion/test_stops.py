@@ -11,7 +11,7 @@ from math import cos, pi, sin
 import pytest
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 V, D, TARGET = 40_000.0, 100_000.0, 100_000.0
 RATIO = 0.1

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.mccl.runtime.program import FileTask
+from motionlang.kernel import INFINITY
+from motionlang.kernel.mccl import FileTask
 from tests.mccl_runs import Runner
 
 # 1 000 counts take 0.2 s, with ramps of 0.1 s; the foreground ends then.

@@ -6,9 +6,8 @@ import random
 
 import pytest
 
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel import Keyword
+from motionlang.kernel.mccl import codes, table
 from tests.cases import cases
 from tests.hosts.mccl.test_port import ask, board
 from tests.mccl_runs import Runner

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.mccl.resolve.line import locate
-from motionlang.kernel.mccl.runtime.program import MacroFile
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
+from motionlang.kernel.mccl import MacroFile, locate
 
 
 @pytest.mark.parametrize(

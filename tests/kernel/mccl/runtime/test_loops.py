@@ -7,10 +7,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel import execution
+from motionlang.kernel import Source, execution
 from motionlang.kernel.lang.loops import Loops
-from motionlang.kernel.mccl.runtime.task import CommandTask
-from motionlang.kernel.source import Source
+from motionlang.kernel.mccl import CommandTask
 from tests.cases import cases, covering, one_in
 from tests.counted_calls import count_calls
 

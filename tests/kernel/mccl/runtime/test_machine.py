@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mccl import DIALECT
-from motionlang.kernel.source import Source
 from tests.mccl_runs import Runner
 
 MOTOR_ERROR, FOLLOWING, AMPLIFIER, PLUS, MINUS, HIGH, LOW = (1 << bit for bit in (7, 11, 13, 15, 17, 19, 21))

@@ -8,10 +8,10 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.mccl import DIALECT
-from motionlang.kernel.mccl.keywords import of_families, table
-from motionlang.kernel.mccl.models import DEFAULT, MODELS
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
+from motionlang.kernel.mccl import DIALECT, MODELS, table
+from motionlang.kernel.mccl.keywords import of_families
+from motionlang.kernel.mccl.models import DEFAULT
 from tests.cases import cases
 from tests.hosts.mccl.test_port import ask, board
 from tests.mccl_runs import Runner

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
-from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl import CommandTask
 from tests.cases import cases
 from tests.mccl_runs import Runner
 

@@ -6,12 +6,10 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.controller.io.channels import Channels
+from motionlang.kernel import Machine, Scheduler, Source
+from motionlang.kernel.controller import Channels
 from motionlang.kernel.controller.listeners import Listeners
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
-from motionlang.kernel.mccl.runtime.program import MacroFile
-from motionlang.kernel.source import Source
+from motionlang.kernel.mccl import MacroFile
 from tests.recorder import Recorder
 from tests.verbs import VERBS
 

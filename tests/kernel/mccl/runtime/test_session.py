@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import Diagnostic, Rejected
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Diagnostic, Machine, Rejected, Scheduler, Source
 from motionlang.kernel.mccl.runtime.session import Session
-from motionlang.kernel.source import Source
 
 
 class Prompt:

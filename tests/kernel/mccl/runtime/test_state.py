@@ -7,13 +7,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Machine, Scheduler, Source, Steps
 from motionlang.kernel.lang.step_task import Call
-from motionlang.kernel.lang.steps import Steps
-from motionlang.kernel.mccl.runtime.program import FileTask, MacroFile
-from motionlang.kernel.mccl.runtime.writer import LineSteps
-from motionlang.kernel.source import Source
+from motionlang.kernel.mccl import FileTask, LineSteps, MacroFile
 
 # A macro that calls another one in a loop that counts, and a line that repeats.
 PROGRAM = """\

@@ -7,11 +7,8 @@ from random import Random
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Run, Scheduler, Source, WholeTrack
 from motionlang.kernel.report import text as report_text
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
-from motionlang.kernel.tracks.track import WholeTrack
 from tests.cases import cases, examples
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
-from motionlang.kernel.mccl.resolve.decode import checked, problem
-from motionlang.kernel.mccl.resolve.line import line_of
+from motionlang.kernel.mccl import NONE, NUMBER, Command, Fault, checked, line_of, table
+from motionlang.kernel.mccl.resolve.command import REGISTER, TEXT
+from motionlang.kernel.mccl.resolve.decode import problem
 from tests.cases import cases
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Source
 from motionlang.kernel.mccl.resolve.definitions import names
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 PROGRAM = "MD1,AL5,AR20,MC2\nMD2, AA1 ,RA@20,TR10,AR9\nGT1,MC,RA0,AL@9\nMD3,NO\nMD3,1MR@20\n"

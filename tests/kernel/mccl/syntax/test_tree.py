@@ -7,11 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import motionlang
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel import ProgramError, dialect
 from motionlang.kernel.lang.syntax.word import Word
-from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.mccl.syntax.comments import without_comment
+from motionlang.kernel.mccl import table, without_comment
 from motionlang.kernel.mccl.syntax.parser import parse
 from motionlang.kernel.mccl.syntax.tree import Command, Line, Module, Register, Wrong
 from motionlang.kernel.mint.syntax import nodes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint.check.check import Checked, check_line, check_module
 from motionlang.kernel.mint.resolve.overrides import override
 from motionlang.kernel.mint.resolve.symbols import Session
@@ -11,7 +12,6 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.node import Expression
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import walk
-from motionlang.kernel.source import Source
 
 DECLARED = """\
 Type point

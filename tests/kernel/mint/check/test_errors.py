@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Source
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from motionlang.views.diagnostics import render
 
 BROKEN = sorted((Path(__file__).parents[3] / "errors" / "mint").glob("*.mnt"))

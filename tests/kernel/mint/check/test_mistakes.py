@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 

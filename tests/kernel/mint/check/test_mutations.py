@@ -9,8 +9,8 @@ from random import Random
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Source
 from motionlang.kernel.mint.keywords.language import ROWS
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 PROGRAMS = [

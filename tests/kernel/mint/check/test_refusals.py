@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 
 TYPES = "the types are Integer, Float, String, Time, Semaphore, Controller"
 # Line 1 of each program.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel import Rejected
 from motionlang.kernel.mint.keywords.table_motion_cams import elements, span
 
 

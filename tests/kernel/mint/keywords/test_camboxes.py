@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import examples
 
 POSITIONS = st.lists(st.integers(-60, 60), min_size=2, max_size=8, unique=True).map(

@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 SLAVE = (

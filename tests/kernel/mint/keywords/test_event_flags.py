@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS
-from motionlang.kernel.source import Source
 
 
 def handler(kind: str) -> Source:

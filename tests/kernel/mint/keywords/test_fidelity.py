@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from motionlang.commands.probe.facts import of_word
-from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint import table
 
 PAGE = (Path(__file__).parents[4] / "docs" / "contributing" / "assumptions.md").read_text(encoding="utf-8")
 CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")

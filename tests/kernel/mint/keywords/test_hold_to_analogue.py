@@ -8,8 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 PERIOD = 1e-3
 RATES = "SPEED(0) = 1e5 : ACCEL(0) = 1e8 : DECEL(0) = 1e8\nHTACHANNEL(0) = 2\n"
@@ -90,7 +89,7 @@ def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes(
 
 
 def test_per_unit_needs_an_axis() -> None:
-    from motionlang.kernel.lang.machine.file import first_mistake
+    from motionlang.kernel.lang import first_mistake
 
     assert "needs an axis" in first_mistake({"analogue": [{"channel": 1, "value": 0.0, "per_unit": 2.0}]})
 

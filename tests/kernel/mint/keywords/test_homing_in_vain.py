@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 SWITCH: dict[str, object] = {"axis.0.home_switch": [50.0, 60.0]}
 HOME = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH\nPAUSE IDLE(0)\n"

@@ -9,12 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel import Machine, Source
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.keywords.io_inputs import Inputs
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 edges = st.lists(st.integers(1, 200), min_size=1, max_size=12, unique=True).map(sorted)

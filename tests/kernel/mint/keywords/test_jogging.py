@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 RATES = "SPEED(0) = 400 : ACCEL(0) = 1000 : DECEL(0) = 500\n"
 

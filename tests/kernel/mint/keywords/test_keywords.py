@@ -9,13 +9,11 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
+from motionlang.kernel import Controller, Keyword, Source
 from motionlang.kernel.controller.axis_verbs import SETTINGS
-from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.mint.keywords import ORDER, index, no_effect, table, unsimulated
-from motionlang.kernel.source import Source
+from motionlang.kernel.lang import Vocabulary
+from motionlang.kernel.mint import DIALECT, table
+from motionlang.kernel.mint.keywords import ORDER, index, no_effect, unsimulated
 from tests.cases import cases
 from tools.keyword_pages import machine_of
 

@@ -7,7 +7,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, Source
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.keywords import auxiliary_latches as fastaux
 from motionlang.kernel.mint.keywords import (
     camboxes,
@@ -27,10 +28,8 @@ from motionlang.kernel.mint.keywords import (
     remote,
     sensing,
     steppers,
-    table,
 )
 from motionlang.kernel.mint.keywords import event_flags as pending
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 GROUPS = (

@@ -7,8 +7,7 @@ from math import cos, pi, radians, sin, sqrt
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 RAMPS = "ACCEL(0) = {a} : DECEL(0) = {a} : ACCELJERK(0) = {j} : DECELJERK(0) = {j}\nPROFILEMODE(0) = 1\n"
 FIRST = (

@@ -10,11 +10,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel import Keyword, Source
 from motionlang.kernel.mint.keywords import correction as correcting
 from motionlang.kernel.mint.keywords import drives, jogging, presets, torque
 from motionlang.kernel.mint.keywords import hold_to_analogue as holding
-from motionlang.kernel.source import Source
 from tests.cases import examples
 
 WORDS = [row for group in (correcting, drives, holding, jogging, presets, torque) for row in group.ROWS]

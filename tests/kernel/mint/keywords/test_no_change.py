@@ -11,8 +11,7 @@ from collections.abc import Sequence
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 from tests.cases import cases
 
 RATES = "SPEED(0, 1) = 100; : ACCEL(0, 1) = 200; : DECEL(0, 1) = 300;\n"

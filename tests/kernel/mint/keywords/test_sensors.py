@@ -5,11 +5,10 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.controller.io import samples
 from motionlang.kernel.controller.io.channels import AnalogueInputs
 from motionlang.kernel.log.records import Sampled
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.kernel.mint.polling_programs import COST
 
 HEAD = "SPEED(0, 1) = 100, 70;\nACCEL(0, 1) = 500, 900;\nDECEL(0, 1) = 500, 400;\n"

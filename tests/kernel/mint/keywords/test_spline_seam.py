@@ -8,8 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 TABLE = "Dim c(5) As Float = 3, 10, 20, 5\nSPLINETABLE(0, c)\nSPLINETIME(0) = 200\n"
 TABLE += "SPLINESUSPENDTIME(0) = {}\nSPLINE(0) = {}\nGO(0)\n"

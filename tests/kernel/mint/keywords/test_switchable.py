@@ -5,15 +5,9 @@ from __future__ import annotations
 import subprocess
 import sys
 
-from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint import name_of, row_with_default, table, with_default
 from motionlang.kernel.mint.keywords.index import FILES
-from motionlang.kernel.mint.keywords.switchable import (
-    has_default,
-    name_of,
-    row_with_default,
-    switches,
-    with_default,
-)
+from motionlang.kernel.mint.keywords.switchable import has_default, switches
 
 
 def test_a_setting_has_one_name_whose_default_counts() -> None:

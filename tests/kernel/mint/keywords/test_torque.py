@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 MOTOR = {
     "axis.0.plant.amplifier": "current",

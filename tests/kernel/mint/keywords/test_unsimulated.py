@@ -8,18 +8,13 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.commands.check import check
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.machine.file import read_machine
-from motionlang.kernel.lang.machine.keys import KEYS
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.mint.keywords import identity, table
+from motionlang.kernel import Diagnostic, Keyword, Machine, ProgramError, Run, Source, read_machine
+from motionlang.kernel.lang import KEYS
+from motionlang.kernel.mint import DIALECT, table
+from motionlang.kernel.mint.keywords import identity
 from motionlang.kernel.mint.keywords import legacy as older
 from motionlang.kernel.mint.keywords.machine_readings import can_be_supplied
 from motionlang.kernel.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from motionlang.kernel.tools import as_hint
 from motionlang.repl.runner import Runner
 from tests.cases import cases, examples

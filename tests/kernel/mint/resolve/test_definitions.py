@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint.resolve.definitions import names
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 PAIRS = """\

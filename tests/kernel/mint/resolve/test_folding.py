@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint.resolve.folding import fold, given
 from motionlang.kernel.mint.resolve.symbols import INTEGER, Function, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nesting import LINKS
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 MAIN = Function("main", "main", [], None)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS, Problems
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 DIM = "Dim n As Integer, t As String * 5\n"

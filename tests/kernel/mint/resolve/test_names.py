@@ -7,16 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel import execution
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.mint.keywords import table
+from motionlang.kernel import ProgramError, Source, execution
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.program import checked_program
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import meant, walk
-from motionlang.kernel.source import Source
 
 PACKAGE = Path(__file__).parents[4] / "motionlang" / "kernel" / "mint"
 # Lookups of names after the resolver, and how many; the numbers may only shrink. `model` looks up keywords of

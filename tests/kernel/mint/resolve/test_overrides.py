@@ -5,12 +5,11 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Source
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import walk
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 Read = tuple[str, int | None]

@@ -7,10 +7,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.mint.keywords import table
+from motionlang.kernel import Keyword, Machine, Rejected
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places

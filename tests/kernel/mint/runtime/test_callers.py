@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Source
 from motionlang.kernel.lang import task
 from motionlang.kernel.mint import DIALECT as MINT
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 DIM = "Dim n As Integer, x As Float, t As String * 3, a(2) As Integer\n"
 HANDLER = "\nEnd\nEvent ONERROR\n  While ERRORREADNEXT(_egALL, 0)\n    PRINT ERRCODE\n  End While\nEnd Event"

@@ -11,8 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 LOW = -2147483648
 

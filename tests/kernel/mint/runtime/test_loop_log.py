@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 COUNT = "For n = 1 To {}\nk = k + 1\nNext\n"

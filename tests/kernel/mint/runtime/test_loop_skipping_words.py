@@ -8,9 +8,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.source import Source
+from motionlang.kernel import Keyword, Source
+from motionlang.kernel.mint import table
 from tests.generated.compared import every_iteration
 from tests.kernel.mint.polling_programs import COST
 

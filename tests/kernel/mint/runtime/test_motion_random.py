@@ -6,9 +6,8 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
+from motionlang.kernel import Run, Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 from tests.cases import cases, examples
 from tests.kernel.mint.motion_programs import program
 

@@ -11,11 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.execution import run
+from motionlang.kernel import Machine, Run, Source, run
 from motionlang.kernel.lang.machine import nonvolatile
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 COUNTERS = """\
 Type Point

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.kernel import Run, Source
 from motionlang.kernel.mint.runtime import events
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
 
 COUNT = "\nEnd\nEvent ONERROR\n  n = n + 1\n{}End Event"
 JOG = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\nSOFTLIMITFORWARD(0) = 5\nSOFTLIMITMODE(0) = {}\n"

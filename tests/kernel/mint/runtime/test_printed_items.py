@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 from tests.cases import cases
 
 

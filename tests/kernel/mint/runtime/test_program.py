@@ -7,12 +7,9 @@ from typing import Any
 import pytest
 
 from motionlang import run
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Machine, ProgramError, Scheduler, Source
 from motionlang.kernel.mint import DIALECT, program
 from motionlang.kernel.mint.program import checked_program
-from motionlang.kernel.source import Source
 
 BALL_SCREW = """\
 Const LENGTH = 200

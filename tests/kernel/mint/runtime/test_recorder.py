@@ -6,10 +6,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel import Machine, Scheduler, Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.recorder import Recorder
 
 

@@ -12,9 +12,9 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
 from motionlang.kernel.mint.runtime.task import MAX_DEPTH
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 READY = "Dim c(5) As Float = 3, 10, 20, 5\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 CAM = (

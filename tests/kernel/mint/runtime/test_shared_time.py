@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import Run, run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 HEAD = "Dim n As Integer\nSPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 2\n"
 OTHERS = """

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source
 
 DIM = "Dim n As Integer, m As Integer, k As Integer, x As Float, t As String * 5, a(3) As Integer\n"
 

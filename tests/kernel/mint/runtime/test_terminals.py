@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 
 from motionlang import run
-from motionlang.kernel import report
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source, report
 from motionlang.views.report import render
 
 

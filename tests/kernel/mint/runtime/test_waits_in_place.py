@@ -11,11 +11,10 @@ import pytest
 
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.view import profile_document
-from motionlang.kernel import execution
-from motionlang.kernel.log.records import Waited
+from motionlang.kernel import Source, execution
+from motionlang.kernel.log import Waited
 from motionlang.kernel.mint import DIALECT as MINT
 from motionlang.kernel.report import text
-from motionlang.kernel.source import Source
 
 WAITS = "WAIT(1) : WAIT(0) : WAIT(0.3) : WAIT(7.77)"
 # Its iterations are skipped without a record of each wait, but not beyond the time up to which a run is paced.

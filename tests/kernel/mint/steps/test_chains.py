@@ -11,10 +11,7 @@ from math import fsum, nextafter
 import pytest
 
 from motionlang.commands.check import check
-from motionlang.kernel.execution import run
-from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.result import Run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Run, Source, dialect, run
 
 # More operands than Python's stack has frames.
 LENGTH = 1500

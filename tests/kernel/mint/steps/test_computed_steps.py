@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.kernel.source import Source
+from motionlang.kernel import Source
 
 # The iterations of `For i = start To stop Step step`, by step. A step of 0 counts up to the limit and never ends: the
 # sixth iteration leaves the loop.

@@ -11,8 +11,8 @@ import pytest
 
 from motionlang import run
 from motionlang.commands.check import check
+from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.source import Source
 from tests.kernel.mint.polling_programs import program
 
 _ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)

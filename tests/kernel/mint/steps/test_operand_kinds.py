@@ -7,9 +7,8 @@ from itertools import product
 import pytest
 
 from motionlang import run
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Source
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from tests.kernel.mint.reference import Reference
 
 OPERATORS = (

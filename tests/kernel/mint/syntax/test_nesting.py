@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Source
 from motionlang.kernel.mint.syntax.nesting import LINKS, MAX_DEPTH, MAX_EXPRESSION_DEPTH, depth_of
 from motionlang.kernel.mint.syntax.nodes import Assign
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 from tests.cases import cases
 
 

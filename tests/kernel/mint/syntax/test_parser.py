@@ -10,14 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.syntax.node import Node
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import is_complete, parse
 from motionlang.kernel.mint.syntax.tokens import tokens, value_length
 from motionlang.kernel.mint.syntax.traversal import children, walk
-from motionlang.kernel.source import Source
 from tests.cases import examples
 from tests.kernel.mint.syntax.test_parser_errors import samples as broken
 from tests.kernel.mint.syntax.test_parser_spec import samples

@@ -11,11 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel.errors import ProgramError
+from motionlang.kernel import ProgramError, Source
 from motionlang.kernel.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, PLAIN, Block
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.tokens import TABLE
-from motionlang.kernel.source import Source
 
 HERE = Path(__file__).parent
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.kernel import Source
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.source import Source
 
 HERE = Path(__file__).parent
 

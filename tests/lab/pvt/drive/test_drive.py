@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners.curve import hold
+from motionlang.kernel.planners import hold
 from motionlang.lab.pvt.drive.buffer import SIZE, Entry
 from motionlang.lab.pvt.drive.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW, UNDERFLOW

@@ -24,7 +24,7 @@ import pytest
 from canopen.objectdictionary import ODVariable
 
 from motionlang.hosts.can import DriveServer
-from motionlang.kernel.planners.curve import hold
+from motionlang.kernel.planners import hold
 from motionlang.lab.pvt.drive.bus import BusError
 from motionlang.lab.pvt.drive.eds import eds
 from motionlang.lab.pvt.drive.node import object_dictionary
