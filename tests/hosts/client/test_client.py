@@ -11,9 +11,9 @@ from types import SimpleNamespace
 
 import pytest
 
+from motionlang import mcapi
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
 from motionlang.hosts.channel import SerialWire
-from motionlang.hosts.mcapi import table
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mccl.port import Port
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
@@ -158,7 +158,7 @@ FLAGS = {
 @pytest.mark.parametrize(("bit", "flag"), list(enumerate(FLAGS)))
 def test_a_flag_has_the_bit_that_mcapi_numbers(bit: int, flag: str) -> None:
     assert Status[flag] == 1 << bit
-    assert getattr(table, f"MC_STAT_{FLAGS[flag]}") == bit
+    assert getattr(mcapi, f"MC_STAT_{FLAGS[flag]}") == bit
 
 
 def test_the_faults_of_an_axis_have_bits_of_their_own() -> None:

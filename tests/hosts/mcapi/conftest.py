@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -13,8 +14,9 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.hosts.mcapi.build import SOURCE, TARGETS
+from motionlang.hosts.mcapi.build import TARGETS
 from motionlang.hosts.mcapi.host import McapiHost
+from motionlang.hosts.mcapi.protocol import encode, parse
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
@@ -22,6 +24,11 @@ from motionlang.hosts.serve.pace import Pace
 from motionlang.kernel import Machine
 from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
 
+# The C library, and the functions that its header declares.
+SOURCE = Path(__file__).parents[3] / "motionlang" / "hosts" / "mcapi" / "library"
+FUNCTIONS = re.findall(
+    r"^MCAPI_EXPORT .* APIENTRY (\w+)\(", (SOURCE / "mcapi.h").read_text("utf-8"), re.MULTILINE
+)
 # Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0
 COMPILER = next(filter(shutil.which, TARGETS["linux"].compilers), None)
@@ -163,3 +170,16 @@ def serve() -> Iterator[Serve]:
     yield begin
     for board in boards:
         board.end()
+
+
+def ask(host: Mcapi, line: str) -> str:
+    """Return the board's answer to a line of the port."""
+    result, outputs = host._calls.call(*parse(line))
+    return encode((result, *outputs))
+
+
+def converse(host: Mcapi, dialogue: str) -> None:
+    """Ask each line before `->`, and compare the answer with the text behind it."""
+    for row in dialogue.strip().splitlines():
+        line, _, wanted = (each.strip() for each in row.partition("->"))
+        assert (line, ask(host, line)) == (line, wanted)

@@ -7,27 +7,13 @@ The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import pytest
 
 from motionlang import mcapi as mc
-from motionlang.hosts.mcapi.errors import code_of
-from motionlang.hosts.mcapi.protocol import encode, parse
-from motionlang.kernel import Rejected
 from motionlang.mcapi import Mcapi
-from tests.hosts.mcapi.conftest import opened
-
-
-def ask(host: Mcapi, line: str) -> str:
-    """Return the board's answer to a line of the port."""
-    result, outputs = host._calls.call(*parse(line))
-    return encode((result, *outputs))
-
-
-def converse(host: Mcapi, dialogue: str) -> None:
-    """Ask each line before `->`, and compare the answer with the text behind it."""
-    for row in dialogue.strip().splitlines():
-        line, _, wanted = (each.strip() for each in row.partition("->"))
-        assert (line, ask(host, line)) == (line, wanted)
+from tests.hosts.mcapi.conftest import ask, converse, opened
 
 
 def test_channels(host: Mcapi) -> None:
@@ -106,17 +92,6 @@ def test_the_module_of_an_axis(model: str, module: int, rates: str) -> None:
         opened({"controller.model": model}),
         f"MCGetAxisConfiguration 1 3 + -> 0 {module} 3 1 240 10000 0 {rates} 0.0 0.0 0.0 0.0 0.0 0.0 1",
     )
-
-
-@pytest.mark.parametrize(
-    ("trouble", "code"),
-    [
-        (Rejected("moving", "axis 1 moves"), mc.MCERR_AXIS_ACTIVE),
-        (Rejected("range", "too far"), mc.MCERR_RANGE),
-    ],
-)
-def test_the_code_of_a_rejected_command(trouble: Rejected, code: int) -> None:
-    assert code_of(trouble) == code
 
 
 def test_modes_of_a_module_at_power_up(host: Mcapi) -> None:
@@ -403,6 +378,10 @@ def test_the_defaults_of_a_structure_and_its_values_when_set(
     assert found.values() == values
 
 
+def in_words(values: Iterable[float]) -> str:
+    return " ".join(map(str, values))
+
+
 # The word and bit of each flag above 30 on a MultiFlex; flags of the primary word have the numbers of their bits.
 FLAGS = {
     mc.MC_STAT_FULL_STEP: (1, 0),
@@ -442,7 +421,7 @@ def test_the_bit_of_each_flag(model: str) -> None:
         word, bit = bits.get(flag, (0, 31))
         only = [(1 << bit) * (word == k) * (flag in bits) for k in range(4)]
         others = [0x7FFFFFFF & ~each for each in only]
-        answers = [ask(host, f"MCDecodeStatusEx 1 4 {encode(words)} {flag}") for words in (only, others)]
+        answers = [ask(host, f"MCDecodeStatusEx 1 4 {in_words(words)} {flag}") for words in (only, others)]
         assert (flag, answers) == (flag, ["1" if flag in bits else "0", "0"])
         if not word:
             answers = [ask(host, f"MCDecodeStatus 1 {words[0]} {flag}") for words in (only, others)]
@@ -466,7 +445,7 @@ def test_a_new_structure_has_zeros(structure: type) -> None:
 def test_the_primary_word_has_no_bits_of_other_words(host: Mcapi) -> None:
     """All 31 bits of the primary word are set; flags are 0 to 62."""
     words = [0x7FFFFFFF]
-    found = [flag for flag in range(63) if ask(host, f"MCDecodeStatus 1 {encode(words)} {flag}") == "1"]
+    found = [flag for flag in range(63) if ask(host, f"MCDecodeStatus 1 {in_words(words)} {flag}") == "1"]
     assert found == [0, 1, *range(3, 31), mc.MC_STAT_AT_TARGET]
     converse(
         host,
@@ -519,7 +498,7 @@ def test_the_configuration_of_an_axis(stepper: bool, wanted: tuple[int, int, int
     """
     host = opened({"axis.1.motor": "stepper"} if stepper else {})
     top = 5e6 if stepper else 0.0
-    assert ask(host, "MCGetAxisConfiguration 1 1 +") == encode(
+    assert ask(host, "MCGetAxisConfiguration 1 1 +") == in_words(
         (0, *wanted, 240, 10_000, 0, 4000.0, 2000.0, 1000.0, 0.0, top, 0.0, top / 8, 0.0, top / 64, 1)
     )
 

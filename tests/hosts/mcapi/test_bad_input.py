@@ -182,33 +182,43 @@ def test_a_dialog_is_no_function(serve: Serve) -> None:
 
 
 @pytest.mark.parametrize(
-    "line",
+    ("line", "message"),
     [
-        "hello",
-        "MCStop",
-        "MCStop one 1",
-        "MCStop 1",
-        "MCStop 1 1 1",
-        "MCStop 1 1.5",
-        "MCMoveAbsolute 1 1 1e999",
-        'MCMoveAbsolute 1 1 "far"',
-        "MCSetScale 1 1 6 1.0",
-        "MCSetScale 1 1 99 1.0",
-        'pmcputs 1 "\\q"',
-        'Session 2 "x"',
-        "Session 1",
-        "MCStop 1 " + "1" * 5000,
-        "\x00\xff\x1b",
-        "x" * 40_000,
+        ("hello", "there is no function 'hello'"),
+        ("x" * 50, f"there is no function {'x' * 40!r}"),
+        ("MCStop", "MCStop needs a handle"),
+        ("MCStop -", "MCStop needs a handle"),
+        ("MCStop 1.0 1", "MCStop needs a handle"),
+        ("MCStop one 1", "'one' is not a value"),
+        ("MCMoveAbsolute 1 1 1e999", "'1e999' is too large"),
+        ('pmcputs 1 "\\q"', "\\q is no escape"),
+        ("MCStop 1", "arguments are missing"),
+        ("MCStop 1 1 1", "MCStop has 1 arguments, not 2"),
+        ("MCStop 1 1.5", "axis is an integer"),
+        ('MCMoveAbsolute 1 1 "far"', "position is a number"),
+        ("MCMoveAbsolute 1 1 -", "position is a number"),
+        ("pmcputs 1 5", "buffer is a text"),
+        ("MCSetScale 1 1 1.0 1.0", "scale needs the number of its values"),
+        ("MCSetScale 1 1 6 1.0 2.0 3.0 4.0 5.0", "scale needs the number of its values"),
+        ("MCSetScale 1 1 -1", "scale needs the number of its values"),
+        ("MCSetScale 1 1 7 1.0 2.0 3.0 4.0 5.0 6.0 7.0", "MCSCALE does not have these values"),
+        ('MCSetScale 1 1 1 "a"', "MCSCALE does not have these values"),
+        ("MCSetScale 1 1 1 1.0 2.0", "MCSetScale has 3 arguments, not 4"),
+        ('Session 2 "x"', ""),
+        ("Session 1", ""),
+        ("MCStop 1 " + "1" * 5000, ""),
+        ("\x00\xff\x1b", ""),
+        ("x" * 40_000, "a line has at most 32768 characters"),
     ],
 )
-def test_a_line_that_is_no_call(serve: Serve, line: str) -> None:
+def test_a_line_that_is_no_call(serve: Serve, line: str, message: str) -> None:
     """The reason is the answer, then the connection is closed; others are unaffected."""
     board = serve()
     other, wrong = board.connect(), board.connect()
     assert other.ask("MCOpen 0 2 -") == "1"
     wrong.send(line)
-    assert wrong.answer().startswith("! ")
+    found = wrong.answer()
+    assert found == f"! {message}" if message else found.startswith("! ")
     assert wrong.answer() == "closed"
     assert other.ask("MCGetPositionEx 1 1 +") == "0 0.0"
 

@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.hosts.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build, default_path
+from motionlang.hosts.mcapi.build import TARGETS, CannotBuild, build, default_path
+from tests.hosts.mcapi.conftest import SOURCE
 
 
 class Compiler:
@@ -91,7 +92,7 @@ def test_the_library_of_another_source_is_not_used(tmp_path: Path, monkeypatch: 
     assert int(path.parent.name, 16)
     other = tmp_path / "source"
     other.mkdir()
-    for name in FILES:
+    for name in ("mcapi.c", "mcapi.h", "stubs.h"):
         (other / name).write_bytes((SOURCE / name).read_bytes() + b"\n")
     monkeypatch.setattr("motionlang.hosts.mcapi.build.SOURCE", other)
     assert default_path(TARGETS["linux"]) != path

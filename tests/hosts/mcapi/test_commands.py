@@ -6,15 +6,13 @@
 from __future__ import annotations
 
 import functools
+import io
 
 import pytest
 
 from motionlang import mcapi as mc
 from motionlang.hosts.mcapi.listing import Listing
-from motionlang.hosts.mcapi.log import read_entry
-from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES
-from motionlang.mcapi import Mcapi
-from tests.hosts.mcapi.conftest import opened
+from motionlang.hosts.mcapi.log import read
 
 
 @functools.cache
@@ -25,7 +23,8 @@ def listing(model: str) -> Listing:
 def commands(call: str, model: str = "multiflex") -> str:
     """Return the commands of a call on handle 1, "" if it has none."""
     name, _, arguments = call.partition(" ")
-    line = listing(model).line(read_entry(f"0.5 0.5 1 {name} 1 {arguments} = 0", 2))
+    (entry,) = read(io.BytesIO(f"mcapi-log 1\n0.5 0.5 1 {name} 1 {arguments} = 0\n".encode()))
+    line = listing(model).line(entry)
     return line.partition(";")[0].rstrip()
 
 
@@ -187,7 +186,7 @@ def test_the_command_of_a_field(field: str, value: float, wanted: str) -> None:
     A field that is 0 differs by its command only.
     """
     for structure, function in WRITERS.items():
-        names = STRUCTURES[structure].names()
+        names = getattr(mc, structure).names()
         if field in names:
             count = len(names)
             zeros = commands(f"{function} 1 {count} {' '.join(['0'] * count)}").split(",")
@@ -200,42 +199,3 @@ def test_the_command_of_a_field(field: str, value: float, wanted: str) -> None:
 def test_the_derivative_period_is_in_servo_periods(periods: float, wanted: str) -> None:
     """FR counts servo periods, 0 is one; a MultiFlex has a period of 250 µs."""
     assert wanted in commands(f"MCSetFilterConfig 1 8 0.0 {periods * 250e-6} 0 0 0 0 0 0").split(",")
-
-
-# The functions whose axis 0 means all axes.
-ALL_AXES = """
-MCAbort MCCaptureData MCDirection MCEnableAxis MCEnableBacklash MCEnableJog MCGo MCGoEx MCGoHome
-MCInterruptOnPosition MCIsAtTarget MCIsEdgeFound MCIsIndexFound MCIsStopped MCLearnPoint MCMoveAbsolute
-MCMoveRelative MCMoveToPoint MCReset MCSetAcceleration MCSetAuxEncPos MCSetDeceleration MCSetFilterConfig
-MCSetFilterConfigEx MCSetGain MCSetJogConfig MCSetJogConfigEx MCSetLimits MCSetModuleInputMode MCSetModuleOutputMode
-MCSetMotionConfig MCSetMotionConfigEx MCSetPosition MCSetProfile MCSetScale MCSetServoOutputPhase MCSetTorque
-MCSetVelocity MCSetVelocityOverride MCStop MCWaitForStop MCWaitForTarget pmccmdex pmccmdrpyex
-"""
-ZEROS = {"d": 0.0, "str": ""}
-
-
-def result_of_axis_0(host: Mcapi, name: str) -> int:
-    """Return the result of a call whose arguments are 0, with room for every output."""
-    arguments: list[object] = []
-    for each in FUNCTIONS[name].arguments:
-        if each.out:
-            arguments.append(1)
-        elif each.kind in STRUCTURES:
-            values = STRUCTURES[each.kind]().values()
-            arguments += [len(values), *values]
-        else:
-            arguments.append(ZEROS.get(each.kind, 0))
-    host._calls.call(name, host.Handle(), arguments)  # type: ignore[arg-type]
-    return host.GetError()
-
-
-def test_functions_that_take_all_axes() -> None:
-    """Any other function rejects axis 0 with error 17."""
-    host = opened()
-    of_axes = [
-        name
-        for name, function in FUNCTIONS.items()
-        if not function.unsupported and any(each.name == "axis" for each in function.arguments)
-    ]
-    accepted = [name for name in of_axes if result_of_axis_0(host, name) != mc.MCERR_ALL_AXES]
-    assert sorted(accepted) == sorted(ALL_AXES.split())

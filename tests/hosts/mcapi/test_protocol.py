@@ -5,113 +5,18 @@ Words, texts and integers of C, and what the board does with lines that do not f
 
 from __future__ import annotations
 
-import ctypes
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang import mcapi as mc
-from motionlang.hosts.mcapi.host import McapiHost, McapiPort
-from motionlang.hosts.mcapi.protocol import MAX_LINE, decode, encode, parse, request
-from motionlang.hosts.mcapi.session import BadCall, wrapped
-from motionlang.hosts.mcapi.table import BITS
+from motionlang.hosts.mcapi.host import McapiHost
 from motionlang.hosts.serve import Limits, LockStep
 from motionlang.mcapi import Mcapi
-from tests.hosts.mcapi.conftest import opened
-from tests.hosts.mcapi.test_answers import ask
+from tests.hosts.mcapi.conftest import ask, opened
 
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "MCStop 1 2",
-        "MCGetPositionEx 1 2 +",
-        "MCGetPositionEx 1 2 -",
-        "MCSetScale 1 1 6 1.0 2.0 3.0 4.0 5.0 6.0",
-        "MCSetScale 1 1 -",
-        "MCDecodeStatusEx 1 4 1 2 3 4 5",
-        "MCGetInstalledModules 1 + 4",
-        "MCGetCaptureData 1 1 16 0 2 +",
-        "MCTranslateErrorEx 15 + 7",
-        'pmcputs 1 "a b"',
-        'MCOpen 0 2 "\\xe9\\x3d\\n\\r\\t\\"\\\\~ "',
-    ],
-)
-def test_a_call_is_read_as_it_is_written(line: str) -> None:
-    assert request(*parse(line)) == line
-
-
-INTEGERS = {
-    "h": ctypes.c_int16,
-    "s": ctypes.c_int16,
-    "i": ctypes.c_int32,
-    "l": ctypes.c_int32,
-    "W": ctypes.c_uint16,
-    "D": ctypes.c_uint32,
-    "u": ctypes.c_uint32,
-    "w": ctypes.c_uint64,
-}
-
-
-@pytest.mark.parametrize("kind", BITS)
-def test_an_integer_is_wrapped_as_in_c(kind: str) -> None:
-    for bits in (0, 15, 16, 31, 32, 63, 64, 65):
-        for value in (2**bits - 1, 2**bits, 2**bits + 1):
-            for signed in (value, -value):
-                assert wrapped(signed, BITS[kind]) == INTEGERS[kind](signed).value
-
-
-def test_the_words_of_values() -> None:
-    """A character that is not printable in ASCII is written as its code.
-
-    Above 255 it is `?`.
-    """
-    assert encode([None, 7, -2.5, 1e300]) == "- 7 -2.5 1e+300"
-    assert encode(["\x1f ~\x7f\xffĀ€"]) == '"\\x1f ~\\x7f\\xff??"'
-    assert decode("+ - 7 -2.5 inf -INF") == [1, None, 7, -2.5, float("inf"), float("-inf")]
-    assert decode('1 "\\x41\\xFFa b" 2') == [1, "A\xffa b", 2]
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("MCStop", "MCStop needs a handle"),
-        ("MCStop -", "MCStop needs a handle"),
-        ("MCStop 1.0 1", "MCStop needs a handle"),
-        ("MCStop 1 far", "'far' is not a value"),
-        ("MCStop 1 1e400", "'1e400' is too large"),
-        ('pmcputs 1 "\\q"', "\\q is no escape"),
-        ("x" * 50, f"there is no function {'x' * 40!r}"),
-    ],
-)
-def test_a_line_that_cannot_be_read(line: str, message: str) -> None:
-    with pytest.raises(BadCall) as caught:
-        parse(line)
-    assert str(caught.value) == message
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("MCStop 1", "arguments are missing"),
-        ("MCStop 1 1 1", "MCStop has 1 arguments, not 2"),
-        ("MCStop 1 1.5", "axis is an integer"),
-        ('MCMoveAbsolute 1 1 "far"', "position is a number"),
-        ("MCMoveAbsolute 1 1 -", "position is a number"),
-        ("pmcputs 1 5", "buffer is a text"),
-        ("MCSetScale 1 1 1.0 1.0", "scale needs the number of its values"),
-        ("MCSetScale 1 1 6 1.0 2.0 3.0 4.0 5.0", "scale needs the number of its values"),
-        ("MCSetScale 1 1 -1", "scale needs the number of its values"),
-        ("MCSetScale 1 1 7 1.0 2.0 3.0 4.0 5.0 6.0 7.0", "MCSCALE does not have these values"),
-        ('MCSetScale 1 1 1 "a"', "MCSCALE does not have these values"),
-        ("MCSetScale 1 1 1 1.0 2.0", "MCSetScale has 3 arguments, not 4"),
-    ],
-)
-def test_a_call_that_does_not_match_its_function(host: Mcapi, line: str, message: str) -> None:
-    with pytest.raises(BadCall) as caught:
-        ask(host, line)
-    assert str(caught.value) == message
+MAX_LINE = 32_768
 
 
 def test_missing_values_of_a_structure_are_0(host: Mcapi) -> None:
@@ -217,28 +122,6 @@ def test_the_calls_of_a_host_that_is_gone_are_dropped(host: Mcapi) -> None:
     assert console.now < 1.0
     assert answers == []
     assert len(desk.handles) == 1
-
-
-def test_a_port_takes_a_line_at_a_time(host: Mcapi) -> None:
-    """A call is answered with its value, or with its error code and what it has read."""
-    port = McapiPort(host.board.desk)
-    data = b"MCOpen 0 2 -\nMCGetVer"
-    assert (port.accepts(data), port.accepts(data[13:])) == (True, False)
-    assert (port.next_entry(data), port.next_entry(data[13:])) == ((data[:13], True), (data[13:], False))
-    for line, wanted in (
-        (data[:13], b"1\n"),
-        (b"\n", b""),
-        (b" \r\n", b""),
-        (b"MCSetVelocity 1 1 5.0\n", b"0\n"),
-        (b"MCEnableAxis 1 99 1\n", b"15\n"),
-        (b"MCGetPositionEx 1 1 +\n", b"0 0.0\n"),
-        (b"MCGetPositionEx 1 99 +\n", b"15\n"),
-    ):
-        assert port.feed(line) == len(line)
-        host.board.console.run(host.now + 0.1)
-        assert (line, port.take()) == (line, wanted)
-    port.feed(b"MCWait 1 1.0\n")
-    assert (port.busy, port.accepts(data)) == (True, False)
 
 
 def test_a_host_process_ends_with_its_last_connection(host: Mcapi) -> None:

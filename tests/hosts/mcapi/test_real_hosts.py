@@ -17,8 +17,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.hosts.mcapi.table import FUNCTIONS
-from tests.hosts.mcapi.conftest import needs_compiler
+from tests.hosts.mcapi.conftest import FUNCTIONS, needs_compiler
 
 HERE = Path(__file__).parent
 # Methods that fail in PMC's binding before they reach the library, on a real board as well.

@@ -6,6 +6,8 @@ import io
 import math
 from collections.abc import Callable
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 import pytest
 
@@ -13,7 +15,7 @@ from motionlang import mcapi as mc
 from motionlang.cli import main
 from motionlang.hosts.mcapi import VirtualBoard
 from motionlang.hosts.mcapi.log import BadLog, Recorder, model_of, read
-from motionlang.hosts.mcapi.replay import Replay
+from motionlang.hosts.mcapi.replay import replay_file
 from motionlang.mcapi import Mcapi
 
 # The move of 5000 counts at 100 000 counts/s² takes twice the root of s/a.
@@ -43,10 +45,11 @@ def recorded(model: str = "multiflex") -> str:
     return "".join(lines)
 
 
-def replayed(text: str, skew: float = 0.01, tolerance: float = 0.0, **machine: object) -> Replay:
-    replay = Replay(VirtualBoard(machine or None, complain=lambda text: None), skew, tolerance)
-    replay.run(read(io.BytesIO(text.encode("latin-1"))))
-    return replay
+def replayed(text: str, skew: float = 0.01, tolerance: float = 0.0, **machine: object) -> Any:
+    with TemporaryDirectory() as folder:
+        log = Path(folder, "a.log")
+        log.write_text(text, encoding="latin-1")
+        return replay_file(str(log), machine, skew, tolerance)
 
 
 def altered(text: str, what: str, change: Callable[[str], str], which: int = 0) -> tuple[str, int]:

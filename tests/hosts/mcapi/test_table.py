@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
+from motionlang import mcapi as mc
 from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES
+from motionlang.mcapi import Mcapi
+from tests.hosts.mcapi.conftest import opened
 
 # The bytes of each structure in C, with four-byte packing, from PMC's header compiled on 64-bit Linux.
 SIZES = {
@@ -58,3 +61,42 @@ def test_each_function_means_something_here(name: str) -> None:
 
 def test_structures_have_the_size_of_c() -> None:
     assert {name: size(name) for name in STRUCTURES} == SIZES
+
+
+# The functions whose axis 0 means all axes.
+ALL_AXES = """
+MCAbort MCCaptureData MCDirection MCEnableAxis MCEnableBacklash MCEnableJog MCGo MCGoEx MCGoHome
+MCInterruptOnPosition MCIsAtTarget MCIsEdgeFound MCIsIndexFound MCIsStopped MCLearnPoint MCMoveAbsolute
+MCMoveRelative MCMoveToPoint MCReset MCSetAcceleration MCSetAuxEncPos MCSetDeceleration MCSetFilterConfig
+MCSetFilterConfigEx MCSetGain MCSetJogConfig MCSetJogConfigEx MCSetLimits MCSetModuleInputMode MCSetModuleOutputMode
+MCSetMotionConfig MCSetMotionConfigEx MCSetPosition MCSetProfile MCSetScale MCSetServoOutputPhase MCSetTorque
+MCSetVelocity MCSetVelocityOverride MCStop MCWaitForStop MCWaitForTarget pmccmdex pmccmdrpyex
+"""
+ZEROS = {"d": 0.0, "str": ""}
+
+
+def result_of_axis_0(host: Mcapi, name: str) -> int:
+    """Return the result of a call whose arguments are 0, with room for every output."""
+    arguments: list[object] = []
+    for each in FUNCTIONS[name].arguments:
+        if each.out:
+            arguments.append(1)
+        elif each.kind in STRUCTURES:
+            values = STRUCTURES[each.kind]().values()
+            arguments += [len(values), *values]
+        else:
+            arguments.append(ZEROS.get(each.kind, 0))
+    host._calls.call(name, host.Handle(), arguments)  # type: ignore[arg-type]
+    return host.GetError()
+
+
+def test_functions_that_take_all_axes() -> None:
+    """Any other function rejects axis 0 with error 17."""
+    host = opened()
+    of_axes = [
+        name
+        for name, function in FUNCTIONS.items()
+        if not function.unsupported and any(each.name == "axis" for each in function.arguments)
+    ]
+    accepted = [name for name in of_axes if result_of_axis_0(host, name) != mc.MCERR_ALL_AXES]
+    assert sorted(accepted) == sorted(ALL_AXES.split())

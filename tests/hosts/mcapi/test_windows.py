@@ -15,9 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.hosts.mcapi.build import SOURCE, TARGETS, build
-from motionlang.hosts.mcapi.table import FUNCTIONS
-from tests.hosts.mcapi.conftest import Serve
+from motionlang.hosts.mcapi.build import TARGETS, build
+from tests.hosts.mcapi.conftest import FUNCTIONS, SOURCE, Serve
 
 HOST = """
 #include <stdio.h>

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import xor
+
 from motionlang.hosts.mint.console import MintConsole
 from motionlang.kernel import Diagnostic, Source
 
@@ -39,3 +42,23 @@ class Line:
         self.received()
         self.send(data)
         return self.received()
+
+
+def write_frame(element: int, text: str, card: int = 0) -> bytes:
+    """Return the frame of HCP by which a host writes an element."""
+    return b"\x04%02d\x02" % card + _sealed(b"%02d" % element + text.encode())
+
+
+def read_frame(element: int, card: int = 0) -> bytes:
+    """Return the frame by which a host asks for an element."""
+    return b"\x04%02d\x02%02d\x05" % (card, element)
+
+
+def answer_frame(element: int, text: str) -> bytes:
+    """Return the frame by which a controller answers."""
+    return b"\x02" + _sealed(b"%02d" % element + text.encode())
+
+
+def _sealed(data: bytes) -> bytes:
+    """Add ETX and the exclusive or of all bytes."""
+    return data + b"\x03" + bytes([reduce(xor, data + b"\x03")])

@@ -5,11 +5,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang.hosts.mint.console import MintConsole
-from motionlang.hosts.mint.editor import CONFIGURATION, PROGRAM, Texts
-from motionlang.hosts.mint.hcp import write_frame
 from motionlang.kernel import ProgramError, Source
 from tests.cases import cases
-from tests.hosts.mint.lines import Line
+from tests.hosts.mint.lines import Line, write_frame
 
 COUNTER = "Dim n As Integer\nLoop\n  n = n + 1\n  Wait = 100\nEnd Loop\n"
 
@@ -364,20 +362,23 @@ def test_the_lines_of_the_editor() -> None:
 
 
 def test_a_text_has_a_million_characters() -> None:
-    """Each line has a line end. A line that replaces another one counts without that."""
-    texts = Texts()
-    assert texts.put(PROGRAM, 1, "x" * 600_000)
-    assert not texts.put(PROGRAM, 2, "x" * 399_999)
-    assert texts.put(PROGRAM, 2, "x" * 399_998)
-    assert texts.put(PROGRAM, 2, "y" * 399_998)
-    assert not texts.put(PROGRAM, 2, "x" * 399_999)
-    assert texts.put(PROGRAM, 1, "x" * 599_999)
-    assert texts.put(PROGRAM, 3, "")
-    assert not texts.put(PROGRAM, 4, "")
-    assert [len(each) for each in texts.lines(PROGRAM)] == [599_999, 399_998, 0]
-    assert texts.put(CONFIGURATION, 1, "")
-    texts.clear(PROGRAM)
-    assert texts.put(PROGRAM, 1, "x" * 999_999)
+    """Each line has a line end, so 1000 lines of 999 characters fit.
+
+    A line that replaces another needs no more room.
+    """
+    line = Line()
+    line.ask(b"EDIT\n")
+    refused = "Error: the program is longer than 1000000 characters\n"
+    for number in range(1, 1001):
+        assert line.ask(b"'" + b"x" * 998 + b"\n") == f"{number + 1}>"
+    assert line.ask(b"\n") == "P>"
+    assert line.ask(b"EDIT 1001\n") == "1001>"
+    assert line.ask(b"'\n").startswith(refused)
+    line.ask(b"\n")
+    line.ask(b"EDIT 1000\n")
+    assert line.ask(b"'" + b"y" * 998 + b"\n") == "1001>"
+    line.ask(b"\nCON\nEDIT\n")
+    assert line.ask(b"' the configuration has a million of its own\n") == "2>"
 
 
 def state(line: Line) -> str:

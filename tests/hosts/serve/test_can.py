@@ -13,8 +13,6 @@ import canopen
 import pytest
 
 from motionlang.cli import main
-from motionlang.hosts.commands.can import _switches
-from motionlang.lab.pvt.drive.switches import Switches
 from tests.cli.programs import MAX_SECONDS
 from tests.hosts.serve.test_command import line_with
 
@@ -44,16 +42,6 @@ def test_drives_are_served_until_a_signal(tmp_path: Path) -> None:
     dictionary: Any = canopen.import_od(str(path), node_id=5)
     assert dictionary[0x1400][1].default == 0x205
     assert dictionary[0x6081].default == 100_000
-
-
-def test_the_switches_are_those_of_the_machine_file() -> None:
-    settings = {
-        "axis.2.travel": [-900.0, 900.0],
-        "axis.2.home_switch": [0.0, 50.0],
-        "axis.2.index_every": 100.0,
-    }
-    assert _switches(settings, 1) == Switches()
-    assert _switches(settings, 2) == Switches(-900.0, 900.0, 0.0, 100.0)
 
 
 @pytest.mark.parametrize(

@@ -15,10 +15,12 @@ import pytest
 
 from motionlang.cli import main
 from motionlang.client import Client
-from motionlang.hosts.commands.output_queue import CAPACITY
 from tests.cli.programs import MAX_SECONDS
 
 COMMAND = [sys.executable, "-m", "motionlang", "serve"]
+
+# Characters that wait for a reader of the output.
+STORED = 1 << 18
 
 
 @contextmanager
@@ -67,7 +69,7 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
 
     SIGTERM ends the server.
     """
-    logged = 2 * (CAPACITY + 65536)
+    logged = 2 * (STORED + 65536)
     with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
         with Client.open(line_with(process, "listening on "), timeout=MAX_SECONDS) as board:
             for _ in range(logged // 250):

@@ -15,8 +15,8 @@ import pytest
 from pymodbus.client import ModbusTcpClient
 
 from motionlang.cli import main
-from motionlang.hosts.mint.hcp import answer_frame, read_frame, write_frame
 from tests.cli.programs import MAX_SECONDS
+from tests.hosts.mint.lines import answer_frame, read_frame, write_frame
 from tests.hosts.serve.conftest import Wire
 from tests.hosts.serve.test_command import line_with
 

@@ -21,7 +21,6 @@ import pytest
 
 from motionlang import Run
 from motionlang.cli import main
-from motionlang.hosts.commands.output_queue import CAPACITY
 from motionlang.hosts.serve.outside import LockStep, Outside, RealTime
 from motionlang.kernel import Source, run
 from tests.cli.programs import MAX_SECONDS
@@ -44,6 +43,9 @@ Event NETDATA4
   NETFLOAT(5) = NETFLOAT(4) * 2
 End Event
 """
+
+# Characters that wait for a reader of the output.
+STORED = 1 << 18
 
 
 class Served:
@@ -212,7 +214,7 @@ def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
         with ModbusTcpClient("127.0.0.1", port=int(greeting.split()[2].rpartition(":")[2])) as client:
             while True:  # until the pipe and the queue are full
                 low, high = client.read_holding_registers(2, count=2).registers
-                if (low + (high << 16)) * 100 > 2 * (CAPACITY + 65536):
+                if (low + (high << 16)) * 100 > 2 * (STORED + 65536):
                     break
         process.send_signal(signal.SIGTERM)
         status = process.wait(MAX_SECONDS)

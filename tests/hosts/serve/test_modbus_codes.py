@@ -6,24 +6,17 @@ They go through a real connection. The server answers from a run with NetData: e
 
 from __future__ import annotations
 
-import asyncio
 import socket
 import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from threading import Thread
-from types import SimpleNamespace
-from typing import Any
-from unittest.mock import MagicMock
 
-import pytest
-
-from motionlang.hosts.serve import Limits, modbus
+from motionlang.hosts.serve import Limits
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
 from motionlang.hosts.serve.outside import LockStep
-from motionlang.hosts.serve.refusals import Refusals
 from motionlang.kernel import Source, run
 
 PATIENCE = 60.0
@@ -132,6 +125,10 @@ ANSWERS = {
     "identify, an object that does not exist": ("2b 0e 04 07", "ab 02"),
     "identify, category 5": ("2b 0e 05 00", "ab 03"),
     "identify, too short": ("2b 0e 01", "ab 03"),
+    "identify, no code": ("2b 0e", "ab 03"),
+    "no interface": ("2b", "ab 01"),
+    "identify, category 0": ("2b 0e 00 00", "ab 03"),
+    "identify, too long": ("2b 0e 01 00 00", "ab 03"),
     # 03 before 02: quantities, and lengths that do not fit them.
     "read no register": ("03 0000 0000", "83 03"),
     "read 126 registers": ("03 0000 007e", "83 03"),
@@ -140,6 +137,8 @@ ANSWERS = {
     "read, too long": ("03 0000 0001 00", "83 03"),
     "write a register, too short": ("06 0014", "86 03"),
     "write no register": ("10 0000 0000 00", "90 03"),
+    "write 123 registers": ("10 0020 007b f6" + "00" * 246, "10 0020 007b"),
+    "write, too short": ("10 0000 0001", "90 03"),
     "write 124 registers": ("10 0000 007c f8" + "00" * 246, "90 03"),
     "write with another byte count": ("10 0000 0002 02 0001 0002", "90 03"),
     "write with a value missing": ("10 0000 0002 04 0001", "90 03"),
@@ -244,140 +243,5 @@ def test_a_client_that_has_sent_nothing_makes_room_and_requests_are_counted() ->
             assert server.requests == 2
 
 
-def test_rejected_clients_are_reported_once_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first is reported at once; one call reports the others a second later."""
-    calls, lines, now = list[float](), list[str](), [100.0]
-    loop = SimpleNamespace(call_later=lambda seconds, call: calls.append(seconds))
-    monkeypatch.setattr(modbus, "asyncio", SimpleNamespace(get_running_loop=lambda: loop))
-    server = ModbusServer(LockStep(), "127.0.0.1", 0)
-    server._refusals = Refusals(lines.append, lambda: now[0])
-    for text in ("first", "second", "third"):
-        server._refuse(text)
-        now[0] += 0.25
-    assert (lines, calls) == (["first"], [0.75])
-    server._refusals.flush()
-    assert lines == ["first", "third (1 more since the last line)"]
-
-
-@pytest.mark.parametrize(
-    ("last_received", "busy", "left"),
-    [
-        ((41.0, 40.5), (False, False), []),  # neither has been silent for 60 s
-        ((41.0, 40.0), (False, False), [1]),
-        ((39.0, 40.0), (False, False), [0]),  # the longest-silent one
-        ((39.0, 40.0), (True, False), [1]),
-        ((39.0, 39.0), (True, True), []),
-    ],
-)
-def test_a_client_that_is_silent_for_a_minute_makes_room(
-    last_received: tuple[float, float],
-    busy: tuple[bool, bool],
-    left: list[int],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """It is 100 s; the task of a client that makes room is cancelled."""
-    monkeypatch.setattr(modbus, "monotonic", lambda: 100.0)
-    cancelled: list[int] = []
-    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
-    for number, (time, is_busy) in enumerate(zip(last_received, busy, strict=True)):
-        task = MagicMock(cancel=partial(cancelled.append, number))
-        server._connections[task] = SimpleNamespace(last_received=time, busy=is_busy)
-    assert server._make_room() is bool(left)
-    assert cancelled == left
-    assert len(server._connections) == 2 - len(left)
-
-
 def test_a_server_that_has_not_started_can_be_stopped() -> None:
     ModbusServer(LockStep(), "127.0.0.1", 0).stop()
-
-
-def test_a_request_after_the_end_of_the_run_is_a_failure_of_the_device() -> None:
-    """Exception 04; bit 7 of the function is set."""
-    outside = LockStep()
-    outside.close()
-    server = ModbusServer(outside, "127.0.0.1", 0)
-    assert asyncio.run(server._answer(words(3, 0, 1))) == bytes.fromhex("83 04")
-
-
-def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
-    server = ModbusServer(LockStep(), "127.0.0.1", 0)
-    server.start()
-    assert server._thread is not None
-    assert (server._thread.daemon, server._thread.is_alive()) == (True, True)
-    server.stop()
-    assert not server._thread.is_alive()
-
-
-def test_at_the_end_a_client_gets_the_answer_that_it_waits_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Idle connections are closed at once, a request is cancelled after half a second."""
-    waits, wait = list[float](), asyncio.wait
-
-    async def wait_no_time(tasks: Any, timeout: float) -> Any:
-        waits.append(timeout)
-        return await wait(tasks, timeout=0.0)
-
-    monkeypatch.setattr(asyncio, "wait", wait_no_time)
-    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
-    connections = [SimpleNamespace(busy=busy, writer=MagicMock()) for busy in (False, True)]
-
-    async def end() -> list[bool]:
-        tasks = [asyncio.ensure_future(asyncio.Event().wait()) for _ in connections]
-        server._connections = dict(zip(tasks, connections, strict=True))
-        await server._end()
-        await asyncio.sleep(0)
-        return [task.cancelled() for task in tasks]
-
-    assert asyncio.run(end()) == [True, True]
-    assert [each.writer.close.call_count for each in connections] == [1, 0]
-    assert waits == [0.5]
-
-
-def test_a_client_with_an_address_of_ipv6_is_turned_away() -> None:
-    lines: list[str] = []
-    server: Any = ModbusServer(LockStep(), "::1", 0, limits=Limits(hosts=0), complain=lines.append)
-    writer = MagicMock(get_extra_info=lambda name: ("::1", 4000, 0, 0))
-    asyncio.run(server._accept(MagicMock(), writer))
-    assert lines == ["[::1]:4000 was turned away: 0 clients are connected already"]
-    writer.close.assert_called_once_with()
-
-
-def test_a_connection_is_busy_while_its_request_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
-    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
-    drain, found = MagicMock(), list[bool]()
-
-    async def answer(data: bytes) -> bytes:
-        found.append(connection.busy)
-        return b"\x83\x04"
-
-    async def drained() -> None:
-        drain()
-
-    connection = SimpleNamespace(busy=False, writer=MagicMock(drain=drained))
-    monkeypatch.setattr(server, "_answer", answer)
-
-    async def run_once() -> None:
-        reader = asyncio.StreamReader()
-        reader.feed_data(frame(words(3, 0, 1)))
-        await server._answer_next(reader, connection)
-
-    asyncio.run(run_once())
-    assert (found, connection.busy) == ([True], False)
-    connection.writer.write.assert_called_once_with(frame(b"\x83\x04"))
-    drain.assert_called_once_with()
-
-
-@pytest.mark.parametrize("is_over", [False, True])
-def test_the_end_of_a_server_is_noticed_after_each_frame(is_over: bool) -> None:
-    """The frame is for another unit, so that it is not answered."""
-    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0, unit=1)
-
-    async def goes_on() -> bool:
-        server._over = asyncio.Event()
-        if is_over:
-            server._over.set()
-        reader = asyncio.StreamReader()
-        reader.feed_data(frame(words(3, 0, 1)))
-        found: bool = await server._answer_next(reader, SimpleNamespace(last_received=0.0))
-        return found
-
-    assert asyncio.run(goes_on()) is not is_over
