@@ -72,3 +72,22 @@ def test_a_drive_in_motion_is_updated_at_its_end() -> None:
     assert node.next_time() == pytest.approx(0.15)
     drive.run_until(150_000)
     assert node.next_time() == inf
+
+
+@pytest.mark.parametrize(
+    ("kind", "sent"), [(1, [1, 2, 3, 4, 5, 6, 7]), (2, [2, 4, 6]), (3, [3, 6]), (240, []), (255, [])]
+)
+def test_a_pdo_of_type_n_is_sent_on_every_nth_sync(kind: int, sent: list[int]) -> None:
+    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    assert [sync for sync in range(1, 8) if pdo.on_sync(b"data")] == sent
+
+
+@pytest.mark.parametrize(("kind", "sent"), [(240, 2), (241, 0), (253, 0)])
+def test_the_slowest_pdo_is_sent_on_every_240th_sync(kind: int, sent: int) -> None:
+    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    assert [pdo.on_sync(b"data") for _ in range(500)].count(True) == sent
+
+
+def test_a_pdo_of_type_0_is_sent_on_a_sync_if_its_data_have_changed() -> None:
+    pdo = Sent(0x182, 0, 0.0, 0.0, [], data=b"old")
+    assert [pdo.on_sync(data) for data in (b"old", b"new", b"old")] == [False, True, False]

@@ -12,8 +12,7 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
-from itertools import count
+from collections.abc import Callable, Iterator
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -27,60 +26,12 @@ from motionlang.hosts.can import DriveServer
 from motionlang.kernel.planners import hold
 from motionlang.lab.pvt.drive.bus import BusError
 from motionlang.lab.pvt.drive.eds import eds
-from motionlang.lab.pvt.drive.node import object_dictionary
 from motionlang.lab.pvt.drive.switches import Switches
+from tests.lab.pvt.drive.bus import CHANNELS, Bus, dictionary
 
 PATIENCE = 30.0
-_CHANNELS = count(1)
 # Frames of drives, for interfaces that give a master its own frames back.
 FROM_DRIVES: Any = [{"can_id": 0x080, "can_mask": 0x080}, {"can_id": 0x700, "can_mask": 0x780}]
-
-
-class Bus:
-    """Two drives and the other end of their bus; `time` is the drives' time, s."""
-
-    def __init__(self, factor: float = 1.0, switches: Sequence[Switches] = ()) -> None:
-        self.time = 0.0
-        channel = f"served-{next(_CHANNELS)}"
-        self.master = can.Bus(interface="virtual", channel=channel)
-        self.complaints: list[str] = []
-        self.server = DriveServer(
-            "virtual",
-            channel,
-            2,
-            factor=factor,
-            switches=switches,
-            complain=self.complaints.append,
-            wall=lambda: 1000.0 + self.time,
-        )
-
-    def close(self) -> None:
-        self.server.close()
-        self.master.shutdown()
-
-    def send(self, can_id: int, *data: int) -> None:
-        self.master.send(can.Message(arbitration_id=can_id, data=data, is_extended_id=False))
-        self.server.run_once()
-
-    def until(self, seconds: float) -> list[tuple[int, bytes]]:
-        """Advance the time in steps of a millisecond; return the frames of the drives."""
-        while self.time < seconds - 1e-9:
-            self.time = min(self.time + 1e-3, seconds)
-            self.server.run_once()
-        return self.frames()
-
-    def frames(self) -> list[tuple[int, bytes]]:
-        found = []
-        while (message := self.master.recv(0.0)) is not None:
-            found.append((message.arbitration_id, bytes(message.data)))
-        return found
-
-    def ask(self, node: int, *request: int) -> bytes:
-        """Return a drive's answer to an SDO request."""
-        self.frames()
-        self.send(0x600 + node, *request, *bytes(8 - len(request)))
-        (answer,) = [data for can_id, data in self.frames() if can_id == 0x580 + node]
-        return answer
 
 
 def emergencies(frames: list[tuple[int, bytes]]) -> list[bytes]:
@@ -561,7 +512,7 @@ def test_masters_on_udp_multicast() -> None:
 def channel_of(interface: str, monkeypatch: pytest.MonkeyPatch) -> str:
     """Return a channel of the interface that no other test uses; skip one on a network that others share."""
     if interface == "virtual":
-        return f"served-{next(_CHANNELS)}"
+        return f"served-{next(CHANNELS)}"
     pytest.importorskip("msgpack")
     if not is_isolated():
         pytest.skip("udp_multicast needs a network namespace whose one route is loopback")
@@ -763,13 +714,13 @@ def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
 
 def entries(index: int) -> list[tuple[int, str, int]]:
     """Return sub-index, access and default of the entries of an object of node 5."""
-    record = object_dictionary(5)[index]
+    record = dictionary(5)[index]
     assert isinstance(record, canopen.objectdictionary.ODRecord)
     return [(sub, each.access_type, each.default) for sub, each in sorted(record.subindices.items())]
 
 
 def test_an_object_that_is_no_record_has_sub_index_0() -> None:
-    variables = [each for each in object_dictionary().values() if isinstance(each, ODVariable)]
+    variables = [each for each in dictionary(5).values() if isinstance(each, ODVariable)]
     assert {each.index for each in variables} > {0x1000, 0x1001, 0x1005, 0x1017, 0x6040, 0x60FF}
     assert {each.subindex for each in variables} == {0}
 
