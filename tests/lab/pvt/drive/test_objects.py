@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.drive import IDLE, MOVING, WAITING, Drive
-from motionlang.lab.pvt.drive.objects import BY_ADDRESS, OBJECTS, SUB_MODES, Abort, ObjectServer
+from motionlang.lab.pvt.drive.drive import MOVING, Drive
+from motionlang.lab.pvt.drive.objects import BY_ADDRESS, OBJECTS, Abort, ObjectServer
 from motionlang.lab.pvt.drive.packet import Packet, PacketCommand
 from motionlang.lab.pvt.drive.point import WirePoint
 
@@ -28,64 +28,6 @@ def send(server: ObjectServer, number: int, point: WirePoint) -> None:
 
 def added(server: ObjectServer) -> list[tuple[int, int | None, int]]:
     return [(e.position, e.velocity, e.microseconds) for e in server.drive.buffer.entries]
-
-
-@pytest.mark.parametrize(
-    ("mode", "writes", "entry"),
-    [
-        (0, [(1, 500)], (500, None, 15_000)),
-        (-1, [(1, 500)], (500, None, 15_000)),
-        (-2, [(1, 500), (2, 20)], (500, None, 20_000)),
-        (-3, [(1, 500), (2, 20), (3, -70)], (500, -70, 20_000)),
-    ],
-)
-def test_the_last_sub_index_of_each_sub_mode_adds_the_point(
-    server: ObjectServer, mode: int, writes: list[tuple[int, int]], entry: tuple[int, int | None, int]
-) -> None:
-    server.write(0x60C0, 0, mode)
-    server.write(0x60C2, 1, 15)
-    for sub, value in writes:
-        assert added(server) == []
-        server.write(0x60C1, sub, value)
-    assert added(server) == [entry]
-
-
-@pytest.mark.parametrize(("mode", "sub"), [(0, 2), (0, 3), (-1, 2), (-1, 3), (-2, 3)])
-def test_sub_indices_that_a_sub_mode_does_not_use_are_refused(
-    server: ObjectServer, mode: int, sub: int
-) -> None:
-    server.write(0x60C0, 0, mode)
-    with pytest.raises(Abort, match=f"sub-mode {mode} does not use sub-index {sub}") as refused:
-        server.write(0x60C1, sub, 1)
-    assert refused.value.code == DEVICE_STATE
-    assert added(server) == []
-
-
-@pytest.mark.parametrize("mode", [1, 2, 3, -4, 32767])
-def test_there_are_four_sub_modes(server: ObjectServer, mode: int) -> None:
-    assert sorted(SUB_MODES) == [-3, -2, -1, 0]
-    with pytest.raises(Abort, match=f"no sub-mode {mode}") as refused:
-        server.write(0x60C0, 0, mode)
-    assert refused.value.code == VALUE_RANGE
-
-
-@pytest.mark.parametrize(
-    ("units", "index", "microseconds"),
-    [(1, -3, 1000), (15, -3, 15_000), (255, -6, 255), (20, -4, 2000), (7, -5, 70)],
-)
-def test_the_fixed_time_is_units_times_a_power_of_ten(
-    server: ObjectServer, units: int, index: int, microseconds: int
-) -> None:
-    server.write(0x60C2, 1, units)
-    server.write(0x60C2, 2, index)
-    assert server.period() == microseconds
-
-
-@pytest.mark.parametrize(("sub", "value"), [(1, 0), (1, 256), (2, -2), (2, -7)])
-def test_other_fixed_times_are_refused(server: ObjectServer, sub: int, value: int) -> None:
-    with pytest.raises(Abort, match=r"0x60C2") as refused:
-        server.write(0x60C2, sub, value)
-    assert refused.value.code == VALUE_RANGE
 
 
 def test_bit_4_of_the_control_word_starts_and_ends(server: ObjectServer) -> None:
@@ -124,47 +66,6 @@ def test_a_drive_that_is_disabled_in_mid_move_brakes_first(server: ObjectServer)
     assert (server.read(0x6041, 0), server.read(0x603F, 0)) == (0x0650, 0)
 
 
-def test_the_drive_must_be_switched_on_step_by_step() -> None:
-    server = ObjectServer(Drive())
-    server.write(0x6060, 0, 7)
-    server.write(0x6040, 0, 0x1F)
-    assert server.read(0x6041, 0) & 0x6F == 0x40
-    assert server.drive.state == IDLE
-    for control, bits in ((0x06, 0x21), (0x07, 0x23), (0x0F, 0x27)):
-        server.write(0x6040, 0, control)
-        assert server.read(0x6041, 0) & 0x6F == bits
-
-
-def test_only_interpolated_position_mode_starts() -> None:
-    server = ObjectServer(Drive())
-    for control in (0x06, 0x07, 0x0F, 0x1F):
-        server.write(0x6040, 0, control)
-    assert server.drive.state == IDLE
-    with pytest.raises(Abort, match="mode 4 is not simulated, only 1, 3, 6, 7") as refused:
-        server.write(0x6060, 0, 4)
-    assert refused.value.code == VALUE_RANGE
-
-
-def test_the_first_sub_mode_waits_for_three_points() -> None:
-    server = ObjectServer(Drive())
-    for index, value in ((0x6060, 7), (0x6040, 6), (0x6040, 7), (0x6040, 15), (0x6040, 31)):
-        server.write(index, 0, value)
-    assert server.drive.state == WAITING
-    for position, state in ((0, WAITING), (5, WAITING), (9, MOVING)):
-        server.write(0x60C1, 1, position)
-        assert server.drive.state == state
-
-
-def test_modes_do_not_change_in_mid_move(server: ObjectServer) -> None:
-    server.write(0x60C0, 0, 0)
-    server.write(0x6040, 0, 0x1F)
-    assert server.drive.state == WAITING
-    for index, value in ((0x60C0, -1), (0x6060, 0)):
-        with pytest.raises(Abort, match="while a move is in progress") as refused:
-            server.write(index, 0, value)
-        assert refused.value.code == DEVICE_STATE
-
-
 def test_a_lost_segment_is_a_sequence_error_until_it_is_cleared(server: ObjectServer) -> None:
     send(server, 0, WirePoint(0, 0, 10))
     send(server, 2, WirePoint(2, 0, 10))
@@ -196,15 +97,6 @@ def test_free_count_and_status(server: ObjectServer) -> None:
     send(server, 0, WirePoint(0, 0, 10))
     assert server.read(0x2011, 0) == 31
     assert server.read(0x2012, 0) == 0x001F_0001
-
-
-def test_a_full_buffer_refuses_the_record_and_latches_an_overflow(server: ObjectServer) -> None:
-    server.write(0x60C0, 0, -1)
-    for n in range(32):
-        server.write(0x60C1, 1, n)
-    with pytest.raises(Abort, match="full"):
-        server.write(0x60C1, 1, 32)
-    assert packet.decode_status(server.read(0x2012, 0)).errors == packet.OVERFLOW
 
 
 @pytest.mark.parametrize("entry", OBJECTS, ids=lambda o: f"{o.index:04X}-{o.sub}")
@@ -242,19 +134,3 @@ def test_bad_packets_are_refused_with_their_code(server: ObjectServer, data: byt
     with pytest.raises(Abort) as refused:
         server.write_packet(data)
     assert refused.value.code == code
-
-
-def test_the_quick_stop_deceleration_brakes(server: ObjectServer) -> None:
-    assert server.drive.abort_deceleration == 1_000_000.0
-    server.write(0x6085, 0, 5000)
-    assert server.drive.abort_deceleration == 50_000.0
-    assert server.read(0x6085, 0) == 5000
-    server.write(0x6085, 0, 1)
-    assert server.drive.abort_deceleration == 10.0
-    with pytest.raises(Abort, match="greater than zero"):
-        server.write(0x6085, 0, 0)
-
-
-def test_positions_are_32_bits_and_wrap() -> None:
-    server = ObjectServer(Drive(2.0**31))
-    assert server.read(0x6062, 0) == -(2**31)
