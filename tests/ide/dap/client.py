@@ -2,15 +2,50 @@
 
 from __future__ import annotations
 
-import io
+import json
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
 
 from motionlang.ide.dap.adapter import Adapter
-from motionlang.ide.dap.framing import read, written
 from tests.ide.dap.schema import is_installed, problems
 
+# The requests that the adapter knows, and further ones of the protocol that it adds.
+COMMANDS = [
+    "initialize",
+    "launch",
+    "configurationDone",
+    "setBreakpoints",
+    "setFunctionBreakpoints",
+    "setExceptionBreakpoints",
+    "setDataBreakpoints",
+    "dataBreakpointInfo",
+    "breakpointLocations",
+    "threads",
+    "stackTrace",
+    "scopes",
+    "variables",
+    "setVariable",
+    "setExpression",
+    "evaluate",
+    "completions",
+    "exceptionInfo",
+    "gotoTargets",
+    "goto",
+    "continue",
+    "next",
+    "stepIn",
+    "stepOut",
+    "stepBack",
+    "reverseContinue",
+    "goToTime",
+    "lastChange",
+    "pause",
+    "restart",
+    "cancel",
+    "terminate",
+    "disconnect",
+]
 # More than any test needs, s.
 PATIENCE = 60.0
 
@@ -25,11 +60,14 @@ class Client:
         self._seq = 0
 
     def _receive(self, message: dict[str, Any]) -> None:
-        again = read(io.BytesIO(written(message)))
-        assert again is not None
+        again = json.loads(json.dumps(message, allow_nan=False))
         if is_installed():
             assert problems(again) == []
         self._messages.put(again)
+
+    def taken(self) -> list[dict[str, Any]]:
+        """Return the messages that have arrived and were not read."""
+        return [self._messages.get() for _ in range(self._messages.qsize())]
 
     def request(self, command: str, **arguments: object) -> dict[str, Any]:
         """Send a request and return its response."""

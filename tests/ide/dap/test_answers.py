@@ -12,10 +12,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.ide.dap.adapter import Adapter
-from motionlang.ide.dap.tables import PHASES
-from motionlang.ide.debug.expressions import READINGS
-from tests.ide.dap.client import PATIENCE, Client
+from tests.ide.dap.client import COMMANDS, PATIENCE, Client
 from tests.ide.dap.test_requests import PROGRAM
 from tests.ide.debug.test_debugger import CALLS
 
@@ -48,7 +45,7 @@ def test_the_capabilities_are_those_of_the_requests(client: Client) -> None:
     found = client.ask("initialize", adapterID="x")
     assert {name for name in found if name.startswith("supports")} == {*REQUESTS, *ARGUMENTS}
     assert [name for name in found if name.startswith("supports") and found[name] is not True] == []
-    assert {each for names in REQUESTS.values() for each in names} < set(PHASES)
+    assert {each for names in REQUESTS.values() for each in names} < set(COMMANDS)
     assert found["completionTriggerCharacters"] == ["."]
     assert [(each["filter"], each["default"]) for each in found["exceptionBreakpointFilters"]] == [
         ("error", True), ("fault", False), ("limit", False), ("clamp", False),
@@ -63,6 +60,22 @@ def scope(name: str, reference: int, **more: str) -> dict[str, object]:
     return {"name": name, "variablesReference": reference, "expensive": False, **more}
 
 
+# What an expression can read, in the order of the completions.
+READINGS = [
+    "position",
+    "pos",
+    "velocity",
+    "vel",
+    "target",
+    "idle",
+    "input",
+    "in",
+    "inx",
+    "output",
+    "out",
+    "outx",
+    "time",
+]
 SKIPPED = "iterations of a polling loop that are skipped do not count"
 
 
@@ -263,30 +276,29 @@ def test_progress_of_a_search_is_reported_to_clients_that_show_it(
         client.go("continue")
 
 
-def test_requests_that_are_none() -> None:
+def test_requests_that_are_none(client: Client) -> None:
     """A response has the number of its request, or 0."""
-    received: list[dict[str, Any]] = []
-    adapter = Adapter(received.append)
+    adapter = client.adapter
     adapter.handle({"type": "response", "seq": 1, "command": "threads"})
-    assert received == []
+    assert client.taken() == []
     for seq, command, number, name in (
         (True, "fly", 0, "fly"),
         ("7", 5, 0, ""),
         (7, "threads", 7, "threads"),
     ):
         adapter.handle({"type": "request", "seq": seq, "command": command})
-        response = received.pop()
+        (response,) = client.taken()
         assert (response["request_seq"], response["command"], response["success"]) == (number, name, False)
     texts = [f"there is no request {'x' * 60!r}", "threads is not possible now: the session is new"]
     for command, text in zip(("x" * 70, "threads"), texts, strict=True):
         adapter.handle({"type": "request", "seq": 8, "command": command})
-        error = received.pop()["body"]["error"]
+        error = client.taken()[0]["body"]["error"]
         assert (error["format"], error["showUser"]) == (text, command != "threads")
     assert not adapter.is_over
     adapter.handle({"type": "request", "seq": 9, "command": "disconnect"})
     assert adapter.is_over
     adapter.handle({"type": "request", "seq": 10, "command": "initialize"})
-    assert [(each["seq"], each.get("message")) for each in received] == [
+    assert [(each["seq"], each.get("message")) for each in client.taken()] == [
         (6, None),
         (7, "the session is over"),
     ]
@@ -385,7 +397,7 @@ def test_completions_before_a_word(client: Client, tmp_path: Path, column: int) 
     client.launch(path, stopOnEntry=True)
     client.begin()
     found = client.ask("completions", text="to", column=column)["targets"]
-    assert [each["label"] for each in found] == ["total", *READINGS, "time"]
+    assert [each["label"] for each in found] == ["total", *READINGS]
     assert {(each["start"], each["length"]) for each in found} == {(column, 0)}
 
 

@@ -13,8 +13,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.ide.dap.tables import PHASES
-from tests.ide.dap.client import Client
+from tests.ide.dap.client import COMMANDS, Client
 from tests.ide.debug.test_debugger import CALLS, MACROS, MOVE
 
 PROGRAMS = {
@@ -54,7 +53,7 @@ def session(seed: int, folder: Path) -> int:
             client.request("configurationDone")
     count = 0
     for _ in range(MESSAGES):
-        command = draw.choice([*PHASES, *PHASES, "nonsense", ""])
+        command = draw.choice([*COMMANDS, *COMMANDS, "nonsense", ""])
         if command in ("disconnect", "terminate", "restart") and draw.random() < 0.8:
             continue
         arguments = {draw.choice(NAMES): draw.choice(VALUES) for _ in range(draw.randrange(6))}

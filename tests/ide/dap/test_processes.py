@@ -12,7 +12,7 @@ from typing import IO, Any
 import pytest
 
 from motionlang.hosts.address import listen, shown
-from motionlang.ide.dap.framing import read, written
+from tests.ide.dap.wire import read, written
 from tests.ide.debug.test_debugger import CALLS
 
 ENDLESS = "Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n"
@@ -127,6 +127,10 @@ def test_the_adapter_ends_with_its_client(stdio: subprocess.Popen[bytes], tmp_pa
     [
         (b"\r\n\r\nContent-Length: 2\r\n\r\n{}", b""),
         (b"Content-Length: 4\r\n\r\nnull", b"the message is not an object"),
+        (
+            b"Content-Length: 2\r\n\r\n[]" + written({"type": "request", "command": "fly"}),
+            b"there is no request 'fly'",
+        ),
         (b"Content-Length: 3\r\n\r\n\xff\xfe!", b"the message is not JSON in UTF-8"),
         (b"Content-Length: 9\r\n\r\n" + b"[" * 9, b"the message is not JSON in UTF-8"),
         (b"Content-Length: many\r\n\r\n", b"may have up to"),

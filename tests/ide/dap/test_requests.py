@@ -5,16 +5,11 @@ Arguments, lines from 0 or 1, variables, watches, and the frames of messages.
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from motionlang.ide.dap.arguments import Arguments, Refused
-from motionlang.ide.dap.framing import MAX_BODY, MAX_HEADER, WrongMessage, read, written
-from motionlang.ide.dap.showing import Showing
 from tests.ide.dap.client import Client
 from tests.ide.debug.test_debugger import CALLS, MOVE
 
@@ -37,138 +32,6 @@ def stopped(client: Client, tmp_path: Path) -> tuple[Client, dict[str, Any]]:
     client.launch(path, input=["5=1"], analog=["0=25"])
     client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 5}])
     return client, client.begin()
-
-
-# --------------------------------------------------------------------------------------------------- arguments
-
-
-@pytest.mark.parametrize(
-    ("kind", "value", "wanted"),
-    [
-        ("text", "x", "x"),
-        ("text", 5, "a must be a text"),
-        ("text", None, "a must be a text"),
-        ("number", -7, -7),
-        ("number", 2**53 - 1, 2**53 - 1),
-        ("number", 2**53, "a must be a whole number"),
-        ("number", -(2**53), "a must be a whole number"),
-        ("number", True, "a must be a whole number"),
-        ("number", 1.0, "a must be a whole number"),
-        ("seconds", 0, 0.0),
-        ("seconds", 2.5, 2.5),
-        ("seconds", None, None),
-        ("seconds", -0.5, "a must be a time in seconds"),
-        ("seconds", 1e9, "a must be a time in seconds"),
-        ("seconds", True, "a must be a time in seconds"),
-        ("flag", True, True),
-        ("flag", None, False),
-        ("flag", 1, "a must be true or false"),
-        ("objects", None, []),
-        ("objects", [1], "a must be a list of objects"),
-        ("objects", {}, "a must be a list of objects"),
-        ("texts", None, []),
-        ("texts", "x", ["x"]),
-        ("texts", ["x", "y"], ["x", "y"]),
-        ("texts", ["x", 1], "a must be a list of texts"),
-        ("texts", 1, "a must be a list of texts"),
-        ("items", None, {}),
-        ("items", {"x": 1, "y": "z"}, {"x": 1, "y": "z"}),
-        ("items", {"x": True}, "the values of a must be numbers or texts"),
-        ("items", {"x": []}, "the values of a must be numbers or texts"),
-        ("items", [], "a must be an object"),
-    ],
-)
-def test_an_argument(kind: str, value: object, wanted: object) -> None:
-    arguments = Arguments({"a": value})
-    try:
-        found = getattr(arguments, kind)("a")
-    except Refused as refused:
-        found = str(refused)
-    assert found == wanted
-
-
-def test_arguments_that_are_missing() -> None:
-    none = Arguments(None)
-    assert (none.text("a", "x"), none.number("a", 7), none.seconds("a", 2.0)) == ("x", 7, 2.0)
-    assert none.flag("a", True) is True
-    with pytest.raises(Refused, match="arguments must be an object"):
-        Arguments([])
-
-
-# --------------------------------------------------------------------------------------------------- messages
-
-
-def framed(*parts: bytes) -> io.BytesIO:
-    return io.BytesIO(b"".join(parts))
-
-
-def test_messages_one_after_another() -> None:
-    """The header has any letter case and further fields.
-
-    Blank lines before it are skipped.
-    """
-    stream = framed(
-        written({"a": "ä"}),
-        b"\r\n\n",
-        b"content-LENGTH : 2 \r\nContent-Type: x\r\n\r\n{}",
-        b"Content-Length: 5\r\n\r\n{}",
-    )
-    assert [read(stream) for _ in range(4)] == [{"a": "ä"}, {}, None, None]
-    assert written({"a": "ä"}) == b'Content-Length: 11\r\n\r\n{"a": "\xc3\xa4"}'
-
-
-@pytest.mark.parametrize(
-    ("data", "message", "is_fatal"),
-    [
-        (b"Content-Length: 2\r\n\r\n[]", "the message is not an object", False),
-        (b"Content-Length: 1\r\n\r\n{", "the message is not JSON in UTF-8", False),
-        (b"Content-Length: 1\r\n\r\n\xff", "the message is not JSON in UTF-8", False),
-        (b"Content-Length: x\r\n\r\n", "the message may have up to 67108864 bytes", True),
-        (
-            b"Content-Length: %d\r\n\r\n" % (MAX_BODY + 1),
-            f"the message may have up to {MAX_BODY} bytes",
-            True,
-        ),
-        (b"Other: 1\r\n\r\n", "the header has no Content-Length", True),
-        (b"x" * MAX_HEADER + b"\n", "the header is too long", True),
-        (b"a: b\r\n" * 2000, "the header is too long", True),
-        (b"no line end", "the header is too long", True),
-    ],
-)
-def test_a_message_that_cannot_be_read(data: bytes, message: str, is_fatal: bool) -> None:
-    """The stream can go on after a body that is no message.
-
-    It cannot after a wrong header.
-    """
-    with pytest.raises(WrongMessage) as caught:
-        read(framed(data))
-    assert (str(caught.value), caught.value.is_fatal) == (message, is_fatal)
-
-
-class Narrow(io.BytesIO):
-    """A stream on which at most 3 bytes of a message arrive at a time."""
-
-    def read(self, size: int | None = -1, /) -> bytes:
-        assert size is not None
-        return super().read(min(size, 3))
-
-
-def test_messages_that_arrive_in_several_packets() -> None:
-    stream = Narrow(written({"a": "bcdef"}) + written({"g": 1}))
-    assert [read(stream) for _ in range(3)] == [{"a": "bcdef"}, {"g": 1}, None]
-
-
-def test_a_body_of_the_largest_size_is_read() -> None:
-    """The stream ends before it."""
-    assert read(framed(b"Content-Length: %d\r\n\r\n{}" % MAX_BODY)) is None
-
-
-def test_a_header_of_the_largest_size() -> None:
-    field = b"a: " + b"b" * (8192 - 3 - 2 - 19 - 2) + b"\r\n"
-    head = b"Content-Length: 2\r\n"
-    assert read(framed(field, head, b"\r\n{}")) == {}
-    with pytest.raises(WrongMessage):
-        read(framed(b"b", field, head, b"\r\n{}"))
 
 
 # -------------------------------------------------------------------------------------------------- variables
@@ -499,11 +362,6 @@ def test_requests_in_the_wrong_phase(client: Client, tmp_path: Path) -> None:
     assert "time must be a time in seconds" in client.refused("goToTime")
 
 
-def test_numbers_that_json_does_not_have_are_no_message() -> None:
-    with pytest.raises(ValueError, match="not JSON compliant"):
-        written({"a": float("nan")})
-
-
 def test_an_error_has_a_number_and_is_shown_for_requests_of_the_user(client: Client) -> None:
     """Braces would be variables of the text."""
     error = client.request("fly{me}")["body"]["error"]
@@ -545,42 +403,3 @@ def test_the_console_is_free_again_after_an_answer(client: Client, tmp_path: Pat
     assert client.ask("evaluate", expression="21", context="repl") == none
     client.wait("stopped")
     assert client.ask("evaluate", expression="n * 2", context="repl")["result"] == "42"
-
-
-@pytest.mark.parametrize(
-    ("lines", "first", "line", "column"), [([3, 7], 1, 7, 1), ([3, 7], 0, 6, 0), ([], 1, 1, 1), ([], 0, 0, 0)]
-)
-def test_the_frame_of_a_program_that_has_ended(lines: list[int], first: int, line: int, column: int) -> None:
-    """It is after the last statement; numbers of earlier frames are not used again."""
-    state = SimpleNamespace(tasks=list)
-    debugger: Any = SimpleNamespace(run=object(), lines=lines, state=lambda: state)
-    showing = Showing(debugger, "/programs/a.mnt", first, first)
-    for number in (1, 2):
-        assert showing.stack(Arguments({"threadId": 1})) == {
-            "stackFrames": [
-                {
-                    "id": number,
-                    "name": "end of the program",
-                    "source": {"name": "a.mnt", "path": "/programs/a.mnt"},
-                    "line": line,
-                    "column": column,
-                }
-            ],
-            "totalFrames": 1,
-        }
-        showing.forget()
-    with pytest.raises(Refused, match="there is no thread 2"):
-        showing.stack(Arguments({"threadId": 2}))
-    debugger.run = None
-    with pytest.raises(Refused, match="there is no thread 1"):
-        showing.stack(Arguments({"threadId": 1}))
-
-
-def test_threads_have_numbers_and_variables_of_the_stopped_one_can_be_set() -> None:
-    debugger: Any = SimpleNamespace(stop=None)
-    showing = Showing(debugger, "a.mnt", 1, 1)
-    assert [showing.number(name) for name in ("main", "lamp", "main", "timer")] == [1, 2, 1, 3]
-    showing._frames += [("main", 0), ("lamp", 0)]
-    assert not showing._is_current(0)
-    debugger.stop = SimpleNamespace(task="lamp")
-    assert [showing._is_current(frame) for frame in (0, 1)] == [False, True]
