@@ -8,8 +8,10 @@ import pytest
 
 from motionlang.ide.debug import checkpoints
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
+from motionlang.ide.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.replay import NEAR
+from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.kernel import Hook, Source, dialect, entries, run
 from tests.ide.debug.walks import go_to_number, snapshot
 from tests.ide.debug.whole import whole
@@ -182,3 +184,32 @@ def test_a_round_for_a_snapshot_lets_no_event_come_earlier(at: float, round_at: 
     hook = Hook(lambda task, time, offset: None)
     hook.round_at = round_at
     assert whole(run(source, machine=settings, hook=hook)) == whole(run(source, machine=settings))
+
+
+def checkpoint(number: int) -> Checkpoint:
+    return Checkpoint(number, float(number), Snapshot(None), {}, 0, 0, 0)
+
+
+def test_the_checkpoints_before_a_statement_and_a_time() -> None:
+    made = Checkpoints()
+    for number in (16, 32, 50):
+        made.add(checkpoint(number))
+    assert [[each.number for each in made.before(number)] for number in (16, 17, 50, 51)] == [
+        [], [16], [16, 32], [16, 32, 50],
+    ]  # fmt: skip
+    found = [made.before_time(time) for time in (16.0, 20.0, 32.0, 99.0)]
+    assert [each and each.number for each in found] == [None, 16, 16, 50]
+    assert made.due == 66
+    made.drop_after(made.before(33)[-1])
+    assert ([each.number for each in made.before(99)], made.due) == ([16, 32], 48)
+    made.drop_after(None)
+    assert (made.before(99), made.due) == ([], 16)
+
+
+def test_of_too_many_checkpoints_every_second_one_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checkpoints, "MAX_CHECKPOINTS", 4)
+    made = Checkpoints()
+    while made.due < 500:
+        made.add(checkpoint(int(made.due)))
+    assert [each.number for each in made.before(999)] == [16, 144, 272, 400]
+    assert made.due == 528

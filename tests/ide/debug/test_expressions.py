@@ -6,11 +6,12 @@ import pytest
 
 from motionlang.ide.debug.breakpoints import Breakpoint
 from motionlang.ide.debug.destinations import destination
-from motionlang.ide.debug.expressions import MAX_DEPTH, MAX_LENGTH, WrongExpression, parse
+from motionlang.ide.debug.expressions import WrongExpression, parse
 from motionlang.ide.debug.moments import Moment, search, together
 from motionlang.ide.debug.values import shown
 from tests.ide.debug.test_debugger import MOVE, line_of, mint
 
+MAX_LENGTH, MAX_DEPTH = 1000, 50
 READINGS = {
     "time": 5.0,
     "position": 10.0,

@@ -5,22 +5,33 @@ Axes, channels, variables and expressions, and the checkpoints of a run.
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import pytest
 
-from motionlang.ide.debug import checkpoints, scopes
-from motionlang.ide.debug import debugger as module
 from motionlang.ide.debug.breakpoints import Watched
-from motionlang.ide.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.ide.debug.debugger import Debugger
-from motionlang.ide.debug.expressions import READINGS, WrongExpression
+from motionlang.ide.debug.expressions import WrongExpression
 from motionlang.ide.debug.moments import search
-from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.ide.debug.values import shown
 from tests.cases import cases
 from tests.ide.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
 from tests.ide.debug.walks import go_to_number
+
+# What an expression can read, in the order of the completions.
+READINGS = [
+    "position",
+    "pos",
+    "velocity",
+    "vel",
+    "target",
+    "idle",
+    "input",
+    "in",
+    "inx",
+    "output",
+    "out",
+    "outx",
+    "time",
+]
 
 
 def axis(debugger: Debugger, number: int = 0) -> dict[str, str]:
@@ -74,25 +85,17 @@ def test_the_time_at_a_stop_and_at_the_end() -> None:
 
 
 def test_the_lines_of_an_axis_in_order() -> None:
-    """A motor is listed after the position, the moment of the stop at the end."""
+    """That of a motor is listed after its demand, the moment of the stop at the end."""
     debugger = mint(MOVE)
     debugger.searches = [search("output 2 rises", range(8))]
     debugger.start(False)
     assert list(axis(debugger)) == [
         "position", "velocity", "target", "state", "faults", "buffer", "position at 3e-05 s", "velocity at 3e-05 s",
     ]  # fmt: skip
-    debugger.searches = []
-    debugger.go_on()
-    assert debugger.run is not None
-    machine = debugger.run.machine
-    motor = SimpleNamespace(known_position=lambda time: 7.0 * time)
-    machine.controller.axes[0].feedback = motor  # type: ignore[assignment]
-    lines = scopes.axes(machine, 3.0)[0].value
-    assert isinstance(lines, list)
-    assert [(each.name, each.type, each.value) for each in lines[:2]] == [
-        ("position", "uu", 100.0),
-        ("measured position", "uu", 21.0),
-    ]
+    motor = mint(MOVE, {"axis.0.plant.inertia": 2e-5})
+    motor.start()
+    motor.go_to_line(6)
+    assert list(axis(motor))[:3] == ["position", "measured position", "velocity"]
 
 
 def test_an_axis_is_idle_if_it_is_at_rest_and_its_move_has_ended() -> None:
@@ -223,7 +226,7 @@ def test_names_for_completion() -> None:
     debugger.start()
     debugger.go_to_line(5)
     names = debugger.state().names()
-    assert names == ["n", "twice", "total", "i", *READINGS, "time"]
+    assert names == ["n", "twice", "total", "i", *READINGS]
     debugger.step_in()
 
 
@@ -283,7 +286,7 @@ Print n
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Search the log every 16 statements, and take a snapshot 8 statements before a stop."""
-    monkeypatch.setattr(module, "STRIDE", 16)
+    monkeypatch.setattr("motionlang.ide.debug.debugger.STRIDE", 16)
     monkeypatch.setattr("motionlang.ide.debug.replay.NEAR", 8)
 
 
@@ -345,35 +348,6 @@ def test_a_statement_by_its_number() -> None:
 
 
 # -------------------------------------------------------------------------------------------------- checkpoints
-
-
-def checkpoint(number: int) -> Checkpoint:
-    return Checkpoint(number, float(number), Snapshot(None), {}, 0, 0, 0)
-
-
-def test_the_checkpoints_before_a_statement_and_a_time() -> None:
-    made = Checkpoints()
-    for number in (16, 32, 50):
-        made.add(checkpoint(number))
-    assert [[each.number for each in made.before(number)] for number in (16, 17, 50, 51)] == [
-        [], [16], [16, 32], [16, 32, 50],
-    ]  # fmt: skip
-    found = [made.before_time(time) for time in (16.0, 20.0, 32.0, 99.0)]
-    assert [each and each.number for each in found] == [None, 16, 16, 50]
-    assert made.due == 66
-    made.drop_after(made.before(33)[-1])
-    assert ([each.number for each in made.before(99)], made.due) == ([16, 32], 48)
-    made.drop_after(None)
-    assert (made.before(99), made.due) == ([], 16)
-
-
-def test_of_too_many_checkpoints_every_second_one_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(checkpoints, "MAX_CHECKPOINTS", 4)
-    made = Checkpoints()
-    while made.due < 500:
-        made.add(checkpoint(int(made.due)))
-    assert [each.number for each in made.before(999)] == [16, 144, 272, 400]
-    assert made.due == 528
 
 
 def test_a_search_backwards_prints_no_log_point() -> None:
@@ -457,7 +431,7 @@ def test_names_of_the_innermost_call_alone() -> None:
     debugger = mint(subs + "Outer()\n")
     debugger.start()
     debugger.go_to_line(6)
-    assert debugger.state().names() == ["n", *READINGS, "time"]
+    assert debugger.state().names() == ["n", *READINGS]
     debugger.abandon()
 
 

@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
-from types import SimpleNamespace
-from typing import cast
-
-import pytest
-from lark import Lark, Token
 
 from motionlang.ide.editor.formatting import format
 from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.times import Times, _fault, times
+from motionlang.ide.editor.times import Times, times
 from motionlang.ide.editor.tokens import MODIFIERS, TYPES, tokens
-from motionlang.kernel import Diagnostic, Run, Source, dialect, execution
-from motionlang.kernel.lang.syntax import grammar
-from motionlang.kernel.mint.syntax import layout
+from motionlang.kernel import Source, dialect
 from tests.cases import cases
 from tests.ide.editor.pages import page
 
@@ -128,22 +120,6 @@ def written(text: str) -> list[tuple[str, str]]:
     return [(kind, piece.rstrip()) for kind, piece, _ in dialect("mint").tokens(text) if piece.strip()]
 
 
-def test_only_lines_that_have_changed_are_split_into_tokens_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    read: list[str] = []
-
-    def lex(parser: Lark, text: str) -> Iterator[Token]:
-        read.append(text)
-        return grammar.lex(parser, text)
-
-    lines = [f"changed{number} = 1" for number in range(9)]
-    laid_out("\n".join(lines))
-    monkeypatch.setattr(layout, "lex", lex)
-    assert laid_out("\n".join([*lines[:4], "Loop", *lines[4:], "changed = 2"])) == "\n".join(
-        [*lines[:4], "Loop", *(f"  {line}" for line in lines[4:]), "  changed = 2"]
-    )
-    assert [line for line in read if line != "Loop\n"] == ["changed = 2\n"]
-
-
 def test_mccl_has_no_layout() -> None:
     assert format(page("  1MN\n", "mccl")) == []
 
@@ -214,29 +190,6 @@ def test_each_task_without_an_end_has_the_line_at_which_the_run_was_cut() -> Non
     assert cut(f"RUN t\nJOG(0) = 1\n{task}").running == []
     assert cut("Loop\nEnd Loop\n").running == [1]
     assert cut("WAIT = 5\n").running == []
-
-
-def test_a_run_that_crashes_has_no_times(monkeypatch: pytest.MonkeyPatch) -> None:
-    def crash(*_: object) -> None:
-        raise ArithmeticError
-
-    monkeypatch.setattr(execution, "_execute", crash)
-    found = times(page("WAIT = 5\n"))
-    assert (found.lines, found.fault, found.until) == ([], None, 0.0)
-
-
-def test_the_last_error_with_a_line_is_the_fault() -> None:
-    """A warning or an error of the machine may follow it."""
-    ended = SimpleNamespace(
-        status="fault",
-        diagnostics=[
-            Diagnostic("syntax", "first", 2),
-            Diagnostic("syntax", "last", 3),
-            Diagnostic("syntax", "a warning", 4, severity="warning"),
-            Diagnostic("syntax", "without a line"),
-        ],
-    )
-    assert _fault(cast("Run", ended)) == (3, "last")
 
 
 def test_a_question_that_nothing_answers_ends_the_run_at_its_line() -> None:

@@ -3,11 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import io
-import signal
-import threading
-from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Future
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -16,26 +11,21 @@ import pytest
 
 pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 
-from motionlang.ide.editor.times import NO_TIMES, Times
-from motionlang.ide.lsp import features, server, session, workers
-from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result, work
-from motionlang.ide.lsp.server import Input, _Limited
-from motionlang.ide.lsp.workers import Inline, Process
+from motionlang.ide.editor.times import Times
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang import NO_NAMES
-from motionlang.kernel.mint.syntax.tokens import PARSER
 from tests.cases import cases
 from tests.ide.lsp.test_answers import MACHINE, ask, at, span
-from tests.ide.lsp.wire import INITIALIZE, URI, Wire
+from tests.ide.lsp.wire import CHECK, INITIALIZE, NAMES, TIMES, URI, Wire, Worker
 
 
-class Timed(Inline):
+class Timed(Worker):
     """Has a time for lines 1 to 3, and an error in line 2 or 4."""
 
     def __init__(self, fault: int = 2, until: float = 0.0) -> None:
         self.fault, self.until = fault, until
 
-    async def do(self, job: Job) -> Result | None:
+    async def do(self, job: Any) -> Any:
         if job.what != TIMES:
             return [] if job.what == CHECK else NO_NAMES
         lines: list[Any] = [Line(number) for number in (3, 1, 2)]
@@ -52,7 +42,7 @@ class Line(SimpleNamespace):
         return f"{self.line} s"
 
 
-def opened(text: str, worker: Inline | None = None, version: int = 1, **initialize: object) -> Wire:
+def opened(text: str, worker: Worker | None = None, version: int = 1, **initialize: object) -> Wire:
     """Return a connection with one open text; call it in an event loop."""
     wire = Wire(worker)
     wire.request("first", "initialize", {**INITIALIZE, **initialize})
@@ -112,7 +102,7 @@ def test_times_are_computed_once_for_a_text_and_again_after_a_change() -> None:
     seen: list[str] = []
 
     class Counted(Timed):
-        async def do(self, job: Job) -> Result | None:
+        async def do(self, job: Any) -> Any:
             seen.append(f"{job.what} {job.name} {job.text!r} {job.language} {job.machine} {job.machine_name}")
             return await super().do(job)
 
@@ -134,58 +124,6 @@ def test_times_are_computed_once_for_a_text_and_again_after_a_change() -> None:
     assert [each for each in seen if each.startswith(TIMES)] == [
         f"times a.mnt 'a = {number}' mint None a.machine.toml" for number in (1, 3)
     ]
-
-
-# ------------------------------------------------------------------------------------------------ large texts
-
-
-@pytest.mark.parametrize("limit", [-1, 0])
-def test_a_text_has_a_largest_size(limit: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A text of the largest size is examined, and one with a character more is not."""
-    text = "Dim n\nn = 1\nPrint n, 1 1\n"
-    for module in (session, features):
-        monkeypatch.setattr(module, "MAX_TEXT", len(text) + limit)
-    found = ask(text)
-    names = [each["name"] for each in ask(text, "documentSymbol")]
-    if limit < 0:
-        message = "the text is too large to be checked as you type\nhint: motionlang check a.mnt checks it"
-        assert found == [
-            {
-                "range": span(0, 0, 1),
-                "message": message,
-                "severity": 2,
-                "code": "limit",
-                "source": "motionlang",
-            }
-        ]
-        assert names == []
-    else:
-        assert [each["code"] for each in found] == ["syntax"]
-        assert names == ["n"]
-
-
-@pytest.mark.parametrize("limit", [-1, 0])
-def test_a_machine_file_has_a_largest_size(limit: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = "[axis.1]\nmotor = "
-    for module in (session, features):
-        monkeypatch.setattr(module, "MAX_TEXT", len(text) + limit)
-    hovered = ask(text, "hover", MACHINE, position=at(1, 2))
-    completed = ask(text, "completion", MACHINE, position=at(1, 8))["items"]
-    assert (hovered is None, len(completed)) == ((True, 0) if limit < 0 else (False, 2))
-
-
-@pytest.mark.parametrize("limit", [-1, 0])
-def test_a_text_that_is_too_large_has_no_times(limit: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(session, "MAX_TEXT", 5 + limit)
-
-    async def whole() -> Any:
-        wire = opened("a = 1", Timed())
-        area = {"start": at(0, 0), "end": at(0, 0)}
-        wire.request(1, "textDocument/inlayHint", {"textDocument": {"uri": URI}, "range": area})
-        await wire.settled()
-        return wire.answers()[1][0]["result"]
-
-    assert len(asyncio.run(whole())) == 1 + limit
 
 
 # ----------------------------------------------------------------------------------------------------- changes
@@ -269,7 +207,7 @@ def test_an_editor_is_asked_to_watch_machine_files(watched: object, count: int) 
     assert asyncio.run(whole()) == [{"registrations": [wanted]}] * count
 
 
-async def checked(worker: Inline) -> Wire:
+async def checked(worker: Worker) -> Wire:
     """Return a connection with an empty text that has been checked."""
     wire = opened("", worker)
     await wire.settled()
@@ -285,8 +223,8 @@ def test_a_check_without_a_result_is_repeated_once() -> None:
     ):
         left: list[Any] = list(results)
 
-        class Dying(Inline):
-            async def do(self, job: Job, left: list[Any] = left) -> Result | None:
+        class Dying(Worker):
+            async def do(self, job: Any, left: list[Any] = left) -> Any:
                 found: list[Diagnostic] | None = left.pop(0) if job.what == CHECK else []
                 return found
 
@@ -297,8 +235,8 @@ def test_a_check_without_a_result_is_repeated_once() -> None:
 def test_an_internal_error_marks_the_first_character() -> None:
     """Its message has only the first line of the exception."""
 
-    class Failing(Inline):
-        async def do(self, job: Job) -> Result | None:
+    class Failing(Worker):
+        async def do(self, job: Any) -> Any:
             raise KeyError("a")
 
     async def whole() -> Any:
@@ -315,7 +253,7 @@ def test_an_internal_error_marks_the_first_character() -> None:
 def test_a_session_that_stops_starts_no_check() -> None:
     stopped: list[bool] = []
 
-    class Stopped(Inline):
+    class Stopped(Worker):
         def stop(self) -> None:
             stopped.append(True)
 
@@ -348,15 +286,7 @@ def test_a_text_is_checked_at_once_when_it_is_opened_and_after_a_pause_when_it_c
         await wire.settled()
         return delays
 
-    assert asyncio.run(whole()) == [0.0, session.PAUSE]
-
-
-@cases(
-    "name, is_one",
-    [("a.machine.toml", True), ("machine.toml", True), ("amachine.toml", False), ("a.toml", False)],
-)
-def test_names_of_machine_files(name: str, is_one: bool) -> None:
-    assert session.is_machine_file(name) is is_one
+    assert asyncio.run(whole()) == [0.0, 0.2]
 
 
 # --------------------------------------------------------------------------------------------- broken messages
@@ -414,113 +344,6 @@ def test_a_request_before_and_after_the_session(method: str) -> None:
     assert asyncio.run(whole()) == [{"code": -32002, "message": "the server is not initialized"}, down, down]
 
 
-@pytest.mark.parametrize("count", [9, 10, 11, 13, 16])
-def test_a_message_that_is_too_large_is_skipped(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Messages have up to 10 bytes here, and larger ones are skipped in chunks of 4."""
-    monkeypatch.setattr(server, "MAX_MESSAGE", 10)
-    monkeypatch.setattr(server, "_CHUNK", 4)
-    body, rest = b"x" * count, b"the next message"
-    wanted = body if count <= 10 else b"{}"
-
-    async def limited(data: bytes) -> list[bytes]:
-        reader = asyncio.StreamReader(limit=20)
-        reader.feed_data(data)
-        reader.feed_eof()
-        stream = _Limited(reader)
-        return [await stream.readexactly(count), await reader.read()]
-
-    stream = io.BytesIO(body + rest)
-    assert [Input(stream).read(count), stream.read()] == [wanted, rest]
-    assert asyncio.run(limited(body + rest)) == [wanted, rest]
-    if count > 10:
-        assert Input(io.BytesIO(b"short")).read(count) == b"{}"
-        assert asyncio.run(limited(b"short")) == [b"", b""]
-
-
-# ----------------------------------------------------------------------------------------------------- workers
-
-JOB = Job(CHECK, "a.mnt", "x = 1\n", "mint", None, "a.machine.toml")
-RUN = Job(TIMES, "a.mnt", "WAIT = 500\n", "mint", None, "a.machine.toml")
-
-
-def test_a_process_does_one_job_after_another_and_is_replaced_if_it_dies(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """The second job breaks its process, and the fourth takes too long."""
-    made: list[int] = []
-    ended: list[int] = []
-    results: list[Any] = [[], BrokenExecutor(), [], None, []]
-
-    class Workers:
-        def __init__(self, count: int) -> None:
-            made.append(count)
-
-        def submit(self, action: object, job: Job, limit: float) -> Future[Any]:
-            assert (action, job, limit) == (workers._limited, JOB, 3.0)
-            future: Future[Any] = Future()
-            result = results.pop(0)
-            if isinstance(result, Exception):
-                future.set_exception(result)
-            elif result is not None:
-                future.set_result(result)
-            return future
-
-        def stop(self) -> None:
-            ended.append(len(made))
-
-    async def whole() -> list[Any]:
-        process = Process(0.0 if not results else 0.01, 3.0)
-        found = [await process.do(JOB) for _ in range(5)]
-        process.stop()
-        process.stop()
-        return found
-
-    monkeypatch.setattr("motionlang.commands.processes.workers.Workers", Workers)
-    assert asyncio.run(whole()) == [[], None, [], None, []]
-    assert (made, ended) == ([1, 1, 1], [1, 2, 3])
-
-
-def test_a_run_is_interrupted_after_a_while_and_a_check_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    timers: list[Any] = []
-    handlers: list[tuple[int, object]] = []
-
-    def timer(limit: float, action: Callable[[], None]) -> Any:
-        timers.append(SimpleNamespace(limit=limit, calls=[]))
-        made = timers[-1]
-        for name in ("start", "cancel", "join"):
-            setattr(made, name, lambda name=name: made.calls.append(name))
-        return made
-
-    monkeypatch.setattr(workers, "_silence", lambda: None)
-    monkeypatch.setattr(threading, "Timer", timer)
-    monkeypatch.setattr(signal, "signal", lambda *given: handlers.append(given))
-    found = workers._limited(JOB, 2.5)
-    assert isinstance(found, list)
-    assert ([each.code for each in found], timers) == (["unused-variable"], [])
-    found = workers._limited(RUN, 2.5)
-    assert isinstance(found, Times)
-    assert [each.line for each in found.lines] == [1]
-    monkeypatch.setattr(workers, "work", interrupted)
-    assert workers._limited(RUN, 2.5) is NO_TIMES
-    for each in timers:
-        assert (each.limit, each.daemon, each.calls) == (2.5, True, ["start", "cancel", "join"])
-    assert handlers == [(signal.SIGINT, signal.default_int_handler), (signal.SIGINT, signal.SIG_IGN)] * 2
-
-
-def interrupted(job: Job) -> list[Diagnostic]:
-    raise KeyboardInterrupt
-
-
-def test_a_process_is_detached_from_the_streams_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    replaced: list[int] = []
-    fake = SimpleNamespace()
-    monkeypatch.setattr(workers, "sys", fake)
-    monkeypatch.setattr("os.dup2", lambda null, number: replaced.append(number))
-    for _ in range(2):
-        workers._silence()
-    assert (replaced, fake._motionlang_silent) == ([0, 1], True)
-
-
 def test_the_report_of_an_invalid_machine_file_marks_the_first_line(tmp_path: Path) -> None:
     (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravvel = 1\n")
     (found,) = ask("  x = 1\nPrint x\n", uri=(tmp_path / "a.mnt").as_uri())
@@ -530,16 +353,16 @@ def test_the_report_of_an_invalid_machine_file_marks_the_first_line(tmp_path: Pa
 # ----------------------------------------------------------------------------- names while they are being found
 
 
-class Slow(Inline):
+class Slow(Worker):
     """Finds names when it is allowed to."""
 
     def __init__(self) -> None:
         self.is_allowed = asyncio.Event()
 
-    async def do(self, job: Job) -> Result | None:
+    async def do(self, job: Any) -> Any:
         if job.what == NAMES:
             await self.is_allowed.wait()
-        return work(job) if job.what == NAMES else []
+        return await super().do(job) if job.what == NAMES else []
 
 
 TYPED = """\
@@ -572,28 +395,20 @@ def asked(wire: Wire, number: int, method: str, line: int, character: int, **mor
     )
 
 
-def test_what_a_user_waits_for_is_answered_before_the_text_is_parsed(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_a_user_waits_for_is_answered_before_the_names_are_found() -> None:
     """The names are those of the text before, at their present positions; references wait for the new ones."""
-    parsed: list[str] = []
-
-    def parse(text: str) -> object:
-        parsed.append(text)
-        raise AssertionError
 
     async def whole() -> None:
         slow = Slow()
         wire = await changed(slow)
-        with monkeypatch.context() as patch:
-            patch.setattr(PARSER, "parse", parse)
-            asked(wire, 1, "hover", 3, 3)
-            asked(wire, 2, "completion", 3, 4)
-            asked(wire, 3, "signatureHelp", 6, 7)
-            asked(wire, 4, "formatting", 0, 0, options={"tabSize": 2, "insertSpaces": True})
-            asked(wire, 5, "references", 0, 4, context={"includeDeclaration": True})
-            for _ in range(9):
-                await asyncio.sleep(0)
+        asked(wire, 1, "hover", 3, 3)
+        asked(wire, 2, "completion", 3, 4)
+        asked(wire, 3, "signatureHelp", 6, 7)
+        asked(wire, 4, "formatting", 0, 0, options={"tabSize": 2, "insertSpaces": True})
+        asked(wire, 5, "references", 0, 4, context={"includeDeclaration": True})
+        for _ in range(9):
+            await asyncio.sleep(0)
         answers = wire.answers()
-        assert parsed == []
         assert answers[1][0]["result"]["range"] == span(3, 2, 7)
         assert "count" in [each["label"] for each in answers[2][0]["result"]["items"]]
         assert answers[3][0]["result"]["signatures"][0]["label"] == "Sub Travel(far As Float)"

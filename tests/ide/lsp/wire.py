@@ -10,10 +10,13 @@ from typing import Any
 from pygls.exceptions import JsonRpcException
 
 from motionlang.ide.editor.times import NO_TIMES
-from motionlang.ide.lsp.jobs import TIMES, Job, Result, work
+from motionlang.ide.lsp.jobs import Job, Result, work
 from motionlang.ide.lsp.server import Server
 from motionlang.ide.lsp.workers import Inline
 
+# What does the jobs, in this process here, and the kinds of jobs.
+Worker = Inline
+CHECK, NAMES, TIMES = "check", "names", "times"
 URI = "file:///nowhere/a.mnt"
 # A program with a declaration, a mistake, a comment and a sub.
 PROGRAM = """\
