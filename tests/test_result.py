@@ -24,7 +24,6 @@ from motionlang.kernel import (
     run,
     who_ended,
 )
-from motionlang.kernel.result import interrupted, report_keywords_without_effect
 from tests.cases import cases
 
 ENDLESS = "the program waits until IN(2), which can never happen"
@@ -184,24 +183,6 @@ def new_run() -> Run:
     return Run(Source("a.mnt", " PRINT 1\n"), dialect("mint"), Machine({}))
 
 
-def test_keywords_without_effect_have_five_lines_at_most() -> None:
-    result = new_run()
-    result.machine.without_effect = {
-        "A": [],
-        "B": [3],
-        "C": [2, 1],
-        "D": [6, 5, 4, 3, 2],
-        "E": [6, 5, 4, 3, 2, 1],
-    }
-    result.machine.assumed = {"F": [7]}
-    report_keywords_without_effect(result)
-    assert result.notes == [
-        "keywords without effect here: A, B (line 3), C (lines 1, 2), D (lines 2, 3, 4, 5, 6), "
-        "E (lines 1, 2, 3, 4, 5, …)",
-        "unknown values, 0 or empty here: F (line 7)",
-    ]
-
-
 def test_a_run_in_one_line() -> None:
     result = new_run()
     assert repr(result) == "<Run of a.mnt: ended at 0 s, 0 moves>"
@@ -214,12 +195,6 @@ def test_a_run_in_one_line() -> None:
 def test_an_interrupt_names_its_cause() -> None:
     assert who_ended(Terminated(signal.SIGTERM)) == "by SIGTERM"
     assert who_ended(KeyboardInterrupt()) == "from the keyboard"
-    found = interrupted(new_run(), None, KeyboardInterrupt())
-    assert (found.code, found.message, found.line) == (
-        "interrupted",
-        "the run was ended from the keyboard",
-        0,
-    )
 
 
 def test_an_interrupted_run_ends_at_its_statement() -> None:

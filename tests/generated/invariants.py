@@ -16,8 +16,7 @@ import jsonschema  # type: ignore[import-untyped]
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import Run, WholeTrack
-from motionlang.kernel.log import Move, Waited
-from motionlang.kernel.log.records import Looped
+from motionlang.kernel.log import Move
 from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
@@ -57,7 +56,7 @@ def in_order(result: Run) -> Iterator[str]:
         before, after = next((two for two in pairwise(times) if not two[0] <= two[1]), (0.0, 0.0))
         if before != after:
             yield f"order: {name}: {before!r} s comes before {after!r} s"
-    for each in chain[Waited | Looped](log.waits, log.loops):
+    for each in chain[Any](log.waits, log.loops):
         if each.since > each.until:
             yield f"order: {each} ends before it begins"
 

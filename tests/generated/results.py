@@ -36,7 +36,7 @@ from motionlang.ide.editor import navigation
 from motionlang.ide.editor.completion import complete
 from motionlang.ide.editor.diagnostics import findings
 from motionlang.ide.editor.fixes import fixes
-from motionlang.ide.editor.formatting import formatted_lines
+from motionlang.ide.editor.formatting import format
 from motionlang.ide.editor.hover import hover
 from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
 from motionlang.ide.editor.page import Page
@@ -429,7 +429,11 @@ def _answers(page: Page, draw: Draw) -> Iterator[object]:
         yield from (_fields(fix) for fix in fixes(page, each))
     yield from (_fields(symbol) for symbol in navigation.symbols(page))
     yield navigation.folds(page)
-    yield from formatted_lines(page, "    ")
+    laid_out = page.text
+    for edit in reversed(format(page, "    ")):
+        begin, end = edit.span
+        laid_out = laid_out[:begin] + edit.text + laid_out[end:]
+    yield from laid_out.split("\n")
     yield list(tokens(page, 1, page.text.count("\n") + 1))
     for _ in range(8):
         offset = draw.randrange(len(page.text) + 1)

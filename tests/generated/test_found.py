@@ -13,8 +13,6 @@ import pytest
 
 from motionlang import prove, run
 from motionlang.kernel import Run, Source
-from motionlang.kernel.controller.motion import feedrate
-from motionlang.kernel.controller.motion.takeup import Takeup
 
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
@@ -629,35 +627,6 @@ def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> Non
     assert offset is not None
     assert offset.end == pytest.approx(29.0)
     assert offset.duration == pytest.approx(0.15 + 0.15 + (29.0 - 0.875 - 3.875) / 20.0 + 0.2, abs=1e-6)
-
-
-def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """DECEL is lowered to 50 with 41 of the path left.
-
-    A controller that ignores it brakes at 100, and the proof reports that.
-    """
-    monkeypatch.setattr(feedrate, "_replan", lambda controller, axis, name: None)
-    lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
-    program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
-    found = prove(run(program, prove=True)).violations
-    assert "the path deceleration reaches 100, above 50" in found[0].message
-
-
-def test_the_play_of_an_axis_is_looked_up_once_for_a_rest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A jog at 1 is suspended and comes to rest after 10 µs.
-
-    One second later the play has been looked up for three stretches of time, not for every nanosecond.
-    """
-    stretches, find = list[float](), Takeup._stretch
-
-    def noted(play: Takeup, now: float) -> tuple[float, int]:
-        stretches.append(now)
-        assert len(stretches) < 20
-        return find(play, now)
-
-    monkeypatch.setattr(Takeup, "_stretch", noted)
-    jog = "BACKLASH(0) = 1 : BACKLASHMODE(0) = 1\nJOG(0) = 1\nWAIT = 5\nSUSPEND(0) = 1\nWAIT = 1000\n"
-    assert proved(f"{jog}PRINT ENCODER(0) > 0\nCANCEL(0)\n").output == ["1"]
 
 
 HANDLER = "End\nEvent ONERROR\nERRORCLEAR(_egALL, 0)\nEnd Event\n"

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from random import Random
+from typing import Any
 
 import pytest
 
-from motionlang.commands.check.mint import check
-from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.commands.check import check
+from motionlang.kernel import Diagnostic, Source, dialect
 
 OPERANDS = (
     "a",
@@ -43,13 +43,14 @@ a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4 : r.n = 5
 
 
 def mixed(line: str) -> list[Diagnostic]:
-    found = check(Source("a.mnt", BEFORE + line), {})
+    found = check(Source("a.mnt", BEFORE + line), dialect("mint"), {})
     assert not [each for each in found if each.severity == "error"], line
     return [each for each in found if each.code == "mixed-operators"]
 
 
 def tree(line: str) -> str:
-    return repr(parse(Source("a.mnt", BEFORE + line)).body)
+    module: Any = dialect("mint").parse(Source("a.mnt", BEFORE + line))
+    return repr(module.body)
 
 
 def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> str:
