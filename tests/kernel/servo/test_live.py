@@ -7,17 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import motionlang
-from motionlang.kernel import Controller, Run, Source
-from motionlang.kernel.controller import feedback
-from motionlang.kernel.controller.feedback import Feedback
+from motionlang.kernel import Run, Source
 from motionlang.kernel.servo import simulate
 from motionlang.kernel.tracks import servo_trace
-from motionlang.kernel.tracks.history import figures
-from tests.cases import examples
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
 ROUGH: dict[str, object] = {**MOTOR, "coulomb": 0.003, "quantised": True}
@@ -47,132 +41,8 @@ def printed(
     return [[float(word) for word in line.replace(",", " ").split()] for line in result.output]
 
 
-def fitted(plant: dict[str, object], section: dict[str, object]) -> tuple[Controller, Feedback]:
-    controller = Controller(1)
-    a = controller.axes[0]
-    a.feedback = Feedback(a, controller.clock, plant, section)
-    return controller, a.feedback
-
-
 # --------------------------------------------------------------------------------- equality with a later
 # simulation
-
-
-CHAPTER_12: dict[str, object] = {
-    "arithmetic": "chapter12",
-    "dac_bits": 12,
-    "proportional": 300.0,
-    "derivative": 900.0,
-    "override_steps": 20,
-    "override_hold": 2,
-    "override_speed": 100_000.0,
-}
-DRIVE: dict[str, object] = {"kind": "drive", "quantised": True}
-
-
-@pytest.mark.parametrize(
-    ("plant", "section"),
-    [(MOTOR, GAINS), (ROUGH, GAINS), (DRIVE, CHAPTER_12)],
-    ids=["linear", "rough", "chapter 12"],
-)
-@given(cuts=st.lists(st.floats(0.0, 0.9), min_size=1, max_size=12), stops=st.booleans())
-@settings(max_examples=examples(25))
-def test_what_is_read_live_is_what_a_later_simulation_gives(
-    plant: dict[str, object], section: dict[str, object], cuts: list[float], stops: bool
-) -> None:
-    controller, feedback = fitted(plant, section)
-    seen = []
-    controller.move_to(0, 4000.0)
-    for cut in sorted(cuts):
-        controller.clock.advance(cut)
-        if stops and cut > 0.1:
-            controller.stop(0)
-            controller.move_to(0, 1000.0)
-            stops = False
-        seen.append((controller.clock.now, controller.position(0), controller.velocity(0), feedback.output))
-    assert feedback.chosen is not None
-    later = simulate(controller.axes[0], feedback.chosen.loop, feedback.plant, until=1.0)
-    for time, *readings in seen:
-        k = int(time * RATE + 1e-6)
-        there = [float(column[k]) for column in (later.measured, later.velocity, later.output)]
-        assert readings == pytest.approx(there, rel=1e-9, abs=1e-6)
-
-
-def test_the_figures_of_moves_by_blocks_are_those_of_the_whole_run() -> None:
-    """A block has 8192 samples, 8.192 s, so that some of the moves lie in two.
-
-    The fifth move does not settle, because the next follows after 2 ms.
-    """
-    text = """
-Dim i As Integer
-SPEED(0) = 20000 : ACCEL(0) = 400000 : DECEL(0) = 400000
-For i = 1 To 16
-  MOVER(0) = i * 200 : GO(0) : PAUSE IDLE(0) : WAIT 1000 * (i <> 5) + 2
-Next
-"""
-    controller = run(text, MOTOR, servo=GAINS).controller
-    found, trace = figures(controller), servo_trace(controller.axes[0], controller.clock.now)
-    assert trace is not None
-    assert len(trace) > 16_384
-    error, moves = np.abs(trace.error), controller.log.moves
-    unsettled = []
-    for number, move in enumerate(moves):
-        assert move.profile is not None
-        end = move.start_time + move.profile.duration
-        until = moves[number + 1].start_time if number + 1 < len(moves) else controller.clock.now
-        first, last, following = (int(time * RATE + 1e-6) for time in (move.start_time, end, until))
-        figures_of_move = found.get(number)
-        assert figures_of_move is not None
-        in_motion = slice(first, last + 1)
-        assert figures_of_move[:3] == pytest.approx(
-            (
-                error[in_motion].max(),
-                np.abs(trace.output[in_motion]).max(),
-                np.sqrt(np.mean(trace.torque[in_motion] ** 2)),
-            )
-        )
-        outside = np.flatnonzero(error[last + 1 : following] > 1.0) + last + 1
-        if len(outside) and outside[-1] == following - 1:
-            assert figures_of_move.settle_time is None
-            unsettled.append(number)
-        else:
-            settled = (outside[-1] + 1) / RATE if len(outside) else end
-            assert figures_of_move.settle_time == pytest.approx(settled - end)
-    assert {0, 4} & {*unsettled} == {4}
-
-
-def test_everything_done_to_a_loop_is_in_its_history() -> None:
-    """Gains, new zero, off, on and torque: live readings equal those of a replay."""
-    controller, feedback = fitted(ROUGH, GAINS)
-    seen = []
-
-    def pass_time(seconds: float) -> None:
-        end = controller.clock.now + seconds
-        while controller.clock.now < end:
-            controller.clock.advance(controller.clock.now + 0.0037)
-            seen.append((controller.clock.now, controller.position(0), feedback.error, feedback.current))
-
-    controller.move_to(0, 4000.0)
-    pass_time(0.05)
-    controller.define_position(0, 100.0)
-    pass_time(0.05)
-    feedback.tune({"proportional": (2.0, "KPROP"), "derivative": (60.0, "KDERIV")})
-    pass_time(0.1)
-    controller.disable(0)
-    pass_time(0.05)
-    controller.enable(0)
-    pass_time(0.02)
-    controller.open_loop(0, 1.5)
-    pass_time(0.1)
-    controller.move_by(0, -500.0)
-    pass_time(0.2)
-    replayed = servo_trace(controller.axes[0], controller.clock.now)
-    assert replayed is not None
-    for time, position, error, current in seen:
-        k = int(time * RATE + 1e-6)
-        assert (position, error, current) == pytest.approx(
-            (replayed.measured[k], replayed.error[k], replayed.current[k]), abs=1e-9
-        )
 
 
 # ------------------------------------------------------------------------------------------------- readings
@@ -190,14 +60,6 @@ def test_position_lags_behind_the_demand() -> None:
     assert demand - pos == pytest.approx(error, abs=0.11)  # the loop gets the command a cycle later
     assert 0.05 < error < 1.0
     assert 50.0 < vel < 101.0
-
-
-def test_without_a_motor_feedback_equals_demand() -> None:
-    result = motionlang.run(
-        Source("x", MOVE + "WAIT = 50\nPRINT POS(0) - POSDEMAND(0), FOLERROR(0)"), dialect="mint"
-    )
-    assert result.output == ["0.00000.0000"]
-    assert result.report["axes"][0]["feedback"] == "demand"
 
 
 def test_mccl_reports_both() -> None:
@@ -333,30 +195,6 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
 # ----------------------------------------------------------------------------------------- samples ahead
 
 
-@pytest.mark.parametrize("plant", [MOTOR, ROUGH], ids=["linear", "rough"])
-def test_the_rest_behind_a_move_is_what_was_seen_of_it(
-    plant: dict[str, object], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """No sample is dropped at the end of a move, because none would change."""
-    text = (
-        "Dim n As Integer\nFor n = 1 To 3\n"
-        + MOVE
-        + 'PAUSE IDLE(0)\nPRINT TIME, " ", POS(0), " ", VEL(0)\nWAIT = 30 * n\nPRINT POS(0), " ", FOLERROR(0)\nNext\n'
-    )
-    thrown: list[Feedback] = []
-    forget = Feedback._forget
-
-    def counted(each: Feedback) -> None:
-        thrown.append(each)
-        forget(each)
-
-    monkeypatch.setattr(Feedback, "_forget", counted)
-    seen, few = printed(text, plant, servo=GAINS), len(thrown)
-    monkeypatch.setattr(feedback, "rests_as_seen", lambda track: False)
-    assert printed(text, plant, servo=GAINS) == seen
-    assert len(thrown) - few > few
-
-
 # ------------------------------------------------------------------------------------------------ torque, off and on
 
 
@@ -409,27 +247,6 @@ def test_a_motor_that_is_switched_off_coasts_and_is_taken_over_where_it_is() -> 
 # ------------------------------------------------------------------------------------------------ gains
 
 
-@pytest.mark.parametrize(
-    ("text", "dialect", "servo", "gains", "proportional"),
-    [
-        ("KPROP(0) = 2.048 : {}", "mint", {}, "program", 0.01),
-        ("KPROP(0) = 2.048 : {}", "mint", {"proportional": 0.5, "derivative": 0.1}, "program", 0.01),
-        ("{}", "mint", {"proportional": 0.5, "derivative": 0.1}, "machine file", 0.5),
-        ("1SG0.03,1MN,1MR100,1WS0", "mccl", {"derivative": 0.1}, "program", 0.03),
-    ],
-)
-def test_the_program_s_gains_come_first_then_the_machine_file_s(
-    text: str, dialect: str, servo: dict[str, object], gains: str, proportional: float
-) -> None:
-    result = run(text.format("MOVER(0) = 100 : GO(0)"), MOTOR, dialect, servo=servo)
-    feedback = result.controller.axes[0 if dialect == "mint" else 1].feedback
-    assert feedback is not None
-    assert feedback.chosen is not None
-    assert feedback.chosen.gains == gains
-    assert feedback.chosen.loop.proportional == pytest.approx(proportional)
-    assert feedback.chosen.loop.derivative == servo.get("derivative", 0.0)
-
-
 def test_gains_that_nobody_sets_are_suggested_and_the_report_says_so() -> None:
     result = run(MOVE, MOTOR, servo={"bandwidth": 30.0})
     assert result.notes == ["axis 0: its motor has no gains; it ran with those suggested for 30 Hz"]
@@ -470,27 +287,6 @@ def test_a_motor_at_rest_costs_nothing() -> None:
     assert result.time == pytest.approx(20000.3, abs=0.2)
 
 
-@pytest.mark.parametrize("plant", [MOTOR, DRIVE], ids=["closed form", "steps"])
-def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: dict[str, object]) -> None:
-    """Readings during a rest do not affect the next move."""
-
-    def samples(*reads: float) -> list[tuple[float, float]]:
-        controller, feedback = fitted(plant, {"proportional": 0.02, "derivative": 0.2})
-        controller.move_to(0, 400.0)
-        for time in reads:
-            controller.clock.advance(time)
-            assert controller.position(0) == pytest.approx(400.0)
-        controller.clock.advance(60.0)
-        controller.move_to(0, 800.0)
-        seen = []
-        for _ in range(60):
-            controller.clock.advance(controller.clock.now + 1e-3)
-            seen.append((controller.position(0), feedback.error))
-        return seen
-
-    assert samples() == samples(30.0) == samples(*range(10, 60)) == samples(59.9)
-
-
 def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
     """A loop too stiff for its backlash oscillates for ever, but the run ends.
 
@@ -504,29 +300,6 @@ def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
     trace = servo_trace(result.controller.axes[0], result.time)
     assert trace is not None
     assert np.ptp(trace.position[-2000:]) > 5.0
-
-
-def test_a_motor_that_leaves_standstill_is_watched_again() -> None:
-    """An unstable loop amplifies 1e-7 counts, which at first count as standstill."""
-    controller, feedback = fitted(MOTOR, {"proportional": 0.0225})
-    trips: list[float] = []
-
-    def trip() -> None:
-        trips.append(abs(feedback.error))
-        feedback.set_error_limit(np.inf)
-
-    feedback.tripped = trip
-    feedback.set_error_limit(1.0)
-    controller.move_to(0, 1e-7)
-    at_standstill, error = [], []
-    for k in range(1, 101):  # each reading computes half a second more
-        controller.clock.advance(0.5 * k)
-        error.append(abs(feedback.error))
-        at_standstill.append(feedback.at_standstill)
-    assert any(at_standstill)
-    assert max(error) > 10.0
-    (at,) = trips
-    assert 1.0 < at < 2.0  # at the sample beyond the limit, not at the next reading
 
 
 def test_blocks_do_not_depend_on_who_reads() -> None:
@@ -553,25 +326,3 @@ def test_trace_has_columns_of_the_motor() -> None:
 def test_a_move_that_comes_after_a_long_rest() -> None:
     """The samples of a rest are dropped while the next move reads the position."""
     assert printed("1MN,1MR400,WA2\nWA2.1\n1MR10\n1WS,1TP", {"inertia": 1e-5}, "mccl") == [[1.0, 410.0]]
-
-
-@pytest.mark.parametrize("zero", [0.0, 250.0])
-def test_a_position_is_known_for_the_samples_that_are_stored(zero: float) -> None:
-    """Nothing is simulated for it. A new zero shifts the positions by as much."""
-    controller, feedback = fitted(MOTOR, GAINS)
-    assert feedback.known_position(0.0) is None
-    controller.move_to(0, 1000.0)
-    controller.clock.advance(20.0)
-    controller.define_position(0, controller.position(0) + zero)
-    controller.move_by(0, 100.0)
-    controller.clock.advance(20.5)
-    here = feedback.position
-    samples = feedback._samples
-    assert samples is not None
-    assert here == pytest.approx(controller.position(0), abs=20.0)
-    assert feedback.known_position(20.5) == here
-    numbers = samples.first - 1, samples.first, samples.end - 1, samples.end
-    found = [feedback.known_position(number / RATE) for number in numbers]
-    assert [each is None for each in found] == [True, False, False, True]
-    controller.clock.advance(numbers[2] / RATE)
-    assert found[2] == feedback.position

@@ -17,9 +17,7 @@ from hypothesis import strategies as st
 from motionlang import run
 from motionlang.kernel import Source
 from motionlang.kernel.planners import from_curve, hold, plan_ratio, plan_sinusoidal, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, servo, simulate
-from motionlang.kernel.servo.discrete import exponential
-from motionlang.kernel.servo.step import at_rest, truncated
+from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, simulate
 from tests.cases import examples
 from tests.kernel.servo.test_oracle import LOOPS, PLANTS, WHOLE
 
@@ -105,29 +103,6 @@ def test_an_axis_that_slows_down_has_the_gain_of_deceleration() -> None:
     assert trace.output[::4].tolist() == pytest.approx(volts)
 
 
-@pytest.mark.parametrize(
-    ("mode", "acting"),
-    [
-        ("never", [False] * 6),
-        ("always", [True] * 6),
-        ("steady", [True, False, False, True, False, True]),  # cycles that the last one equals in speed
-        ("stopped", [True, False, False, False, True, True]),
-    ],
-)
-@pytest.mark.parametrize("far", [0.0, 1e9])
-def test_the_integral_acts_by_the_motion_of_the_command(far: float, mode: str, acting: list[bool]) -> None:
-    """It is at rest, begins to move, moves faster and then uniformly, and stops.
-
-    The motor stays 100 counts away. Rounding of large positions is no motion.
-    """
-    points = [far, far, far + 1.0, far + 3.0, far + 5.0, far + 5.0, far + 5.0]
-    loop = Loop(integral=1e-3, integral_limit=9.0, integral_mode=mode, **RATES)
-    made = Servo(loop, Drive(1e-9), along(points))
-    made.state = at_rest(far + 100.0)
-    integral = made.run(24).integral.reshape(-1, 4)
-    assert (np.diff(integral[:, -1], prepend=0.0) != 0.0).tolist() == acting
-
-
 def test_an_integral_is_cleared_when_motion_begins() -> None:
     loop = Loop(integral=1e-3, integral_limit=9.0, integral_mode="zeroed", **RATES)
     trace = simulate(along([0.0, 4.0, 4.0, 4.0, 5.0, 6.0, 6.0]), loop, Drive(1e-9), until=27 / 400.0)
@@ -136,21 +111,6 @@ def test_an_integral_is_cleared_when_motion_begins() -> None:
 
 
 # ------------------------------------------------------------------------------------------------ the plant
-
-
-def test_the_matrix_exponential() -> None:
-    """The exponential of a rotation, a shear and a stiff decay; exp(a) exp(-a) = 1."""
-    angle = 0.7
-    rotation = exponential([[0.0, -angle], [angle, 0.0]])
-    assert rotation[0][0] == pytest.approx(np.cos(angle), abs=1e-15)
-    assert rotation[1][0] == pytest.approx(np.sin(angle), abs=1e-15)
-    assert exponential([[0.0, 1e-9], [0.0, 0.0]]) == [[1.0, 1e-9], [0.0, 1.0]]
-    assert exponential([[-50.0]])[0][0] == pytest.approx(np.exp(-50.0), rel=1e-12)
-    rng = np.random.default_rng(5)
-    for size in (2, 4, 6):
-        m = rng.normal(size=(size, size))
-        there, back = np.array(exponential(m.tolist())), np.array(exponential((-m).tolist()))
-        assert np.abs(there @ back - np.eye(size)).max() < 1e-11
 
 
 def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
@@ -218,14 +178,6 @@ def test_a_copy_of_a_servo_continues_by_itself() -> None:
     ahead = made.run(500)
     assert (before.state, before.sample) == (state, 301)
     assert before.run(500).columns.tolist() == ahead.columns.tolist()
-
-
-def test_a_long_run_goes_in_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Chunks limit the memory; a chunk may end within a trajectory cycle."""
-    whole = simulate(varied(), LOOPS["feed-forward"], PLANTS["everything"], until=0.5)
-    monkeypatch.setattr(servo, "_CHUNK", 333)
-    chunked = simulate(varied(), LOOPS["feed-forward"], PLANTS["everything"], until=0.5)
-    assert whole.columns.tolist() == chunked.columns.tolist()
 
 
 @pytest.mark.parametrize("derivative", [40.0, 400.0, 1e300])
@@ -315,8 +267,3 @@ def test_a_loop_that_is_closed_within_a_cycle_follows_from_the_next_one_on() -> 
     assert (made.run(11).commanded - here).tolist() == pytest.approx(
         [0.0, 0.0, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]
     )
-
-
-def test_a_quotient_is_rounded_towards_zero() -> None:
-    values = (-257.0, -256.0, -255.0, -1.0, 0.0, 1.0, 255.0, 256.0, 511.0)
-    assert [truncated(value, 256.0) for value in values] == [-1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0]
