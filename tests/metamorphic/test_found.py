@@ -6,7 +6,6 @@ import pytest
 
 from motionlang import prove, run
 from motionlang.kernel import Run, Source
-from motionlang.kernel.planners.lookahead import Pace, plan_course
 
 H = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200\n"
 END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"
@@ -57,20 +56,6 @@ def test_a_path_that_is_resumed_is_not_blended_into_the_next_one_before_its_dist
     paths = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 2\nVECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
     suspend = f"WAIT 600\nSUSPEND(0) = 1\nWAIT {wait}\nSUSPEND(0) = 0\n"
     ends(proved(H + JERKS + paths + suspend + END), 60.0, 10.0)
-
-
-def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> None:
-    """From 50, the limit of 10 is not reached before the next path, with 9, begins.
-
-    The speed only decreases.
-    """
-    pace = Pace("trapezoid", 10.0, 100.0, 200.0)
-    other = Pace("trapezoid", 9.0, 100.0, 200.0)
-    for k in range(1, 60):
-        made = plan_course([(0.1 * k, pace), (20.0, other)], 0.0, 50.0)
-        assert made is not None
-        speeds = [made.velocity(knot) for knot in made.knots]
-        assert speeds == sorted(speeds, reverse=True), k
 
 
 def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:

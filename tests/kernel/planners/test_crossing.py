@@ -7,7 +7,7 @@ from math import inf
 
 import pytest
 
-from motionlang.kernel.planners import Profile, crossing, from_curve, hold, plan, plan_velocity
+from motionlang.kernel.planners import Profile, from_curve, hold, plan, plan_velocity
 from tests.cases import cases, examples
 
 
@@ -48,24 +48,6 @@ def test_crossings_have_the_same_bits_as_a_search_of_all_pieces(seed: int) -> No
         for position in positions:
             for after in (0.0, last, last + 1.0, numbers.uniform(0.0, last), *profile.knots[1:-1]):
                 assert profile.crossing(position, after) == searched.crossing(position, after)
-
-
-def test_a_position_ahead_takes_the_search_of_one_piece(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One behind, or beyond the end, takes none."""
-    searched: list[float] = []
-    search = crossing._first_in
-
-    def counted(piece: tuple[float, ...], wanted: float, *more: object) -> float | None:
-        searched.append(wanted)
-        return search(piece, wanted, *more)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(crossing, "_first_in", counted)
-    profile = plan("trapezoid", 0.0, 100.0, 100.0, 500.0, 500.0)
-    assert profile.crossing(95.0) == pytest.approx(1.2 - 0.1414213562)
-    assert searched == [95.0]
-    assert profile.crossing(20.0, 0.5) is None
-    assert profile.crossing(101.0) is None
-    assert searched == [95.0]
 
 
 @cases(

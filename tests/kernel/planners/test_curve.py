@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import Profile, from_curve, hold, plan, plan_pvt, plan_trapezoid
-from motionlang.kernel.planners.curve import relabelled
-from motionlang.kernel.planners.table_motion import table_curve
+from motionlang.kernel.planners import from_curve, hold, plan_pvt, plan_trapezoid
 from tests.kernel.planners.cases import Move, moves, quick
-from tests.kernel.planners.splines import cubic_table
 from tests.kernel.planners.verify import verify
 
 fractions = st.floats(0.0, 1.0)
@@ -30,24 +25,6 @@ def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, fra
     assert made.position(time) == pytest.approx(wanted, rel=1e-12, abs=1e-12 * size)
     before = [made.position(time * i / 50) - wanted for i in range(50)]
     assert all(x >= -1e-9 * size for x in before) or all(x <= 1e-9 * size for x in before)
-
-
-@quick
-@given(
-    st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30),
-    st.sampled_from((table_curve, cubic_table)),
-    fractions,
-)
-def test_no_crossing_of_a_table_is_missed(
-    values: list[float], make: Callable[..., Profile], fraction: float
-) -> None:
-    made = make([float(n) for n in range(len(values))], values)
-    reached = fraction * made.duration
-    wanted = made.position(reached)
-    time = made.crossing(wanted)
-    assert time is not None
-    assert time <= reached + 1e-9
-    assert made.position(time) == pytest.approx(wanted, rel=1e-9, abs=1e-9)
 
 
 @quick
@@ -173,16 +150,6 @@ def test_hold() -> None:
         None,
     )
     assert hold(3.0, 2.0).duration == 2.0
-
-
-def test_a_profile_with_another_name_makes_its_pieces_when_they_are_needed() -> None:
-    made = relabelled(plan("trapezoid", 0.0, 40.0, 10.0, 50.0, 50.0), "follow")
-    assert not hasattr(made, "_curve")
-    assert made.shape == "follow"
-    assert made.duration == pytest.approx(4.2)
-    assert made.position(2.1) == pytest.approx(20.0)
-    again = relabelled(made, "gear")
-    assert again.curve is made.curve
 
 
 @pytest.mark.parametrize("jump", [5.0, -5.0])

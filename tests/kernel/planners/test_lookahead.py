@@ -210,3 +210,17 @@ def test_a_course_that_cannot_stop_at_its_end(start: float, v0: float, time: flo
     """An end 1e-9 of the length of 0.5 farther is rounding."""
     made = plan_course([(0.25, Pace("trapezoid", 20.0, 100.0, 100.0))] * 2, start, v0)
     assert (None if made is None else made.duration) == (None if time is None else pytest.approx(time))
+
+
+def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> None:
+    """From 50, the limit of 10 is not reached before the next path, with 9, begins.
+
+    The speed only decreases.
+    """
+    pace = Pace("trapezoid", 10.0, 100.0, 200.0)
+    other = Pace("trapezoid", 9.0, 100.0, 200.0)
+    for k in range(1, 60):
+        made = plan_course([(0.1 * k, pace), (20.0, other)], 0.0, 50.0)
+        assert made is not None
+        speeds = [made.velocity(knot) for knot in made.knots]
+        assert speeds == sorted(speeds, reverse=True), k

@@ -11,7 +11,6 @@ from motionlang.kernel.planners import (
     ORDERS,
     PieceTable,
     Profile,
-    from_curve,
     hold,
     pieces_of,
     plan,
@@ -20,7 +19,6 @@ from motionlang.kernel.planners import (
     plan_trapezoid,
     plan_velocity,
 )
-from motionlang.kernel.planners.evaluate import evaluate
 from tests.kernel.planners.cases import Move, moves, quick
 
 
@@ -102,12 +100,3 @@ def test_the_pieces_after_the_end_of_a_profile() -> None:
     ]
     assert pieces_of([1.0, 3.0], profiles)[0] == [1.0, 1.0, 3.0]
     assert pieces_of([1.0, 2.0], profiles)[0] == [1.0, 1.0, 2.0]
-
-
-def test_a_profile_has_its_velocities_before_and_after_it() -> None:
-    """It starts at rest, and ends after 0.5 s at 5."""
-    curve = (0.0, 0.5), ((0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0),), ()
-    profile = from_curve("jog", 0.0, 1.25, curve, 0.0, 5.0)
-    times = np.array([-1.0, 0.6, 0.75])
-    assert evaluate(profile, times, 1).tolist() == [0.0, 5.0, 5.0]
-    assert evaluate(profile, times, 0).tolist() == pytest.approx([0.0, 1.75, 2.5])

@@ -11,6 +11,7 @@ import pytest
 
 from motionlang.kernel.planners import (
     Profile,
+    from_curve,
     hold,
     plan_jerk,
     plan_sinusoidal,
@@ -95,3 +96,12 @@ def test_many_times_at_once_have_the_values_of_each(name: str) -> None:
         ]
         assert evaluate(profile, times, order).tolist() == pytest.approx(wanted, abs=1e-6)
     assert profile.positions(times.tolist()) == pytest.approx(evaluate(profile, times, 0).tolist())
+
+
+def test_a_profile_has_its_velocities_before_and_after_it() -> None:
+    """It starts at rest, and ends after 0.5 s at 5."""
+    curve = (0.0, 0.5), ((0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0),), ()
+    profile = from_curve("jog", 0.0, 1.25, curve, 0.0, 5.0)
+    times = np.array([-1.0, 0.6, 0.75])
+    assert evaluate(profile, times, 1).tolist() == [0.0, 5.0, 5.0]
+    assert evaluate(profile, times, 0).tolist() == pytest.approx([0.0, 1.75, 2.5])

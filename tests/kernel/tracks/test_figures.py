@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import inf, pi
-from typing import Any
+from math import pi
 
 import numpy as np
 import pytest
 
-from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
-from motionlang.commands.prove.order import Tie
+from motionlang.commands.certify.extremes import extremes, motor_peak, peak_speed
 from motionlang.kernel import Controller, Trace, WholeTrack
 from motionlang.kernel.planners import pieces_of
 from motionlang.kernel.tracks import axes_of, quantity_of
@@ -25,28 +23,6 @@ def machine(**settings: float) -> Controller:
     for name, value in {"speed": 50.0, "accel": 500.0, "decel": 250.0, **settings}.items():
         controller.configure(0, name, value)
     return controller
-
-
-def test_the_extremes_of_a_trapezoid_and_their_times() -> None:
-    """0.1 s up, 0.2 s down, and 100 - 2.5 - 5 counts at speed in 1.85 s.
-
-    Then back to -20 at rest at 3 s.
-    """
-    controller = machine()
-    controller.clock.advance(1.0)
-    controller.move_to(0, 100.0)
-    controller.clock.advance(4.0)
-    found = extremes(controller.axes[0], 4.0)
-    assert (found.lowest.value, found.lowest.time) == (0.0, 0.0)
-    assert (found.highest.value, found.highest.time) == pytest.approx((100.0, 3.15))
-    assert (found.speed.value, found.speed.time) == pytest.approx((50.0, 1.1))
-    assert (found.acceleration.value, found.acceleration.time) == pytest.approx((500.0, 1.0))
-    assert (found.jerk.value, found.jerk.time) == (inf, 1.0)
-    assert repr(Extreme(2.5, 1.0)) == "Extreme(2.5, 1)"
-    # In the middle of the first ramp.
-    early = extremes(controller.axes[0], 1.05)
-    assert (early.speed.value, early.highest.value) == pytest.approx((25.0, 0.625))
-    assert extremes(controller.axes[0], 0.5).speed.value == 0.0
 
 
 @pytest.mark.parametrize(
@@ -225,20 +201,3 @@ def test_axes_that_ever_moved() -> None:
     controller.move_to(3, 10.0)
     controller.define_position(2, 5.0)
     assert axes_of(controller) == (2, 3)
-
-
-def test_a_tie_takes_up_a_ratio_once() -> None:
-    """A curve takes up none.
-
-    After a curve, or with another master or ratio, a ratio is taken up again.
-    """
-    one, other = Controller(2).axes[0], Controller(2).axes[1]
-    ratio = Tie(one, 2.0)
-    curve: Any = Tie(one, curve=one.profiles[0])
-    assert ratio.takes_up(None)
-    assert not ratio.takes_up(Tie(one, 2.0, locked=3.0))
-    assert ratio.takes_up(Tie(one, 3.0))
-    assert ratio.takes_up(Tie(other, 2.0))
-    assert ratio.takes_up(curve)
-    assert not curve.takes_up(None)
-    assert not curve.takes_up(ratio)
