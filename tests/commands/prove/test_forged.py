@@ -119,6 +119,19 @@ class Entries(list[Any]):
         return {each.axis for each in self}
 
 
+def joined(first: float, second: float) -> str:
+    """Return a contour of two lines of axes with 4 and 2 counts per unit, 0.6 and 0.8 of these lengths."""
+    lines = [f"VECTORR(0, 1) = {0.6 * length}, {0.8 * length}\n" for length in (first, second)]
+    return (
+        f"SCALE(0) = 4 : SCALE(1) = 2\n{SETTINGS}CONTOURMODE(0) = 1\n{''.join(lines)}GO(0)\nPAUSE IDLE(0)\n"
+    )
+
+
+def slower_at_last(order: Any) -> Any:
+    """Return the order of the second line of a contour as one at 15."""
+    return order._replace(speed=15.0) if order.path is not None and order.path.begun > 0.1 else order
+
+
 def trapezoid(end: float, speed: float, accel: float, decel: float) -> Callable[[Profile], Profile]:
     return lambda _: plan("trapezoid", 0.0, end, speed, accel, decel)
 
@@ -366,6 +379,21 @@ FORGED: dict[str, tuple[str, Forge, list[str]]] = {
             "4: axis 1 from 0.600000 s: its curve has 10 at 10 of its master, commanded 6",
             "4: axis 1 from 1.100000 s: its curve has 5 at 10 of its master, commanded 6",
         ]),
+    "a segment that is replaced": (FLY, entry(0, ended="retarget"), [
+            "4: axis 1 from 0.000000 s: it is logged as replaced, but reaches its end",
+        ]),
+    "the last segment is replaced": (FLY, entry(3, ended="retarget"), [
+            "4: axis 1 from 1.100000 s: it is logged as replaced, but reaches its end",
+            "4: axis 1 from 1.100000 s: nothing follows the replaced move",
+        ]),
+    "a path that sped up for the next one, too fast": (
+        joined(2, 2), ordered(0, slower_at_last), [
+            "6: path from 0.200000 s: the path speed reaches 20, above 15",
+        ],
+    ),
+    "a path that slows down from the one before": (
+        joined(7, 1.5), ordered(0, slower_at_last), [],
+    ),
     "segments without a table": (FLY, tied(table=None), []),
     "a segment behind another ratio": (
         FLY, ordered(1, untabled), [

@@ -1,0 +1,57 @@
+"""The proof rejects a controller that ignores settings changed in motion."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from motionlang import prove, run
+from motionlang.kernel import Axis, Source
+from motionlang.kernel.controller import axis_verbs
+from motionlang.kernel.controller.core import Core
+from motionlang.kernel.controller.motion import feedrate
+from motionlang.kernel.controller.motion.jog import jog as honest
+
+RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
+MOTIONS = {
+    "move": "MOVER(0) = 100",
+    "path": "VECTORR(0, 1) = 60, 80",
+    "arc": "CIRCLER(0, 1) = 0, 20, 300",
+    "S-ramps": "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 900 : VECTORR(0, 1) = 60, 80",
+    "blend": "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5 : VECTORR(0, 1) = 60, 0 : "
+    "VECTORR(0, 1) = 0, 60",
+}
+
+
+def messages(text: str, name: str = "t.mnt") -> list[str]:
+    return [each.message for each in prove(run(Source(name, text), prove=True)).violations]
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize(
+    "setting", ["SPEED(0) = 20", "MAXSPEED(0) = 5", "FEEDRATEOVERRIDE(0) = 0", "DECEL(0) = 90"]
+)
+def test_a_setting_that_is_ignored(motion: str, setting: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rates of an arc in progress are not checked."""
+    text = f"{RATES}{MOTIONS[motion]} : GO(0)\nWAIT 300\n{setting}\nWAIT 9000\n"
+    assert messages(text) == []
+    monkeypatch.setattr(feedrate, "changed", lambda *_: None)
+    assert bool(messages(text)) is ((motion, setting) != ("arc", "DECEL(0) = 90"))
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        (f"{RATES}JOG(0) = 50\nWAIT 800\nJOG(0) = 20\nWAIT 800\n", "t.mnt"),
+        ("1MN,1SV5000,1SA10000,1DS20000,1PT\n1VM,1DI0,1GO,WA0.8,1SV2000,1GO,WA0.6,MF\n", "t.mcl"),
+    ],
+)
+def test_another_velocity_that_is_ignored(text: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def jog(controller: Core, a: Axis, *rest: Any) -> None:
+        if a.move is None:
+            honest(controller, a, *rest)
+
+    assert messages(text, name) == []
+    monkeypatch.setattr(axis_verbs, "jog", jog)
+    assert messages(text, name) != []
