@@ -1,14 +1,14 @@
-"""Commands and all that they print, in `transcripts.txt`.
+"""Commands and all that they print, in `transcripts.txt` and, by command, in `transcripts_*.txt`.
 
 A section has a name after `== `, and commands after `$ `. Below each are its standard output, its standard error with
-`! `, and its exit status if that is not 0. `< FILE` is its standard input; `cat FILE` prints a file. Each section
-begins in a folder with the files below. `--update` rewrites what the commands print.
+`! `, and its exit status if that is not 0. `< FILE` is its standard input; `cat FILE` prints a file, and `cat > FILE`
+writes one with the lines below. Each section begins in a folder with the files below. `--update` rewrites what the
+commands print.
 """
 
 from __future__ import annotations
 
 import io
-import re
 import shlex
 import sys
 from pathlib import Path
@@ -19,7 +19,7 @@ from motionlang import __version__
 from tests.cli.programs import STROKE, Cell
 from tests.generated.results import rounded
 
-TRANSCRIPTS = Path(__file__).with_name("transcripts.txt")
+TRANSCRIPTS = sorted(Path(__file__).parent.glob("transcripts*.txt"))
 LIMITS = "[axis.0.limits]\nspeed = 250\nacceleration = 1500\n"
 # A sub with a move and a dwell, called twice; a loop that polls an input; a question; a computing loop.
 CELL = """\
@@ -138,18 +138,23 @@ FILES = {
 }
 
 
-def sections() -> dict[str, str]:
-    """Return the transcripts by their names."""
-    texts = TRANSCRIPTS.read_text(encoding="utf-8").removeprefix("== ").split("\n== ")
+def sections(page: Path) -> dict[str, str]:
+    """Return the transcripts of a page by their names."""
+    texts = page.read_text(encoding="utf-8").removeprefix("== ").split("\n== ")
     return {name: text for name, _, text in (each.partition("\n") for each in texts)}
 
 
 def replayed(transcript: str, cell: Cell) -> str:
     """Return a transcript as its commands now print it."""
     lines = []
-    for command in re.findall(r"^\$ (.*)", transcript, re.MULTILINE):
+    for block in transcript.removeprefix("$ ").split("\n$ "):
+        command, _, below = block.partition("\n")
         verb, *rest = shlex.split(command)
         lines.append(f"$ {command}")
+        if verb == "cat" and rest[0] == ">":
+            cell.write(rest[1], below.rstrip("\n") + "\n")
+            lines += below.rstrip("\n").split("\n")
+            continue
         if verb == "cat":
             lines += (cell.folder / rest[0]).read_text(encoding="utf-8").splitlines()
             continue
@@ -162,9 +167,16 @@ def replayed(transcript: str, cell: Cell) -> str:
     return "\n".join([*lines, ""]).replace(f"motionlang {__version__}", "motionlang VERSION")
 
 
-@pytest.mark.parametrize("name", sections())
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        pytest.param(page, name, id=f"{page.stem.partition('_')[2]} {name}".strip())
+        for page in TRANSCRIPTS
+        for name in sections(page)
+    ],
+)
 def test_a_transcript(
-    name: str, cell: Cell, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
+    page: Path, name: str, cell: Cell, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
     for path in cell.folder.glob("*.mcl"):
         path.unlink()
@@ -173,10 +185,10 @@ def test_a_transcript(
         cell.write(file, text)
     monkeypatch.setattr(sys, "stdin", sys.stdin)
     monkeypatch.setenv("COLUMNS", "100")
-    recorded = sections()
+    recorded = sections(page)
     found = replayed(recorded[name], cell)
     if request.config.getoption("--update"):
         recorded[name] = found
         texts = [f"== {each}\n{text.rstrip()}\n" for each, text in recorded.items()]
-        TRANSCRIPTS.write_text("\n".join(texts), encoding="utf-8", newline="\n")
+        page.write_text("\n".join(texts), encoding="utf-8", newline="\n")
     assert rounded(found.rstrip()) == rounded(recorded[name].rstrip())

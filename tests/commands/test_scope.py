@@ -17,9 +17,8 @@ import pytest
 from motionlang.commands.scope import _packed, page, write_scope
 from motionlang.kernel import Run, Source, run
 from motionlang.kernel.servo import Loop, make_plant, simulate
-from tests.commands.trace.test_vcd import switched
 from tests.generated.motion import generate
-from tests.views.runs import ballscrew, ended, new_run, pick, short_shift
+from tests.views.runs import ballscrew, ended, new_run, pick, short_shift, switched
 
 PROGRAM = "SPEED(0) = 50\nMOVER(0) = 100 ' </script><script>alert(1)\nGO(0)\n"
 

@@ -75,3 +75,22 @@ def shift(moves: int = 400) -> Run:
 def short_shift() -> Run:
     """Return a run of 120 moves, which is sampled finely in little time."""
     return shift(120)
+
+
+def switched() -> Run:
+    """Return a run of 10 units at 10 units/s with minimal ramps and switched channels."""
+    run, controller = new_run()
+    controller.set_scale(0, 100.0)
+    for name, value in (("speed", 1000.0), ("accel", 1e12), ("decel", 1e12)):
+        controller.configure(0, name, value)
+    controller.inputs[12] = 1
+    controller.clock.advance(0.150000001)
+    controller.outputs[1] = 1
+    controller.clock.advance(0.25)
+    controller.inputs[3] = 1
+    controller.move_by(0, 1000.0)
+    controller.clock.advance(0.6)
+    controller.outputs[1] = 0
+    controller.analogue_inputs[0] = 12.5
+    controller.clock.advance(1.5)
+    return ended(run)

@@ -14,8 +14,7 @@ from motionlang.kernel import Run, Source, run
 from motionlang.kernel.servo import Loop, ServoTrace, make_plant, simulate
 from motionlang.views.figure import Figure, Panel
 from motionlang.views.window import Window
-from tests.commands.trace.test_vcd import switched
-from tests.views.runs import ballscrew, ended, new_run, pick, shift
+from tests.views.runs import ballscrew, ended, new_run, pick, shift, switched
 
 NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 

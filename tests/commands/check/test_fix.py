@@ -11,11 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.diff.reports import difference
-from motionlang.commands.diff.view import diff_lines
+from motionlang import diff, run
 from motionlang.commands.init import guessed
 from motionlang.commands.worlds import Worlds
-from motionlang.kernel import Source, dialect_of, run, settings_next_to
+from motionlang.kernel import Source, dialect_of, settings_next_to
 from motionlang.kernel.report import build
 from tests.cases import cases
 from tests.cli.programs import Cell
@@ -135,8 +134,8 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     if "with as many as it needs" in ran.out:
         for report in reports:
             report["output"] = [re.sub("[.0]", "", line) for line in report["output"]]
-    found = difference(reports[0], reports[1])
-    assert found.same, diff_lines(found, None, [], colour=False, most=9)
+    found = diff(reports[0], reports[1])
+    assert found.same, (found.lines, found.prints, found.others)
 
 
 def test_what_is_not_certain_stays(cell: Cell) -> None:

@@ -16,17 +16,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import (
-    Signal,
-    _likeliest,
-    _misfit,
-    _thinned,
-    _unlikeness,
-    fit,
-    lag,
-)
-from motionlang.commands.compare.comparison import Comparison, Mapped, compare
-from motionlang.kernel import Run, Source, run
+from motionlang import compare, run
+from motionlang.kernel import Run, Source
 
 Array = NDArray[np.float64]
 PROGRAM = """\
@@ -45,7 +36,6 @@ WAIT(300)
 """
 OUT, BACK = 0.10005, 0.10005 + 0.9 + 0.2 + 3e-5
 RATE, DELAY = 1000.0, 0.31234
-X = Mapped("position.0", "x", None)
 
 
 @cache
@@ -73,8 +63,10 @@ def recorded(begin: float, end: float, *columns: Callable[[Array], Array]) -> So
     return Source("real.csv", "\n".join(lines))
 
 
-def found(source: Source, *mapping: Mapped) -> Comparison:
-    return compare(simulated(), source, mapping or (X,))
+def found(source: Source, **columns: str) -> Any:
+    """Compare with columns by their quantities; x is the position."""
+    mapping = {"position.0": "x"} | {f"{name}.0": column for name, column in columns.items()}
+    return compare(simulated(), source, mapping)
 
 
 def test_the_run_is_what_the_recordings_are_made_of() -> None:
@@ -128,7 +120,7 @@ def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
     source = recorded(
         0.0, 3.0, lambda t: machine(t - DELAY) / 25.4, lambda t: 120.0 - 60.0 * speed(t - DELAY)
     )
-    made = found(source, X, Mapped("velocity.0", "y", None))
+    made = found(source, velocity="y")
     assert made.delay == pytest.approx(DELAY, abs=1e-6)
     assert [row["scale"] for row in made.signals] == pytest.approx([1 / 25.4, -60.0], rel=1e-5)
     assert [row["offset"] for row in made.signals] == pytest.approx([0.0, 120.0], abs=1e-2)
@@ -152,101 +144,3 @@ def test_a_recording_of_part_of_a_stroke(scale: float) -> None:
     expected = DELAY if scale > 0.0 else DELAY + BACK - OUT
     assert made.delay == pytest.approx(expected, abs=1e-6)
     assert made.signals[0]["scale"] == pytest.approx(abs(scale), rel=1e-6)
-
-
-class Line:
-    """A run that is at `slope` times the time, for 10 s."""
-
-    end = 10.0
-
-    def __init__(self, slope: float) -> None:
-        self.slope = slope
-
-    def at(self, axis: int, quantity: str, times: Array) -> Array:
-        return self.slope * times
-
-
-def signal(*values: float) -> Signal:
-    """Return values that were recorded at 1 s, 2 s, 3 s and so on."""
-    return Signal(0, "position", "x", np.arange(1.0, len(values) + 1.0), np.array(values))
-
-
-@pytest.mark.parametrize(
-    ("expected", "values", "scale", "offset"),
-    [
-        ((0.0, 1.0, 2.0), (5.0, 7.0, 9.0), 2.0, 5.0),
-        ((0.0, 1.0, 2.0), (9.0, 7.0, 5.0), -2.0, 9.0),
-        ((1.0, 3.0), (0.0, 1.0), 0.5, -0.5),
-        ((4.0, 4.0, 4.0), (1.0, 2.0, 6.0), 1.0, -1.0),  # the run is at rest
-        ((0.0, 1.0, 2.0), (1.0, 4.0, 1.0), 0.0, 2.0),
-    ],
-)
-def test_a_scale_and_an_offset_are_fitted(
-    expected: tuple[float, ...], values: tuple[float, ...], scale: float, offset: float
-) -> None:
-    assert fit(np.array(expected), np.array(values)) == pytest.approx((scale, offset))
-
-
-@pytest.mark.parametrize(
-    ("values", "reversed_signs", "unlikeness"),
-    [
-        ([(1.0, 2.0, 3.0)], 0, 0.0),
-        ([(2.0, 4.0, 6.0)], 0, 0.69),  # log 2
-        ([(3.0, 2.0, 1.0)], 1, 0.0),
-        ([(1.5, 1.0, 0.5), (1.0, 2.0, 3.0)], 1, 0.69),
-        ([(10.0, 20.0, 30.0), (0.1, 0.2, 0.3)], 0, 4.61),  # 2 log 10
-        ([(1.0, 4.0, 1.0)], 1, 0.0),  # a scale of 0 has no sign
-    ],
-)
-def test_how_unlike_the_run_a_recording_is(
-    values: list[tuple[float, ...]], reversed_signs: int, unlikeness: float
-) -> None:
-    trace: Any = Line(1.0)
-    assert _unlikeness(trace, [signal(*each) for each in values], 0.0) == (reversed_signs, unlikeness)
-
-
-def test_the_share_of_the_variance_that_is_left_after_a_fit() -> None:
-    """A line explains nothing of 1, 4, 1, and 12.5 of the 14 of 1, 2, 6."""
-    trace: Any = Line(1.0)
-    assert _misfit(trace, [signal(1.0, 4.0, 1.0)], 0.0) == pytest.approx(1.0)
-    assert _misfit(trace, [signal(1.0, 2.0, 6.0)], 0.0) == pytest.approx(1.5 / 14.0)
-    assert _misfit(trace, [signal(1.0, 4.0, 1.0), signal(1.0, 2.0, 6.0)], 0.0) == pytest.approx(
-        1.0 + 1.5 / 14.0
-    )
-    assert _misfit(trace, [signal(5.0, 5.0, 5.0)], 0.0) == 0.0
-
-
-def test_of_delays_that_fit_alike_the_one_without_a_reversed_sign_is_likeliest() -> None:
-    class Wave(Line):
-        def at(self, axis: int, quantity: str, times: Array) -> Array:
-            return np.sin(0.5 * np.pi * times)
-
-    trace: Any = Wave(1.0)
-    recorded = [signal(1.0, 0.0, -1.0, 0.0, 1.0)]
-    assert _likeliest(trace, recorded, [-2.0, 0.0, -1.0]) == 0.0
-    assert _likeliest(trace, recorded, [-1.0, -2.0]) == -2.0
-
-
-@pytest.mark.parametrize(("points", "kept"), [(10, 10), (5, 5), (4, 5), (3, 4), (2, 2), (1, 1)])
-def test_a_recording_is_thinned_to_at_most_twice_as_many_points(points: int, kept: int) -> None:
-    """Every second one of ten points makes five, every third one four."""
-    (thin,) = _thinned([signal(*range(10))], points)
-    stride = 10 // points
-    assert len(thin.times) == len(thin.values) == kept
-    assert thin.values.tolist() == list(range(0, 10, stride))
-
-
-def test_the_lag_of_a_signal_behind_a_run() -> None:
-    """At 4 uu/s a recording that is 2 uu behind lags 0.5 s; its delay is no lag."""
-    moving = Signal(0, "position", "x", np.arange(2.0, 9.0), 4.0 * np.arange(1.0, 8.0) - 2.0)
-
-    class Velocity(Line):
-        def at(self, axis: int, quantity: str, times: Array) -> Array:
-            return np.full_like(times, self.slope) if quantity == "velocity" else self.slope * times
-
-    trace: Any = Velocity(4.0)
-    assert lag(trace, moving, 1.0, 1.0, 3.0) == pytest.approx(0.5)
-    assert lag(trace, moving, 1.0, 1.0, 2.5) is None  # two samples
-    assert lag(trace, moving._replace(quantity="jerk"), 1.0, 1.0, 9.0) is None
-    trace = Velocity(0.0)
-    assert lag(trace, moving, 1.0, 1.0, 9.0) is None

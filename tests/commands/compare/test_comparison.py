@@ -6,15 +6,14 @@ import json
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from motionlang import compare, run
 from motionlang.cli import main
-from motionlang.commands.compare.comparison import Comparison, Mapped, _own, compare
-from motionlang.commands.compare.recording import read_table
-from motionlang.commands.compare.view import comparison_document, render_comparison
-from motionlang.kernel import ProgramError, Run, Source, run
+from motionlang.kernel import ProgramError, Run, Source
 
 PROGRAM = """\
 SPEED(0, 1) = 100, 50
@@ -28,7 +27,8 @@ MOVEA(0) = 0 : GO(0)
 PAUSE IDLE(0)
 WAIT(300)
 """
-X = Mapped("position.0", "x", None)
+X = {"position.0": "x"}
+BOTH = X | {"position.1": "y"}
 
 
 @cache
@@ -51,15 +51,13 @@ def at(axis: int, times: np.ndarray) -> np.ndarray:
     return made.at(axis, "position", np.clip(times, 0.0, made.end))
 
 
-def compared(source: Source, *mapping: Mapped, **options: object) -> Comparison:
-    return compare(simulated(), source, mapping or (X,), **options)  # type: ignore[arg-type]
+def compared(source: Source, mapping: dict[str, str] | None = None, **options: Any) -> Any:
+    return compare(simulated(), source, mapping or X, **options)
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.31234, -0.0421])
 def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) -> None:
-    made = compared(
-        recorded(lambda t: (at(0, t - delay), at(1, t - delay))), X, Mapped("position.1", "y", None)
-    )
+    made = compared(recorded(lambda t: (at(0, t - delay), at(1, t - delay))), BOTH)
     assert made.delay == pytest.approx(delay, abs=1e-7)
     for row in made.signals:
         assert abs(row["peak"]) < 1e-4
@@ -83,7 +81,7 @@ def test_what_was_put_in_comes_out() -> None:
         x[np.abs(t - over).argmin()] -= 3.0
         return x, at(1, t - 0.005)
 
-    made = compared(recorded(real), X, Mapped("position.1", "y", None), delay=0.0)
+    made = compared(recorded(real), BOTH, delay=0.0)
     assert end > over
     first, back, other = made.moves
     assert (first["peak"], first["peak_time"]) == pytest.approx((2.0, 0.5), abs=1e-6)
@@ -108,14 +106,13 @@ def test_another_unit_is_reported_with_its_factor() -> None:
     made = compared(recorded(lambda t: (1000.0 * at(0, t), at(1, t))))
     (remark,) = [each for each in made.remarks if "times as far" in each.message]
     assert "--map position.0=x*0.001" in remark.hint
-    rescaled = compared(recorded(lambda t: (1000.0 * at(0, t), at(1, t))), Mapped("position.0", "x", 0.001))
+    rescaled = compared(recorded(lambda t: (1000.0 * at(0, t), at(1, t))), {"position.0": "x*0.001"})
     assert rescaled.remarks == []
 
 
 def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
-    from motionlang.commands.trace.export import write_trace
-
-    write_trace(simulated().trace, str(tmp_path / "x.csv"), 500.0)
+    (tmp_path / "two.mnt").write_text(PROGRAM)
+    assert main(["trace", str(tmp_path / "two.mnt"), str(tmp_path / "x.csv"), "--rate", "500"]) == 0
     made = compare(simulated(), Source.read(tmp_path / "x.csv"))
     assert {row["signal"] for row in made.signals} == {
         f"{quantity}.{axis}" for quantity in ("position", "velocity", "acceleration") for axis in (0, 1)
@@ -124,27 +121,6 @@ def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------------ files as they come
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "time (ms),x\n0,1.5\n1,2.5\n2,3.5",
-        "# logger\n\ntime [ms];x\n0,0;1,5\n1,0;2,5\n2,0;3,5\n",
-        "time_ms\tx\n0\t1.5\n1\t2.5\n2\t3.5\n",
-        "Time    x\nms      mm\n0   1.5\n 1  2.5\n2   3.5\n",
-        '"time","x",\n"s","mm",\n0.000,1.5,\n0.001,2.5,\n0.002,3.5,\n',
-        "% made by a scope\r\ntime;x;;\r\nms;mm;;\r\n0;1,5;;\r\n1;2,5;;\r\n2;3,5;;",
-    ],
-)
-def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
-    from motionlang.commands.compare.recording import seconds, time_column
-
-    source = Source("x.csv", text)
-    table = read_table(source)
-    name = time_column(table, source, None)
-    assert seconds(table, name, None).tolist() == pytest.approx([0.0, 0.001, 0.002])
-    assert table.columns[table.find("X", source)].tolist() == [1.5, 2.5, 3.5]
 
 
 def test_missing_numbers_gaps_and_time_that_runs_back_are_reported_and_skipped() -> None:
@@ -167,20 +143,20 @@ def test_missing_numbers_gaps_and_time_that_runs_back_are_reported_and_skipped()
 @pytest.mark.parametrize(
     ("text", "mapping", "message", "hint"),
     [
-        ("", (X,), "fewer than two rows of numbers", "columns of numbers"),
-        ("hello\nworld\n", (X,), "fewer than two rows of numbers", "columns of numbers"),
-        ("a,x\n0,1\n1,2\n2,3\n", (X,), "real.csv has no column named time", "its columns are a, x"),
-        ("t,pos\n0,1\n1,2\n2,3\n", (X,), "has no column 'x'", "its columns are t, pos"),
-        ("t,x\n0,1\n1,1\n2,1\n", (X,), "nothing moves", "--delay"),
-        ("t,x\n0,1\n1,1\n2,1\n", (), "the columns of real.csv are not assigned", "--map position.0=NAME"),
-        ("t,x\n0,n\n1,\n2,-\n3,4\n", (X,), "fewer than three numbers", ""),
-        ("t,x\n0,1\n1,2\n", (Mapped("speed.0", "x", None),), "'speed' is no quantity", "position, velocity"),
-        ("t,x\n0,1\n1,2\n", (Mapped("position.9", "x", None),), "names no axis", "position.0"),
-        ("t,x\n0,1\n1,2\n", (Mapped("position", "x", None),), "names no axis", "position.0"),
+        ("", X, "fewer than two rows of numbers", "columns of numbers"),
+        ("hello\nworld\n", X, "fewer than two rows of numbers", "columns of numbers"),
+        ("a,x\n0,1\n1,2\n2,3\n", X, "real.csv has no column named time", "its columns are a, x"),
+        ("t,pos\n0,1\n1,2\n2,3\n", X, "has no column 'x'", "its columns are t, pos"),
+        ("t,x\n0,1\n1,1\n2,1\n", X, "nothing moves", "--delay"),
+        ("t,x\n0,1\n1,1\n2,1\n", {}, "the columns of real.csv are not assigned", "--map position.0=NAME"),
+        ("t,x\n0,n\n1,\n2,-\n3,4\n", X, "fewer than three numbers", ""),
+        ("t,x\n0,1\n1,2\n", {"speed.0": "x"}, "'speed' is no quantity", "position, velocity"),
+        ("t,x\n0,1\n1,2\n", {"position.9": "x"}, "names no axis", "position.0"),
+        ("t,x\n0,1\n1,2\n", {"position": "x"}, "names no axis", "position.0"),
     ],
 )
 def test_what_cannot_be_compared_is_answered(
-    text: str, mapping: tuple[Mapped, ...], message: str, hint: str
+    text: str, mapping: dict[str, str], message: str, hint: str
 ) -> None:
     with pytest.raises(ProgramError) as caught:
         compare(simulated(), Source("real.csv", text), mapping)
@@ -207,40 +183,9 @@ def rounded(value: object) -> object:
 POSITIONS = (0.0, 1.0, 3.0, 5.0, 7.0, 8.0, 8.0, 8.0, 8.0, 8.0)
 
 
-def test_a_whole_report() -> None:
-    """The recording is 0.25 uu ahead of the run, and 0.5 uu at 3 s: it overshoots.
-
-    Its lag is to first order -4 * 0.25 * 4 / (4 * 4²) s. The RMS of ten residuals is √(9 * 0.0625 + 0.25) / 10.
-    """
-    ahead = [0.5 if k == 6 else 0.25 for k in range(10)]
-    text = "\n".join(f"{k / 2},{x + e}" for k, (x, e) in enumerate(zip(POSITIONS, ahead, strict=True)))
-    made = compare(slow(), Source("b.csv", "t,x\n" + text), (X,), delay=0.0, tolerances={"position": 0.3})
-    report = json.loads(comparison_document(made, "b.csv").json())
-    fit = {name: report["signals"][0].pop(name) for name in ("scale", "offset")}
-    assert (fit["scale"], fit["offset"]) == pytest.approx((1.0, 0.25), abs=0.03)
-    within, first = {"rms": 0.25, "within": True}, {"signal": "position.0", "move": 0}
-    assert rounded(report) == {
-        "schema": "motionlang/1", "program": "a.mnt", "delay": 0.0, "within": False,
-        "signals": [
-            {"signal": "position.0", "column": "x", "points": 10, "moves": True, "lag": -0.0625,
-             "peak": 0.5, "peak_time": 3.0, "rms": round((0.8125 / 10.0) ** 0.5, 6), "within": False},
-        ],
-        "moves": [
-            {"signal": "position.0", "axis": 0, "command": "MOVER", "line": 2, "start_time": 0.0, "duration": 2.5,
-             "peak": 0.25, "peak_time": 1.0, **within, "lag": -0.0625, "overshoot": 0.5},
-        ],
-        "phases": [
-            {**first, "name": "accel", "peak": 0.25, "peak_time": 0.5, **within},
-            {**first, "name": "slew", "peak": 0.25, "peak_time": 1.0, **within},
-            {**first, "name": "decel", "peak": 0.25, "peak_time": 2.5, **within},
-        ],
-        "diagnostics": [],
-    }  # fmt: skip
-
-
 def test_a_recording_of_another_time_has_no_figures() -> None:
     text = "\n".join(f"{k / 2},{x}" for k, x in enumerate(POSITIONS))
-    made = compare(slow(), Source("b.csv", "t,x\n" + text), (X,), delay=-9.0, tolerances={"position": 0.3})
+    made = compare(slow(), Source("b.csv", "t,x\n" + text), X, delay=-9.0, tolerances={"position": 0.3})
     nothing = {"peak": None, "peak_time": None, "rms": None, "within": None}
     assert made.signals == [
         {
@@ -269,9 +214,7 @@ def test_a_recording_of_another_time_has_no_figures() -> None:
 def test_a_residual_of_just_the_tolerance_is_within_it(tolerance: float | None, within: bool | None) -> None:
     """The axis is at rest in the recording, 0.25 uu too low."""
     given = {} if tolerance is None else {"position.0": tolerance, "position": 0.0}
-    made = compare(
-        slow(), Source("b.csv", "t,x\n3,7.75\n3.5,7.75\n4,7.75"), (X,), delay=0.0, tolerances=given
-    )
+    made = compare(slow(), Source("b.csv", "t,x\n3,7.75\n3.5,7.75\n4,7.75"), X, delay=0.0, tolerances=given)
     assert made.is_within is within
     assert [each["moves"] for each in made.signals] == [False]
 
@@ -288,15 +231,10 @@ def test_a_time_step_of_more_than_three_and_a_half_usual_ones_is_a_gap(
     times: tuple[float, ...], message: str | None
 ) -> None:
     text = "\n".join(f"{time / 10},1" for time in times)
-    made = compare(simulated(), Source("b.csv", "t,x\n" + text), (X,), delay=0.0)
+    made = compare(simulated(), Source("b.csv", "t,x\n" + text), X, delay=0.0)
     found = [each.message for each in made.remarks if "gap" in each.message]
     ten = [] if message is None else [message.replace("4 s", "0.4 s").replace("5 s", "0.5 s")]
     assert found == [each.replace("3 s", "0.3 s").replace("8 s", "0.8 s") for each in ten]
-
-
-def test_a_single_column_may_end_with_a_separator() -> None:
-    assert list(read_table(Source("b.csv", "t;x;\n0;1;\n1;2;\n")).columns) == ["t", "x"]
-    assert list(read_table(Source("b.csv", "x;\n1;\n2;\n")).columns) == ["x"]
 
 
 # ------------------------------------------------------------------------------------------ the command
@@ -357,33 +295,41 @@ def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[s
     assert '"quantity":"position"' in (folder / "x.html").read_text(encoding="utf-8").replace(" ", "")
 
 
-def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one() -> None:
-    columns = dict.fromkeys(
-        ["time_s", "axis0_position_uu", "axis0_actual_uu", "axis0_velocity_uu_per_s"], np.zeros(1)
+@pytest.mark.parametrize(
+    "text",
+    [
+        "time (ms),x\n0,1.5\n1,2.5\n2,3.5",
+        "# logger\n\ntime [ms];x\n0,0;1,5\n1,0;2,5\n2,0;3,5\n",
+        "time_ms\tx\n0\t1.5\n1\t2.5\n2\t3.5\n",
+        "Time    x\nms      mm\n0   1.5\n 1  2.5\n2   3.5\n",
+        '"time","x",\n"s","mm",\n0.000,1.5,\n0.001,2.5,\n0.002,3.5,\n',
+        "% made by a scope\r\ntime;x;;\r\nms;mm;;\r\n0;1,5;;\r\n1;2,5;;\r\n2;3,5;;",
+        "time;x;\n0;1.5;\n0.001;2.5;\n0.002;3.5;\n",
+    ],
+)
+def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
+    """Another run rests at 0 in these 2 ms."""
+    (row,) = compared(Source("x.csv", text), {"position.0": "X"}, delay=0.0).signals
+    assert (row["points"], row["peak"], row["peak_time"]) == (3, pytest.approx(3.5), pytest.approx(0.002))
+    assert row["rms"] == pytest.approx(((1.5**2 + 2.5**2 + 3.5**2) / 3.0) ** 0.5)
+
+
+@pytest.mark.parametrize(
+    ("times", "points", "remark"),
+    [
+        ("0 1 2", 3, ""),
+        ("0 nan 1 2", 3, ""),
+        ("0 1 1 2", 3, ""),  # of two at one time the last one
+        ("0 1 2 0.5 0.6", 3, "time runs backwards 1 time"),
+        ("0 1 0.5 0.6 0.7", 3, "time runs backwards 1 time"),
+        ("0 nan 1 0.5 0.6 0.7 0.2", 3, "time runs backwards 2 times"),
+        ("0 1 2 2 0.5 0.6 0.7", 3, "time runs backwards 1 time"),
+    ],
+)
+def test_the_longest_stretch_of_increasing_times_is_compared(times: str, points: int, remark: str) -> None:
+    text = "\n".join(f"{each},0" for each in times.split())
+    made = compared(Source("b.csv", "t,x\n" + text), delay=0.0)
+    assert made.signals[0]["points"] == points
+    assert [each.message for each in made.remarks if "backwards" in each.message] == (
+        [remark] if remark else []
     )
-    assert [(each.target, each.column) for each in _own(columns)] == [
-        ("position.0", "axis0_actual_uu"),
-        ("velocity.0", "axis0_velocity_uu_per_s"),
-    ]
-    other = dict.fromkeys(["axis1_actual_uu", "axis1_position_uu"], np.zeros(1))
-    assert [(each.target, each.column) for each in _own(other)] == [("position.1", "axis1_actual_uu")]
-
-
-def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() -> None:
-    """The recording ends before the last 12 of 50 moves, and is 0.01 uu off.
-
-    The 38 recorded moves and two of the 12 are shown.
-    """
-    text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
-    text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"
-    many = run(Source("many.mnt", text), dialect="mint")
-    end = many.controller.log.moves[38].start_time - 0.005
-    times = np.arange(int(end * 1000.0)) / 1000.0
-    rows = [
-        f"{t:.3f},{x + 0.01:.9f}" for t, x in zip(times, many.trace.at(0, "position", times), strict=True)
-    ]
-    made = compare(many, Source("real.csv", "\n".join(["t,x", *rows])), (X,), delay=0.0)
-    assert sum(row["peak"] is None for row in made.moves) == 12
-    shown = render_comparison(made).split("\n\n")[2].splitlines()
-    assert shown[-1] == "the 40 worst of 50 moves; --all shows all"
-    assert sum("not recorded" in line for line in shown) == 2

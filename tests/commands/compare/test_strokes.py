@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from motionlang.commands.compare.comparison import Comparison, Mapped, compare
-from motionlang.kernel import Run, Source, run, settings_next_to
+from motionlang import compare, run
+from motionlang.kernel import Run, Source, settings_next_to
 
 MINT = """\
 SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000
@@ -166,13 +166,13 @@ def made(language: str, line: int = 0, text: str = "") -> Run:
     return run(Source(name, "".join(lines)))
 
 
-def compared(language: str, case: Case, later: float = 0.0) -> Comparison:
+def compared(language: str, case: Case, later: float = 0.0) -> Any:
     axis = PROGRAMS[language][2]
     other = made(language, case.line, getattr(case, language))
     samples = other.trace.sample(500.0, [axis], None, ["position"])
     rows = zip(samples.time + later, case.column(samples.get(axis, "position")), strict=True)
     text = "\n".join(["t,x", *(f"{time:.6f},{value:.6f}" for time, value in rows)])
-    return compare(made(language), Source("real.csv", text), [Mapped(f"position.{axis}", "x", None)])
+    return compare(made(language), Source("real.csv", text), {f"position.{axis}": "x"})
 
 
 @pytest.mark.parametrize("later", [0.0, 2.0])
@@ -210,7 +210,7 @@ def test_a_program_of_the_gallery_does_not_differ_from_itself(name: str, rate: f
     values = samples.get(axis, "position")
     values = values + noise * np.ptp(values) * np.random.default_rng(3).normal(size=len(values))
     rows = "\n".join(f"{t + 0.3:.6f},{x:.6f}" for t, x in zip(samples.time, values, strict=True))
-    found = compare(result, Source("real.csv", "t,x\n" + rows), [Mapped(f"position.{axis}", "x", None)])
+    found = compare(result, Source("real.csv", "t,x\n" + rows), {f"position.{axis}": "x"})
     assert found.remarks == []
     assert found.delay == pytest.approx(0.3, abs=1e-3)
 
@@ -221,6 +221,6 @@ def test_a_line_that_differs_each_time_is_reported_once() -> None:
     slow, fast = (run(Source("a.mnt", text.format(speed))) for speed in (50, 100))
     samples = fast.trace.sample(1000.0, [0], None, ["position"])
     rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(*samples.data, strict=True))
-    found = compare(slow, Source("real.csv", "t,x\n" + rows), [Mapped("position.0", "x", None)])
+    found = compare(slow, Source("real.csv", "t,x\n" + rows), {"position.0": "x"})
     message = "position.0, MOVER of line 4: recorded the same 20 uu in 33 % less time: 100 against 50 uu/s"
     assert [each.message for each in found.remarks] == [f"{message} (and 4 more)"]

@@ -5,13 +5,13 @@ The reports are written by hand: a move of 10 uu in 1 s.
 
 from __future__ import annotations
 
+import random
 import re
 from typing import Any
 
 import pytest
 
-from motionlang.commands.diff.reports import checked, difference
-from motionlang.commands.diff.tolerance import Tolerance
+from motionlang import diff
 
 Report = dict[str, Any]
 
@@ -50,7 +50,7 @@ def phases(name: str = "accel", duration: float = 0.5, distance: float = 5.0) ->
     ],
 )
 def test_the_figures_of_a_move(fields: Report, figures: dict[str, tuple[object, object]]) -> None:
-    found = difference(report(move()), report(move(**fields)))
+    found = diff(report(move()), report(move(**fields)))
     assert [change.figures for change in found.lines] == ([figures] if figures else [])
     assert found.same is not bool(figures)
     assert found.first == ((0.0, 0) if figures else None)
@@ -59,14 +59,14 @@ def test_the_figures_of_a_move(fields: Report, figures: dict[str, tuple[object, 
 
 def test_figures_of_a_motor() -> None:
     old, new = ({"rms": 2.0, "peak": 3.0, "settle_time": 1.0}, {"rms": 2.5, "peak": 3.0, "settle_time": 1.0})
-    found = difference(report(move(motor=old)), report(move(motor=new)))
+    found = diff(report(move(motor=old)), report(move(motor=new)))
     assert found.lines[0].figures == {"rms": (2.0, 2.5)}
 
 
 def test_a_commanded_speed_is_no_motion() -> None:
-    found = difference(report(move(commanded_speed=5.0)), report(move(commanded_speed=6.0)))
+    found = diff(report(move(commanded_speed=5.0)), report(move(commanded_speed=6.0)))
     assert (found.same, found.first, found.is_commanded) == (False, None, True)
-    assert not difference(report(), report()).is_commanded
+    assert not diff(report(), report()).is_commanded
 
 
 def test_the_moves_of_a_line_together() -> None:
@@ -76,7 +76,7 @@ def test_the_moves_of_a_line_together() -> None:
     """
     old = report(move(), move(begin=1.0), move(begin=2.0))
     new = report(move(duration=1.25), move(begin=1.25, duration=1.5), move(begin=3.0))
-    (change,) = difference(old, new).lines
+    (change,) = diff(old, new).lines
     assert (change.old, change.new, change.axis, change.command, change.count) == (1, 1, 0, "MOVER", 3)
     assert change.duration == pytest.approx(0.75)
     # The third move begins at 3 instead of 2.75, where the second one ends.
@@ -92,17 +92,17 @@ def test_a_later_motion_shifts_what_follows_and_is_reported_once() -> None:
     """
     old = report(move(), move(2, begin=1.0))
     new = report(move(duration=1.5), move(2, begin=1.5), time=5.5)
-    found = difference(old, new)
+    found = diff(old, new)
     assert [(change.old, change.wait) for change in found.lines] == [(1, 0.0)]
     assert (found.time, found.tail) == ((5.0, 5.5), 0.0)
     # When motion began and ended, and how much later that is.
     assert found.later == [(0.0, 0, 0.0), (1.0, 0, 0.5), (1.0, 0, 0.5), (2.0, 0, 0.5)]
-    assert difference(old, {**new, "time": 6.0}).tail == pytest.approx(0.5)
+    assert diff(old, {**new, "time": 6.0}).tail == pytest.approx(0.5)
 
 
 def test_a_move_without_an_end_has_no_end_to_compare() -> None:
     old, new = report(move(duration=None)), report(move(duration=None, begin=0.5))
-    found = difference(old, new)
+    found = diff(old, new)
     assert found.later == [(0.0, 0, 0.5)]
     assert found.lines[0].wait == pytest.approx(0.5)
 
@@ -114,20 +114,20 @@ def test_moves_that_only_one_run_has() -> None:
     new = report(
         move(1), *extra, move(2, begin=1.0, distance=3.0), move(3, begin=2.0), move(4, axis=7, begin=3.0)
     )
-    found = difference(old, new)
+    found = diff(old, new)
     assert [each["axis"] for each in found.new] == [5, 6, 7]
     assert found.removed == []
     assert found.hunks == {(None, 1): 1, (None, 2): 1, (None, 5): 2}
     assert found.moves == (3, 6)
     assert found.first == (1.0, 5)
-    back = difference(new, old)
+    back = diff(new, old)
     assert [each["axis"] for each in back.removed] == [5, 6, 7]
 
 
-def test_lines_with_other_numbers_are_no_difference() -> None:
+def test_lines_with_other_numbers_are_no_diff() -> None:
     old = report(move(1), move(2, begin=1.0, distance=3.0))
     new = report(move(1), move(9, begin=1.0, distance=3.0))
-    found = difference(old, new)
+    found = diff(old, new)
     assert (found.same, found.moved) == (True, {2: 9})
 
 
@@ -141,7 +141,7 @@ def test_lines_with_other_numbers_are_no_difference() -> None:
     ],
 )
 def test_prints(old: list[str], new: list[str], prints: list[tuple[object, ...]]) -> None:
-    found = difference(report(output=old), report(output=new))
+    found = diff(report(output=old), report(output=new))
     assert found.prints == prints
     assert [number for _, _, number in found.printed if number is not None] == list(range(len(prints)))
 
@@ -163,13 +163,12 @@ def event(time: float = 1.0, kind: str = "clamp", **fields: Any) -> Report:
     ],
 )
 def test_an_event(fields: Report, differs: bool, later: float) -> None:
-    found = difference(report(events=[event()]), report(events=[{**event(), **fields}]))
+    found = diff(report(events=[event()]), report(events=[{**event(), **fields}]))
     assert [shift for _, _, shift in found.events] == ([later] if differs else [])
     assert found.happened == [(0, 0, 0 if differs else None)]
 
 
 def test_figures_of_events_have_the_tolerance_of_positions_or_of_speeds() -> None:
-    tolerance = Tolerance("position=1uu")
     for kind, differs in (
         ("limit", False),
         ("soft limit", False),
@@ -177,7 +176,7 @@ def test_figures_of_events_have_the_tolerance_of_positions_or_of_speeds() -> Non
         ("clamp", True),
     ):
         old, new = report(events=[event(kind=kind)]), report(events=[event(kind=kind, value=5.5)])
-        assert bool(difference(old, new, tolerance).events) is differs
+        assert bool(diff(old, new, "position=1uu").events) is differs
 
 
 @pytest.mark.parametrize(
@@ -201,12 +200,12 @@ def test_an_event_may_shift_with_the_motion_or_stay(
     """
     old = report(move(), events=[event(was, axis=axis)])
     new = report(move(duration=1.5), events=[event(time, axis=axis)])
-    assert bool(difference(old, new).events) is differs
+    assert bool(diff(old, new).events) is differs
 
 
 def test_events_and_errors_that_only_one_run_has() -> None:
     wrong = {"severity": "error", "code": "limit", "message": "stopped in line 5"}
-    found = difference(
+    found = diff(
         report(events=[event()], diagnostics=[wrong]),
         report(
             events=[], diagnostics=[{**wrong, "message": "stopped in line 9"}, {**wrong, "code": "never"}]
@@ -216,7 +215,7 @@ def test_events_and_errors_that_only_one_run_has() -> None:
     assert found.errors == [("added", "error[never]: stopped in line")]
     # The indices of each diagnostic in both runs, and that of the difference.
     assert found.reported == [(0, 0, None), (None, 1, 0)]
-    assert difference(report(diagnostics=[wrong]), report()).errors == [
+    assert diff(report(diagnostics=[wrong]), report()).errors == [
         ("removed", "error[limit]: stopped in line"),
     ]  # fmt: skip
 
@@ -238,15 +237,15 @@ def test_events_and_errors_that_only_one_run_has() -> None:
     ],
 )
 def test_other_fields_by_their_path(old: object, new: object, lines: list[str]) -> None:
-    found = difference(report(axes=old), report(axes=new))
+    found = diff(report(axes=old), report(axes=new))
     assert found.others == lines
     assert found.same is not bool(lines)
 
 
 def test_time_and_status() -> None:
-    found = difference(report(), report(time=6.0, status="until"))
+    found = diff(report(), report(time=6.0, status="until"))
     assert (found.time, found.status, found.tail) == ((5.0, 6.0), ("ended", "until"), 1.0)
-    assert difference(report(), report(time=5.5), Tolerance("time=1s")).same
+    assert diff(report(), report(time=5.5), "time=1s").same
 
 
 @pytest.mark.parametrize(
@@ -262,6 +261,79 @@ def test_time_and_status() -> None:
         (report(1), "its move 0 lacks axis, command, line, start_time, phases"),  # type: ignore[arg-type]
     ],
 )
-def test_what_is_no_report(value: object, message: str) -> None:
+def test_what_is_no_report(value: Any, message: str) -> None:
     with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
-        checked(value)
+        diff(value, report())
+
+
+@pytest.mark.parametrize("event", [{"time": 1.0}, {"kind": "stop"}, {}, None])
+def test_an_event_without_kind_or_time_is_no_event_of_a_report(event: object) -> None:
+    with pytest.raises(ValueError, match="its event 1 has no kind or time"):
+        diff(report(events=[{"kind": "stop", "time": 0.5}, event]), report())
+
+
+@pytest.mark.parametrize(
+    ("texts", "field", "expected", "found", "same"),
+    [
+        (["time=2ms"], "duration", 1.0, 1.0019, True),
+        (["time=2ms"], "duration", 1.0, 0.9979, False),
+        (["time=2ms"], "end", 1.0, 1.001, False),  # a position
+        (["time=2ms", "position=0.1uu"], "end", -1.0, -1.09, True),
+        (["speed=2%"], "peak_speed", 100.0, 98.1, True),  # 2 % of the larger one
+        (["speed=2%"], "peak_speed", 98.1, 100.0, True),
+        (["speed=2%"], "peak_speed", 100.0, 97.9, False),
+        (["speed=2%", "speed=3uu/s"], "peak_speed", 100.0, 97.1, True),  # the wider one counts
+        (["speed=2%"], "note", 100.0, 99.0, False),
+        ([], "", 1e6, 1e6 + 0.5e-3, True),  # a billionth is rounding
+        ([], "", 1e6, 1e6 + 2e-3, False),
+        ([], "", 0.0, 0.9e-12, True),
+        ([], "", 0.0, 2e-12, False),
+        ([], "", 3, 3, True),
+        ([], "", 3, 3.0, False),
+        ([], "", "a", "b", False),
+        ([], "", float("inf"), float("inf"), True),
+    ],
+)
+def test_two_figures_are_the_same_within_a_tolerance(
+    texts: list[str], field: str, expected: object, found: object, same: bool
+) -> None:
+    old, new = (report(axes=[{field or "figure": each}]) for each in (expected, found))
+    assert diff(old, new, *texts).same is same
+
+
+def common_length(a: list[str], b: list[str]) -> int:
+    """Return the length of the longest common subsequence, by a table of all prefixes."""
+    table = [[0] * (len(b) + 1) for _ in range(len(a) + 1)]
+    for i, one in enumerate(a):
+        for j, other in enumerate(b):
+            best = max(table[i][j + 1], table[i + 1][j])
+            table[i + 1][j + 1] = table[i][j] + 1 if one == other else best
+    return table[-1][-1]
+
+
+def test_what_two_outputs_have_in_common_is_the_longest_there_is_and_the_first_of_equal_lines() -> None:
+    """Lines are put in and taken out as late as possible."""
+    draw = random.Random(4)
+    for _ in range(500):
+        a, b = ([draw.choice("wxyz") for _ in range(draw.randrange(13))] for _ in range(2))
+        found = diff(report(output=a), report(output=b))
+        pairs = [(i, j) for i, j, _ in found.printed if i is not None and j is not None]
+        assert all(a[i] == b[j] for i, j in pairs)
+        assert pairs == sorted(pairs)
+        assert len({i for i, _ in pairs}) == len({j for _, j in pairs}) == common_length(a, b)
+        assert sorted(i for i, _, _ in found.printed if i is not None) == list(range(len(a)))
+        assert sorted(j for _, j, _ in found.printed if j is not None) == list(range(len(b)))
+        i_last = j_last = -1
+        for i, j in pairs:
+            assert not (i == i_last + 1 and j > j_last + 1 and b[j_last + 1] == a[i])
+            assert not (j == j_last + 1 and i > i_last + 1 and a[i_last + 1] == b[j])
+            i_last, j_last = i, j
+
+
+def test_outputs_that_are_too_different_are_compared_line_by_line() -> None:
+    """Both are of one kind, figures aside."""
+    a, b = ([f"{sign}{n}" for n in range(3000)] for sign in ("a ", "b "))
+    found = diff(report(output=a), report(output=b))
+    assert len(found.prints) == 6000
+    found = diff(report(output=a), report(output=a[::-1]))
+    assert found.prints == [(n + 1, n + 1, a[n], a[-1 - n]) for n in range(3000)]

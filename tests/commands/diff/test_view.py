@@ -5,18 +5,21 @@ The reports are written by hand.
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
 
-from motionlang.commands.diff.charged import Charge
-from motionlang.commands.diff.reports import LineChange, difference
-from motionlang.commands.diff.view import _charged, _together, diff_lines
+from tests.cli.programs import Cell
 from tests.commands.diff.test_fields import event, move, report
 
 
-def lines(old: dict[str, Any], new: dict[str, Any]) -> list[str]:
-    return diff_lines(difference(old, new))
+def lines(cell: Cell, old: dict[str, Any], new: dict[str, Any]) -> list[str]:
+    """Return what `motionlang diff` prints of two reports."""
+    for name, made in (("old.json", old), ("new.json", new)):
+        cell.write(name, json.dumps(made))
+    shown: list[str] = cell("diff", "old.json", "new.json").out.splitlines()
+    return [] if shown == ["no difference"] else shown
 
 
 @pytest.mark.parametrize(
@@ -75,50 +78,25 @@ def lines(old: dict[str, Any], new: dict[str, Any]) -> list[str]:
         ),
     ],
 )
-def test_the_line_of_a_difference(old: dict[str, Any], new: dict[str, Any], wanted: str) -> None:
+def test_the_line_of_a_difference(old: dict[str, Any], new: dict[str, Any], wanted: str, cell: Cell) -> None:
     found = [
-        line for line in lines(old, new) if not line.startswith(("time: ", "the motion first", "moves: "))
+        line
+        for line in lines(cell, old, new)
+        if not line.startswith(("time: ", "the motion first", "moves: "))
     ]
     assert found == [wanted]
 
 
-def test_the_end_of_a_run() -> None:
-    found = lines(report(move()), report(move(), time=5.5))
+def test_the_end_of_a_run(cell: Cell) -> None:
+    found = lines(cell, report(move()), report(move(), time=5.5))
     assert found[-1] == "the run ends +0.500000 s after its last motion"
 
 
-def test_where_motion_differs_first() -> None:
-    assert lines(report(move(begin=2.0)), report(move(begin=2.0, duration=2.0)))[-1] == (
+def test_where_motion_differs_first(cell: Cell) -> None:
+    assert lines(cell, report(move(begin=2.0)), report(move(begin=2.0, duration=2.0)))[-1] == (
         "the motion first differs at 2.000000 s, on axis 0"
     )
-    assert lines(report(move(commanded_speed=5.0)), report(move(commanded_speed=6.0)))[-1] == (
+    assert lines(cell, report(move(commanded_speed=5.0)), report(move(commanded_speed=6.0)))[-1] == (
         "only the commanded speed differs, the motion does not"
     )
-    assert lines(report(move()), report(move())) == []
-
-
-def test_lines_that_time_is_charged_to() -> None:
-    """The rest is added up if there are more than are shown."""
-    charges = [
-        Charge(1, 1, 0.5), Charge(None, 2, 0.25), Charge(3, None, -0.25), Charge(4, 5, 0.125), Charge(0, 0, 1.0),
-    ]  # fmt: skip
-    assert _charged(charges, 9) == (
-        "line 1 +0.500000 s, line 2 (new) +0.250000 s, line 3 (missing) -0.250000 s, line 4 (now 5) +0.125000 s, "
-        "no line +1.000000 s"
-    )
-    assert _charged(charges, 2) == "line 1 +0.500000 s, line 2 (new) +0.250000 s, 3 more +0.875000 s"
-    assert _charged(charges, 5).endswith("no line +1.000000 s")
-
-
-def test_the_largest_changes_in_time_come_first() -> None:
-    """Line 3 takes 2 s less, line 1 1.5 s more, and line 2 as long as before.
-
-    Its move takes 4 s more, but starts earlier.
-    """
-    changes = [LineChange(line, line, 0, "MOVER", 0.0) for line in (1, 2, 3)]
-    for change, (duration, wait) in zip(changes, ((1.0, 0.5), (4.0, -4.0), (-1.5, -0.5)), strict=True):
-        change.count, change.duration, change.wait = 1, duration, wait
-    assert [[each.new for each in group] for group in _together(changes)] == [[3], [1], [2]]
-    other = LineChange(1, 1, 1, "MOVER", 0.0)
-    other.count, other.duration, other.wait = 1, 1.0, 0.5
-    assert [[each.axis for each in group] for group in _together([other, *changes])] == [[0], [0, 1], [0]]
+    assert lines(cell, report(move()), report(move())) == []

@@ -5,10 +5,8 @@ from __future__ import annotations
 import pytest
 
 from motionlang.commands.init import guessed
-from motionlang.commands.init.file import machine_text
 from motionlang.commands.worlds import Worlds
 from motionlang.kernel import Source, dialect, run
-from motionlang.kernel.lang import Target
 
 # The program, its inputs in the guessed machine file, and when it ends. An input changes 0.3 s after the program
 # waits for it; one that has to come and go is on from 1 s to 2 s, from 3 s to 4 s and so on.
@@ -218,109 +216,3 @@ def test_the_draft_of_a_machine_file(name: str) -> None:
     assert guesses.settings(20.0) == {"run.until": 20.0, **settings}
     assert (guesses.count, worlds.count) == (count, runs)
     assert run(worlds.source, machine=guesses.settings(20.0)).output == result.output
-
-
-NO_TARGET = Target("", [], [])
-# A line is quoted with 60 characters, a channel with three lines.
-PRESS = """\
-SCALE.0 = 1 : SCALE.1 = 100
-IF INX.2 = 0 THEN GOTO bad
-IF INX.2 = 0 THEN GOTO bad : REM     a remark that makes the line longer than
-IF INX.2 = 0 THEN GOTO bad
-IF INX.2 = 0 THEN GOTO bad
-PAUSE INX.1
-PAUSE INX.5 = 0
-PAUSE INX.6
-PAUSE ADC.2 > 60
-INPUT "Parts 3 to 8", n
-HOME.1 = 0
-PAUSE IDLE.1
-#key
-K = INKEY
-IF K <> 82 THEN GOTO key
-MOVER.0 = 5 : GO.0 : PAUSE IDLE.0
-END
-#bad
-? 2
-"""
-# Channel 6 is of a person. Homing begins at 40 uu/s; its deceleration at 1000 uu/s2 takes 0.8 uu beyond the switch. 5
-# counts at 100000 counts/s2 reach sqrt(5 * 100000) counts/s.
-DRAFT = """\
-# The machine around old.prg, written by motionlang init.
-#
-# A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
-# reports it. docs/machine-file.md explains every key.
-
-run.until = 20    # the run ends here if the program does not
-
-# Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
-# it, `value = 0` inverts an input.
-input = [
-  # line 6: PAUSE INX.1
-  { channel = 1, at = 0.3, guess = true },
-  # line 2: IF INX.2 = 0 THEN GOTO bad
-  # line 3: IF INX.2 = 0 THEN GOTO bad : REM a remark that makes the lin …
-  # line 4: IF INX.2 = 0 THEN GOTO bad
-  { channel = 2, at = 0.0, guess = true },
-  # line 7: PAUSE INX.5 = 0
-  # { channel = 5, at = 0.0 },    # take the first # away to switch it on
-  # line 8: PAUSE INX.6
-  { channel = 6, at = 0.5 },
-]
-
-# Analogue inputs, in percent.
-analogue = [
-  { channel = 2, value = 100.0, at = 0.8, guess = true },
-]
-
-# Lines that the operator types when the program asks.
-answer = [
-  { prompt = "Parts 3 to 8", text = "5", guess = true },
-]
-
-# Keys that the operator presses.
-key = [
-  { at = 2.6, text = "R", guess = true },
-]
-
-[axis.0]    # 1 count per user unit
-# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
-# limits.position = [0, 5]
-# limits.speed = 707.107
-# limits.acceleration = 100000
-
-[axis.1]    # 100 counts per user unit
-home_switch = [-44.0, -40.0]
-guess = true    # the switches
-# Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
-# limits.position = [-41, 1]
-# limits.speed = 40
-# limits.acceleration = 1000
-
-# Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
-# in the folder old.scenarios: docs/scenarios.md.
-[[expect]]
-status = "ended"
-"""
-
-
-def test_the_text_of_a_draft() -> None:
-    source, mint = Source("/machines/old.prg", PRESS), dialect("mint")
-    reads = mint.input_reads(source)
-    guesses, result = guessed(Worlds(source, mint), 20.0, {"input": [on(6, 0.5)]})
-    assert machine_text(source, guesses, reads, result, 20.0, NO_TARGET) == DRAFT
-
-
-def test_the_text_of_a_draft_without_guesses() -> None:
-    """A program that runs to the time limit, with a key of a person and no input."""
-    source, mint = Source("old.prg", KEYS), dialect("mint")
-    reads, fixed = mint.input_reads(source), {"key": [{"at": 30.0, "text": 'R"'}]}
-    guesses, result = guessed(Worlds(source, mint), 2.5, dict(fixed))
-    text = machine_text(source, guesses, reads, result, 2.5, NO_TARGET)
-    assert text.partition("run.until")[2] == (
-        " = 2.5    # the run ends here if the program does not\n\n# Keys that the operator presses.\n"
-        'key = [\n  { at = 30.0, text = "R\\"" },\n]\n\n'
-        "# Expectations that `motionlang verify` checks. A scenario, another world for the same program, "
-        "is a file of its own\n# in the folder old.scenarios: docs/scenarios.md.\n"
-        '[[expect]]\nstatus = "until"\n'
-    )

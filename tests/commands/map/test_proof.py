@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import motionlang
 from motionlang.commands.init import guessed
-from motionlang.commands.map.observed import Observed
-from motionlang.commands.map.program_map import map_of_run, program_map
-from motionlang.commands.map.states import State
 from motionlang.commands.worlds import Worlds
-from motionlang.kernel import Checked, Source, dialect, run, settings_next_to
+from motionlang.kernel import Source, dialect, settings_next_to
 from tests.cases import examples
 from tests.commands.map.proof import drawn, problems
 
@@ -41,7 +40,7 @@ def test_cycles_of_the_old_programs_are_in_their_maps(path: Path) -> None:
     guesses, _ = guessed(Worlds(source, language), 30.0, {})
     settings = guesses.settings(30.0)
     assert problems(source, settings, 30.0) == []
-    made = map_of_run(source, language, Checked(settings), until=30.0)
+    made = motionlang.map(source, machine=settings, run=True, until=30.0)
     assert made.observed is not None
     transitions = [each for diagram in made.diagrams.diagrams for each in diagram.transitions]
     assert len(made.observed.taken) > 0.4 * len(transitions)
@@ -73,8 +72,7 @@ End Task
 
 def counts(text: str, name: str = "a.mnt") -> dict[str, int]:
     """Return how often a run takes each transition, by "line -> line"."""
-    language = dialect("mccl" if name.endswith("mcl") else "mint")
-    made = map_of_run(Source(name, text), language, Checked({}))
+    made = motionlang.map(Source(name, text), machine={}, run=True)
     assert made.observed is not None
     assert made.observed.strays == []
     return {
@@ -83,7 +81,7 @@ def counts(text: str, name: str = "a.mnt") -> dict[str, int]:
     }
 
 
-def _place(state: State) -> str:
+def _place(state: Any) -> str:
     return str(state.line) if state.kind in ("wait", "call") else state.kind
 
 
@@ -107,8 +105,6 @@ def test_macros_and_repeats_are_counted() -> None:
 
 
 def test_an_observed_run_is_the_same_run() -> None:
-    source, language = Source("a.mnt", PROGRAM), dialect("mint")
-    plain = run(source, machine={})
-    observed = Observed(program_map(source, language).diagrams)
-    watched = run(source, machine={}, observer=observed, begun=observed.attach)
-    assert watched.report == plain.report
+    made = motionlang.map(Source("a.mnt", PROGRAM), machine={}, run=True)
+    assert made.run is not None
+    assert made.run.report == motionlang.run(Source("a.mnt", PROGRAM), machine={}).report

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.map.program_map import program_map
-from motionlang.commands.map.states import MAX_PATHS
-from motionlang.commands.map.view.text import render_states
-from motionlang.kernel import Source, dialect
+import motionlang
+from motionlang.kernel import Source
+from tests.cli.programs import Cell
 
 CASES = Path(__file__).with_name("states.txt")
 
@@ -25,19 +24,16 @@ def cases() -> list[tuple[str, str, str, str]]:
     return found
 
 
-def states_of(program: str, language: str = "mint") -> str:
-    made = program_map(Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", program), dialect(language))
-    return render_states(made, width=80)
-
-
 @pytest.mark.parametrize(("name", "language", "program", "states"), cases(), ids=lambda case: str(case)[:40])
-def test_states(name: str, language: str, program: str, states: str) -> None:
-    assert states_of(program, language) == states, name
+def test_states(name: str, language: str, program: str, states: str, cell: Cell) -> None:
+    file = f"a.{'mnt' if language == 'mint' else 'mcl'}"
+    cell.write(file, program)
+    assert cell("map", file).out.partition("\nStates\n\n")[2] == states, name
 
 
 def sizes(program: str) -> tuple[int, int, int]:
     """Return the numbers of states, transitions and actions of a program."""
-    made = program_map(Source("a.mnt", program), dialect("mint"))
+    made = motionlang.map(Source("a.mnt", program))
     transitions = [each for diagram in made.diagrams.diagrams for each in diagram.transitions]
     actions = sum(len(each.path) for each in transitions)
     return sum(len(diagram.states) for diagram in made.diagrams.diagrams), len(transitions), actions
@@ -62,11 +58,11 @@ def test_the_diagram_grows_with_the_program_and_no_faster(line: str) -> None:
 def test_at_most_a_few_paths_meet_at_a_step() -> None:
     """Of 20 Ifs with a WAIT on one side each, no state has more ways in than two for each path that may meet."""
     program = "".join(WAITS.format(k) for k in range(20)) + "PRINT 1\n"
-    made = program_map(Source("a.mnt", program), dialect("mint"))
+    made = motionlang.map(Source("a.mnt", program))
     ways: dict[str, int] = {}
     for each in made.diagrams.diagrams[0].transitions:
         ways[each.target.id] = ways.get(each.target.id, 0) + 1
-    assert max(ways.values()) <= 2 * MAX_PATHS
+    assert max(ways.values()) <= 2 * 4
 
 
 def test_ifs_without_a_wait_are_one_transition_however_deep() -> None:

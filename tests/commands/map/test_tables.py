@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from motionlang.commands.map.channels import Channel, lines
-from motionlang.commands.map.comments import named
-from motionlang.commands.map.program_map import ProgramMap, program_map
-from motionlang.kernel import Source, dialect
+from typing import Any
+
+import motionlang
+from motionlang.kernel import Source
 from tests.cases import cases
 
 
-def made(text: str, language: str = "mint", **settings: object) -> ProgramMap:
-    return program_map(
-        Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", text), dialect(language), settings
-    )
+def made(text: str, language: str = "mint", **settings: object) -> Any:
+    return motionlang.map(Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", text), machine=settings)
 
 
-def channel(text: str, title: str, language: str = "mint", **settings: object) -> Channel:
+def channel(text: str, title: str, language: str = "mint", **settings: object) -> Any:
     return next(each for each in made(text, language, **settings).channels if each.title == title)
 
 
@@ -32,9 +30,9 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
         ("; axis 1 table, axis 2 press slide", "axis 1 table, axis 2 press slide"),
         (
             "REM axis 0 pusher (ballscrew 10 mm)    axis 1 lift",
-            "axis 0 pusher (ballscrew 10 mm), axis 1 lift",
+            "axis 0 pusher, axis 1 lift",
         ),
-        ("REM   0 = table (36000 counts/rev)    1 = feed", "axis 0 table (36000 counts/rev), axis 1 feed"),
+        ("REM   0 = table (36000 counts/rev)    1 = feed", "axis 0 table, axis 1 feed"),
         ("' Gasket glue table, X=0 Y=1 Z=2.", "axis 0 X, axis 1 Y, axis 2 Z"),
         ("REM OUT1 heat OUT2 knife OUT3 lamp", "output 1 heat, output 2 knife, output 3 lamp"),
         ("Rem INPUT 4 guard OUTPUT 5 knife", "input 4 guard, output 5 knife"),
@@ -44,21 +42,25 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
     ],
 )
 def test_names_in_comments(comment: str, wanted: str) -> None:
-    assert ", ".join(f"{each.kind} {each.number} {each.name}" for each in named([(1, comment)])) == wanted
+    assert ", ".join(names(comment)) == wanted
+
+
+# What uses all channels, axes and registers that comments name.
+MINT = "".join(f"OUTX({k}) = INX({k})\n" for k in range(7)) + "MOVER(0) = 1 : MOVER(1) = 1 : MOVER(2) = 1\n"
+MCCL = "WN1,WN2,CN33,CN34,1MR5,2MR5,RA24,AR25\n"
+
+
+def names(comment: str) -> list[str]:
+    """Return the names that a comment gives, in the order in which it has them."""
+    found = made(f"{comment}\n{MCCL}", "mccl") if comment.startswith(";") else made(f"{comment}\n{MINT}")
+    named = [f"{each.title} {each.name}" for each in found.channels if each.name]
+    named += [f"axis {each.axis} {each.name}" for each in found.axes if each.name]
+    named += [f"register {each.name} {each.meaning}" for each in found.variables if each.meaning]
+    return sorted(named, key=lambda each: comment.find(each.split(" ", 2)[2]))
 
 
 def test_the_mark_of_a_comment_is_no_part_of_a_name() -> None:
     assert channel("OUTX(3) = 1 : REM clamp\n", "output 3").name == "clamp"
-
-
-def test_a_list_goes_on_in_the_next_line() -> None:
-    found = named([(5, "REM  IN  0 carton     1 clamped"), (6, "REM      3 start     4 row of product")])
-    assert [(each.number, each.name) for each in found] == [
-        (0, "carton"),
-        (1, "clamped"),
-        (3, "start"),
-        (4, "row of product"),
-    ]
 
 
 def test_an_input_with_all_its_uses() -> None:
@@ -201,6 +203,6 @@ def test_the_direction_of_velocity_mode_is_a_fact_of_its_axis() -> None:
     assert [fact.text for fact in found.of("move")] == ["DI = 1"]
 
 
-@cases("numbers, text", [([], ""), ([3], "3"), ([3, 4], "3, 4"), ([7, 3, 4, 5], "3-5, 7")])
-def test_lines_as_text(numbers: list[int], text: str) -> None:
-    assert lines(numbers) == text
+def test_a_list_goes_on_in_the_next_line() -> None:
+    comment = "REM  IN  0 carton     1 clamped\nREM      3 start     4 row of product"
+    assert names(comment) == ["input 0 carton", "input 1 clamped", "input 3 start", "input 4 row of product"]

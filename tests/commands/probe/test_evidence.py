@@ -1,18 +1,138 @@
-"""No fact claims more than a source of its kind can state."""
+"""The evidence of keywords and assumptions is complete, and none claims more than its source prints."""
 
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
+from pathlib import Path
 
-from motionlang.commands.probe.facts import listed, of_word
-from motionlang.commands.probe.keyword_facts import TRUST, facts
+import pytest
+
+from motionlang.commands.probe.answers import is_answer
+from motionlang.commands.probe.assumption import Assumption
+from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
+from motionlang.commands.probe.facts import facts_of, listed, of_word
 from motionlang.kernel import dialect, dialects
 from tests.commands.probe.draw import FACTS, ROWS, drawn, line
+from tools.fidelity_page import PAGE
 
+# Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.
+OTHER_NAMES = {"@motor", "@always", "ONERROR"}
+# Of docs/fidelity.md, which a user reads in five minutes.
+MAX_WORDS = 1200
 # The type library has names, arguments, types and read or write: no meaning, short form, default or range.
 LIBRARIES = ("Mint type library", "Mint ActiveX type library, build 5626")
 # A contents page and a blog print names; what they mean is remembered.
 NAMES_ONLY = ("MN1955 contents", "Mint programming tutorial, part 5")
+LARGEST = 8388607.0
+# The printed default and range, copied from the pages; None if a page has none.
+PRINTED: dict[str, tuple[float | None, tuple[float, float] | None]] = {
+    "INPUTDEBOUNCE": (1, (1, 10)),
+    "REMOTEMODE": (None, (0, 1)),
+    "SPEED": (40000, (0, LARGEST)),
+    "FEEDRATE": (40000, (0, LARGEST)),
+    "FEEDRATEMODE": (0, (0, 3)),
+    "GEARING": (100, (-LARGEST, LARGEST)),
+    "GEARINGMODE": (0, (0, 1)),
+    "HTA": (0, (-100, 100)),
+    "HTADAMPING": (0, (-LARGEST, LARGEST)),
+    "HTADEADBAND": (0, (0, 100)),
+    "HTAKINT": (0, (-LARGEST, LARGEST)),
+    "HTAKPROP": (0, (-LARGEST, LARGEST)),
+    "AUXENCODERSPEED": (0, (-LARGEST, LARGEST)),
+    "BACKLASH": (0, (-LARGEST, LARGEST)),
+    "BACKLASHMODE": (0, (0, 1)),
+    "MOVEBUFFERSIZE": (2, (2, 100)),
+    "MOVEBUFFERSTATUS": (8, (0, 119)),
+    "OFFSETMODE": (0, (0, 3)),
+    "PRECISIONOFFSET": (0, (-LARGEST, LARGEST)),
+    "LOOPTIME": (1000, None),
+    "KINTMODE": (0, (0, 3)),
+    "HOMEPOS": (None, (-LARGEST, LARGEST)),
+    "SPLINETIME": (None, (4, 60000)),
+    "UR": (1, None),
+    "PS": (None, (0, 0.5)),
+}
+# Assumptions about the line or bus of a host, which no program on a controller can settle.
+ON_THE_LINE = 20
+# Open assumptions about a controller without an alternative, and those without a probe.
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 185 + ON_THE_LINE
+# The number of assumptions that no controller can confirm, because they are choices of this program.
+OWN = 63
+# The assumptions about PMC's library for hosts. A log that it records answers them, not a program on a controller.
+OF_HOSTS = 24
+
+
+def test_every_assumption_is_complete() -> None:
+    assert len(assumptions()) > 400
+    for name, each in assumptions().items():
+        assert re.fullmatch(r"[a-z]+\.[a-z0-9]+(-[a-z0-9]+)*", name), name
+        assert each.question, name
+        assert each.chosen, name
+        assert each.chosen not in each.alternatives, name
+
+
+def test_no_question_is_asked_twice_in_a_chapter() -> None:
+    for chapter in chapters():
+        questions = [each.question for section in chapter.sections for each in section.assumptions]
+        assert sorted(questions) == sorted(set(questions)), chapter.title
+
+
+def test_an_assumption_depends_on_keywords_of_a_language() -> None:
+    known = {row.name for name in dialects() for row in dialect(name).table()} | OTHER_NAMES
+    signs = {"control", "operator", "separator"}
+    for name, each in assumptions().items():
+        for word in set(each.words) - known:
+            assert {kind for kind, _, _ in dialect("mint").tokens(word)} <= signs, (name, word)
+
+
+def test_the_short_page_has_the_figures_of_the_entries() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    probed = [each for each in assumptions().values() if each.probe is not None and not each.own]
+    rows = re.findall(r"^\| \[.+\| (\d+) \| \d+ \|$", text, re.MULTILINE)
+    assert sum(map(int, rows)) == len(probed)
+
+
+def test_the_short_page_is_short() -> None:
+    assert len(PAGE.read_text(encoding="utf-8").split()) <= MAX_WORDS
+
+
+def test_no_run_loads_the_evidence() -> None:
+    text = (
+        "import sys; from motionlang import run; from motionlang.kernel.source import Source; "
+        "run(Source('a.mnt', 'SPEED(0)=1\\nPRINT POS(0)\\n')); "
+        "run(Source('a.mcl', '1TP\\n')); "
+        "print({'motionlang.commands.probe.entries', 'tomllib'} & set(sys.modules) or 'none')"
+    )
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
+    assert done.stdout == "none\n", done.stderr
+
+
+def test_what_can_be_set_is_an_assumption_with_as_many_alternatives() -> None:
+    settable = {
+        name: switch for language in dialects() for name, switch in dialect(language).switches().items()
+    }
+    assert {name for name, each in assumptions().items() if each.key == f"assumptions.{name}"} == set(
+        settable
+    )
+    for name, switch in settable.items():
+        each = assumptions()[name]
+        assert each.probe is not None, name
+        if switch.choices:
+            assert len(switch.choices) == 1 + len(each.alternatives), name
+        assert len(switch.choices or [1]) == len(each.probe.answers), name
+
+
+def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
+    """`help WORD` parses only the entries that name the keyword.
+
+    They are the same as with all files, for each keyword of both languages.
+    """
+    for language in ("mint", "mccl"):
+        for row in dialect(language).table():
+            names = [each.name for each in assumptions().values() if row.name in each.words]
+            assert [each.name for each in entries_naming(row.name)] == names, row.name
 
 
 def test_the_type_library_is_the_source_of_no_meaning() -> None:
@@ -57,27 +177,81 @@ def test_every_meaning_has_a_source() -> None:
         assert [name for name, each in known if not each.source and each.strength != "choice"] == []
 
 
-def test_the_page_shows_the_three_strengths_of_memory() -> None:
-    """Recollections have a recorded confidence: TM medium, AV low, MC high."""
-    table = dialect("mccl").table()
-    for word, strength in (("MC", "high"), ("TM", "medium"), ("AV", "low")):
-        row = table.get(word)
-        assert row is not None
-        assert f"from memory with {strength} confidence" in dict(facts(row, "mccl"))["known from"]
-    assert len(set(TRUST.values())) == len(TRUST)
-
-
-def test_what_the_type_library_reads_and_writes() -> None:
-    table = dialect("mint").table()
-    for word in ("SPEEDDEMAND", "COMPARELATCH", "NUMBEROF"):
-        row = table.get(word)
-        assert row is not None
-        assert row.access == "RW"
-
-
 def test_a_draw_is_repeatable() -> None:
     rows, found = drawn("2026-11-21")
     assert (len(rows), len(found)) == (ROWS, FACTS) == (60, 40)
     again = drawn("2026-11-21")
     assert [line(*each) for each in rows + found] == [line(*each) for each in again[0] + again[1]]
     assert drawn("2026-11-22") != (rows, found)
+
+
+def test_what_is_marked_as_printed_is_what_the_pages_print() -> None:
+    claimed = {}
+    for language in dialects():
+        for row in dialect(language).table():
+            evidence = of_word(language, row)
+            default = (
+                row.default if "default" in evidence and evidence["default"].strength == "manual" else None
+            )
+            printed = "range" in evidence and evidence["range"].strength == "manual"
+            span = (row.low, row.high) if printed else None
+            if default is not None or span is not None:
+                claimed[row.name] = (default, span)
+    assert claimed == PRINTED
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
+    table = dialect(language).table()
+    for word, fact in listed(language):
+        row = table.get(word)
+        assert row is not None, word
+        assert row.name == word
+        assert fact in facts_of(row), (word, fact)
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
+    """Even an arbitrary choice needs evidence; no other facts exist."""
+    known = listed(language)
+    expected = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
+    assert sorted(expected - known.keys()) == []
+
+
+def open_ones() -> list[Assumption]:
+    """Return the open assumptions that a controller can confirm."""
+    return [each for each in assumptions().values() if each.is_open and not each.own]
+
+
+def test_assumptions_without_alternatives_become_fewer() -> None:
+    assert sum(not each.alternatives for each in open_ones()) == WITHOUT_ALTERNATIVES
+
+
+def test_assumptions_that_no_program_settles_become_fewer() -> None:
+    without = [each.name for each in open_ones() if each.probe is None]
+    of_hosts = [name for name in without if name.startswith("mcapi.")]
+    assert (len(without) - len(of_hosts), len(of_hosts)) == (WITHOUT_PROBE, OF_HOSTS)
+
+
+def test_what_is_our_own_is_asked_of_no_controller() -> None:
+    own = [each for each in assumptions().values() if each.own]
+    assert len(own) == OWN
+    for each in own:
+        assert each.is_open, each.name
+        assert each.probe is None, each.name
+
+
+def test_each_answer_is_distinct_and_belongs_to_an_alternative() -> None:
+    for each in assumptions().values():
+        if each.probe is None or each.probe.form:
+            continue
+        assert len(each.probe.answers) <= 1 + len(each.alternatives), each.name
+        plain = [answer for answer in each.probe.answers if not answer.startswith("re:")]
+        for answer in plain:
+            assert sum(is_answer(other, answer) for other in each.probe.answers) == 1, (each.name, answer)
+
+
+def test_the_page_of_probes_names_the_options() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "probe.md").read_text(encoding="utf-8")
+    for option in ("--list", "--motion", "--skip", "--axis", "--answers"):
+        assert option in page

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel import Source, run
+from motionlang import profile, run
+from motionlang.kernel import Source
 
 RATES = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 IDLE = "PAUSE IDLE(0) And IDLE(1)"
@@ -21,7 +21,7 @@ def links(program: str) -> list[tuple[str, int, float]]:
     Statements take practically no time here, and nothing but motion is charged.
     """
     machine = {"controller.instruction_time": 1e-9}
-    made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine))
+    made = profile(run(Source("blend.mnt", RATES + program), machine=machine))
     found = [(link.cause, link.position.line, link.duration) for link in made.links if link.duration > 1e-6]
     assert sum(seconds for *_, seconds in found) == pytest.approx(made.run.time, abs=1e-6)
     return found

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.profile.profile import TimeProfile
-from motionlang.kernel import Source, run
+from motionlang import profile, run
+from motionlang.kernel import Source
 
 RATES = "SPEED(0, 1) = 100, 100; : ACCEL(0, 1) = 1000; : DECEL(0, 1) = 1000;\n"
 WORLD = {
@@ -185,7 +185,7 @@ PROGRAMS: dict[str, tuple[str, list[tuple[object, ...]]]] = {
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_every_link_of_a_critical_path(name: str) -> None:
     text, expected = PROGRAMS[name]
-    made = TimeProfile(run(Source("path.mnt", RATES + text), machine=WORLD))
+    made = profile(run(Source("path.mnt", RATES + text), machine=WORLD))
     found = [
         (round(end, 6), cause, at.line, waited, axes, at.callers, *([task] if task != "ParentTask" else []))
         for _, end, (cause, at, task, axes, waited) in made.spans()

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from math import fsum
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from motionlang import profile, run
 from motionlang.cli import main
-from motionlang.commands.profile.profile import Share, TimeProfile
-from motionlang.commands.profile.speedscope import speedscope, write_profile
-from motionlang.commands.profile.tasks import TaskTime
-from motionlang.commands.profile.view import profile_document, render_profile
-from motionlang.kernel import Source, run
-
-ROOT = Path(__file__).parents[3]
+from motionlang.kernel import Source
 
 # X takes 1.1 s, Z half a second, and waits for X; then a dwell, a sub that is called twice, and an input at 3
 # s.
@@ -44,15 +39,15 @@ End Sub
 WORLD = {"input": [{"channel": 3, "at": 3.0, "value": 1}]}
 
 
-def profiled(text: str, name: str = "cycle.mnt", **options: object) -> TimeProfile:
-    return TimeProfile(run(Source(name, text), **options))  # type: ignore[arg-type]
+def profiled(text: str, name: str = "cycle.mnt", **options: object) -> Any:
+    return profile(run(Source(name, text), **options))  # type: ignore[arg-type]
 
 
-def by_name(shares: list[Share]) -> dict[str, float]:
+def by_name(shares: Any) -> dict[str, float]:
     return {share.name: share.seconds for share in shares}
 
 
-def life(task: TaskTime) -> float:
+def life(task: Any) -> float:
     return fsum((*task.waiting.values(), task.computing, task.ready))
 
 
@@ -193,59 +188,12 @@ def test_a_run_that_is_cut_short_waits_to_its_end() -> None:
     }
 
 
-# ------------------------------------------------------------------------------------------ exports
-
-
-def test_other_programs_read_it() -> None:
-    made = profiled(PROGRAM, machine=WORLD)
-    found = speedscope(made)
-    (profile,) = found["profiles"]
-    assert fsum(profile["weights"]) == pytest.approx(made.run.time)
-    frames = [frame["name"] for frame in found["shared"]["frames"]]
-    assert {"the program", "Press", "Stroke", "line 18: MOVER(1) = way : GO(1)"} <= set(frames)
-    stacks = [[frames[k] for k in stack] for stack in profile["samples"]]
-    deep = max(stacks, key=len)
-    assert [name for name in deep if not name.startswith("line")] == [
-        "the program",
-        "Press",
-        "Stroke",
-        deep[-1],
-    ]
-
-
-@pytest.mark.parametrize(
-    "text", ["", "WAIT(1)", PROGRAM, 'MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\nWAIT(0.3)\nPRINT "x"\n']
-)
-def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
-    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.json"
-    write_profile(made, str(path))
-    assert path.read_text(encoding="utf-8") == profile_document(made).json()
-    write_profile(made, str(tmp_path / "Cycle.SpeedScope.json"))
-    written = (tmp_path / "Cycle.SpeedScope.json").read_text(encoding="utf-8")
-    assert written == json.dumps(speedscope(made), indent=1) + "\n"
-
-
-def test_the_listing_has_the_seconds_of_each_line() -> None:
-    text = render_profile(profiled(PROGRAM, machine=WORLD), everything=True)
-    assert "    1.1000   36.7%     4  MOVER(0, 1) = 100, 40 : GO(0, 1)" in text
-    assert "axis 1 waits for axis 0: 0.6000 s" in text
-
-
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "cycle.mnt").write_text(PROGRAM)
     (tmp_path / "cycle.machine.toml").write_text("[[input]]\nchannel = 3\nat = 3.0\n")
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-def test_the_command_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["profile", "cycle.mnt", "--to", "x.speedscope.json"]) == 0
-    assert "time profile of 3.0" in capsys.readouterr().out
-    assert json.loads((folder / "x.speedscope.json").read_text())["name"] == "cycle.mnt"
-    assert main(["profile", "cycle.mnt", "--format", "json", "--to", "x.json"]) == 0
-    assert json.loads(capsys.readouterr().out)["schema"] == "motionlang/1"
-    assert json.loads((folder / "x.json").read_text())["schema"] == "motionlang/1"
 
 
 def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -257,17 +205,6 @@ def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -
     assert "dwell took 0.25" in reported
     assert "cycle.mnt:6" in reported
     assert "motion took" not in reported
-
-
-def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:
-    """Figures and names of subs take 62 columns, the longest source line 24 more."""
-    made = profiled("Sub Stroke()\n  MOVER(0) = 10 : GO(0)\n  PAUSE IDLE(0)\nEnd Sub\nStroke\nEnd\n")
-    wide, narrow = (render_profile(made, width=width) for width in (100, 70))
-    head = "line  sub     seconds"
-    assert head in wide
-    assert head in narrow
-    assert "MOVER(0) = 10 : GO(0)" in wide
-    assert "MOVER(0) = 10 : GO(0)" not in narrow
 
 
 def test_a_task_lives_from_its_start_to_its_end() -> None:

@@ -6,7 +6,6 @@ import io
 import json
 import re
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,6 @@ import pytest
 
 from motionlang.cli import run_command as simulated
 from motionlang.cli.commands import COMMANDS
-from motionlang.commands.run import command as run
 from tests.cases import cases
 from tests.cli.programs import BALLSCREW, Cell
 
@@ -272,31 +270,25 @@ def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: py
     assert clock[0] - 100.0 == pytest.approx(0.5, abs=1e-3)
 
 
-def test_realtime_needs_no_factor(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    factors: list[float] = []
-
-    def pacer(factor: float) -> Callable[[float], None]:
-        factors.append(factor)
-        return lambda now: None
-
-    monkeypatch.setattr(run, "pacer", pacer)
-    for arguments in (
-        ("ballscrew.mcl", "--realtime"),
-        ("--realtime", "3", "jog.mcl"),
-    ):
-        cell("run", *arguments, "--format", "none", "--until", "2")
-    assert factors == [1.0, 3.0]
+@pytest.mark.parametrize(
+    ("arguments", "seconds"),
+    [(("ballscrew.mcl", "--realtime"), 1.0), (("--realtime", "3", "jog.mcl", "--until", "2"), 2.0 / 3.0)],
+)
+def test_realtime_needs_no_factor(
+    arguments: tuple[str, ...], seconds: float, cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(simulated, "monotonic", lambda: clock[0])
+    monkeypatch.setattr(simulated, "sleep", lambda seconds: clock.__setitem__(0, clock[0] + seconds))
+    cell("run", *arguments, "--format", "none")
+    assert clock[0] - 100.0 == pytest.approx(seconds, abs=1e-3)
 
 
 def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    def pacer(factor: float) -> object:
-        def pace(now: float) -> None:
-            if now > 0.5:
-                raise KeyboardInterrupt
+    def interrupted(seconds: float) -> None:
+        raise KeyboardInterrupt
 
-        return pace
-
-    monkeypatch.setattr(run, "pacer", pacer)
+    monkeypatch.setattr(simulated, "sleep", interrupted)
     ran = cell("run", "ballscrew.mcl", "--realtime", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (130, "interrupted")

@@ -14,11 +14,8 @@ from typing import Any
 import pytest
 
 import motionlang
-from motionlang.commands.processes.cores import cores
-from motionlang.commands.quantities import quantity
 from motionlang.commands.sweep import Sweep
-from motionlang.commands.sweep import pool as pools
-from motionlang.kernel import ProgramError, Source
+from motionlang.kernel import Source
 
 STROKE = Source(
     "stroke.mnt",
@@ -77,25 +74,6 @@ def test_a_bad_variant_is_reported_as_by_a_run_and_the_others_go_on() -> None:
         assert (row.problem["message"], row.problem["line"]) == (alone.message, alone.line)
 
 
-@pytest.mark.parametrize(
-    ("error", "code", "message"),
-    [
-        (RuntimeError("no such state"), "crash", "internal error: RuntimeError: no such state"),
-        (ImportError("no numpy", name="numpy"), "extra", "this run needs numpy"),
-    ],
-)
-def test_a_variant_that_brings_motionlang_down_is_reported_with_its_reason(
-    error: Exception, code: str, message: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def fails(*_: object) -> None:
-        raise error
-
-    monkeypatch.setattr("motionlang.kernel.lang.scheduler.Scheduler.run", fails)
-    (row,) = motionlang.sweep(STROKE, {"rate": [1000]}, keep=["time"], jobs=1)
-    assert row.problem is not None
-    assert (row.problem["code"], row.problem["message"]) == (code, message)
-
-
 def test_a_motor_that_had_no_time_has_turned_with_no_torque() -> None:
     plant = {
         "kind": "brushless",
@@ -125,20 +103,6 @@ def test_keys_of_the_machine_file_are_varied_too() -> None:
     )
     assert rows[2]["time"] > rows[0]["time"]  # type: ignore[operator]
     assert [row["position.0"] == 100 for row in rows] == [True, False, True, False]
-
-
-def test_what_is_wrong_with_all_variants_is_raised_before_any_runs() -> None:
-    for grid, keep, message in (
-        ({"ratte": [1]}, "time", "no constant or variable ratte; did you mean rate"),
-        ({"axis.0.trawel": [1]}, "time", "there is no key axis.0.trawel; did you mean axis.N.travel"),
-        ({"controller.axes": [-1]}, "time", "controller.axes must be 1 to 64"),
-        ({"rate": [1]}, "tme", "a run has no tme; did you mean time"),
-        ({"rate": [1]}, "peak", "a run has no peak; did you mean peak.N"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            motionlang.sweep(STROKE, grid, keep=[keep])
-    with pytest.raises(ProgramError, match="unknown"):
-        motionlang.sweep(Source("x.mnt", "Const a = 1\nPRINT b"), {"a": [1]})
 
 
 def results(executor: Executor | None, count: int = 60) -> list[Any]:
@@ -194,10 +158,10 @@ def test_an_executor_that_can_do_nothing_is_an_error_of_the_caller() -> None:
         results(Unreliable(lambda *_: True))
 
 
-def test_processes_give_what_one_after_the_other_gives(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pools, "ALONE", 0.0)
-    monkeypatch.setattr(pools, "WORTH", 0.0)
-    sweep = Sweep(STROKE, {"rate": "400:3000:40"}, keep=KEEP)
+@pytest.mark.slow
+def test_processes_give_what_one_after_the_other_gives() -> None:
+    """So many that the rest is worth other processes."""
+    sweep = Sweep(STROKE, {"rate": "400:3000:800"}, keep=KEEP)
     rows = sweep.results(jobs=2)
     assert sorted(rows, key=lambda row: row[0]) == list(sweep.results(jobs=1))
 
@@ -277,32 +241,6 @@ def test_a_killed_process_of_this_machine_costs_its_chunk(tmp_path: Path) -> Non
     assert ran.stdout.startswith("80 True True the worker was lost twice: BrokenProcessPool:"), ran.stderr
 
 
-@pytest.mark.parametrize(
-    ("affinity", "count", "expected"), [({0, 3, 5}, 8, 3), (None, 8, 8), (None, None, 1)]
-)
-def test_the_processors_of_this_process(
-    affinity: set[int] | None, count: int | None, expected: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Some systems do not know which ones it may use, or how many there are."""
-    monkeypatch.setattr(os, "sched_getaffinity", affinity and (lambda pid: affinity), raising=False)
-    monkeypatch.setattr(os, "cpu_count", lambda: count)
-    assert cores() == expected
-
-
-@pytest.mark.parametrize(
-    ("name", "number"), [("peak.0", 0), ("peak.7", 7), ("time", 0), ("peak.999999999", 999_999_999)]
-)
-def test_the_number_of_a_quantity(name: str, number: int) -> None:
-    row, found = quantity(name)
-    assert (row.name.partition(".")[0], found) == (name.partition(".")[0], number)
-
-
-@pytest.mark.parametrize("name", ["peak", "time.1", "peak.", "peak.-1", "peak.1000000000", "peak.²", "pak.0"])
-def test_what_is_no_quantity(name: str) -> None:
-    with pytest.raises(ValueError, match=name.partition(".")[0]):
-        quantity(name)
-
-
 # A move of 40 at 100 uu/s², of 20 uu/s if the speed is not varied, and a wait of 2 * 50 ms.
 NUMBERS = Source(
     "numbers.mnt",
@@ -334,3 +272,65 @@ def test_a_number_that_stops_the_program_is_reported_at_its_line() -> None:
     assert (fault["code"], fault["line"]) == ("never", 3)
     assert text is not None
     assert text["message"] == "SPEED[0]@1 is a number, not 'fast'"
+
+
+MOVES = """
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+MOVER(0) = length : GO(0) : PAUSE IDLE(0)
+PRINT "at ", POS(0), " of ", length
+"""
+# The source of a name's value, the name and its values.
+CASES: dict[str, tuple[str, str, tuple[float | str, ...]]] = {
+    "a constant": ("Const length = 30" + MOVES, "length", (12.0, 7.25)),
+    "one with a type": ("Const length As Float = 30" + MOVES, "length", (12.0, 7.25)),
+    "a whole one, cut off": ("Const length As Integer = 30" + MOVES, "LENGTH", (12.75, -7.25)),
+    "constants made of it": (
+        "Const pitch = 5\nConst turns As Integer = pitch * 2\nConst length = turns + pitch / 2" + MOVES,
+        "pitch",
+        (4.0, 2.5)),
+    "a variable": ("Dim length As Float = 30" + MOVES, "length", (12.0, 7.25)),
+    "a whole variable": ("Dim length As Integer\nlength = 3" + MOVES, "length", (12.0, 8.9)),
+    "a name that nobody declares": ("length = 30" + MOVES, "length", (12.0, 7.25)),
+    "a text": ('Const word = "one"\nPRINT word, Len(word)', "word", ("three", "")),
+    "a loop": ("Const n As Integer = 3\nDim i\nFor i = 1 To n : PRINT i : Next", "n", (0.0, 5.0)),
+    "an axis": ("Const x = 0\nMOVER(x) = 20 : GO(x) : PAUSE IDLE(x) : PRINT POS(x)", "x", (1.0, 3.0)),
+    "a choice": ('Const n = 1\nSelect Case n\nCase 1 : PRINT "one"\nCase 2 To 4 : PRINT "some"\nEnd Select', "n",
+                 (1.0, 3.0)),
+    "a condition": ('Const n = 1\nIf n > 2 Then PRINT "many" Else PRINT "few"', "n", (1.0, 3.0)),
+    "a name that a sub has too": (
+        'Const n = 1\nConst m = n + 1\nSay()\nSub Say()\n Dim n = 9\n PRINT m, " ", n\nEnd Sub',
+        "n",
+        (4.0, 5.0)),
+    "the size of an array": ("Const n = 4\nDim a(n) As Integer\na(n) = 7 : PRINT a(n)", "n", (2.0, 3.0)),
+    "a number that is given as a text": ("Const n = 4\nPRINT n", "n", ("four", 5.0)),
+    "what no float can hold": ("Const n = 4\nPRINT n", "n", (float("inf"), 5.0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_value_acts_as_if_it_were_in_the_text(case: str) -> None:
+    """The program is compiled once if its name can be bound at the start, and anew otherwise."""
+    program, name, values = CASES[case]
+    source = Source("given.mnt", program)
+    keep = ["status", "time", *(f"prints.{k}" for k in range(1, 6))]
+    rows = list(motionlang.sweep(source, {name: [*values, *values]}, keep=keep, jobs=1))
+    for row, value in zip(rows, (*values, *values), strict=True):
+        alone = motionlang.run(source, overrides={name: value})
+        assert alone.status == "ended", alone.diagnostics
+        lines = [*alone.output[:5], *([None] * (5 - len(alone.output)))]
+        assert list(row.kept.values()) == [alone.status, alone.time, *lines]
+
+
+def test_two_names_of_which_one_decides_how_the_program_is_made() -> None:
+    source = Source("two.mnt", "Const n = 4\nConst step = 2\nDim a(n)\na(n) = step : PRINT n, a(n)")
+    points = [{"n": 2.0, "step": 1.0}, {"n": 3.0, "step": 5.5}, {"n": 2.0, "step": 7.0}]
+    rows = motionlang.sweep(source, points, keep=["prints.1"], jobs=1)
+    assert [row["prints.1"] for row in rows] == [
+        motionlang.run(source, overrides=point).output[0] for point in points
+    ]
+
+
+def test_a_register_of_commands_is_varied() -> None:
+    source = Source("r.mcl", "1MN\n1SV10,1SA100,1SD100\n1MR@5,1WS0\n1TP\n")
+    rows = motionlang.sweep(source, {"R5": [3.0, 40.0, 3.0]}, keep=["prints.1"], jobs=1)
+    assert [row["prints.1"] for row in rows] == ["01 3", "01 40", "01 3"]

@@ -7,20 +7,13 @@ import re
 import shutil
 import subprocess
 from html.parser import HTMLParser
-from pathlib import Path
 
 import pytest
 from lark import Lark
 
-from motionlang.commands.map.program_map import ProgramMap, map_of_run, program_map
-from motionlang.commands.map.view.formats import FORMS, written
-from motionlang.commands.map.view.layout import layout
-from motionlang.commands.map.view.page import page
-from motionlang.commands.map.view.svg import picture
-from motionlang.kernel import Checked, Source, dialect, dialect_for, settings_next_to
+from tests.cli.programs import Cell
 from tests.commands.map.test_proof import GALLERY
 
-ROOT = Path(__file__).parents[4]
 # The part of Mermaid's grammar of flowcharts that maps use: a text in quotes has no quote, and signs as codes.
 MERMAID = r"""
 start: "flowchart TD" _NL (subgraph | line)*
@@ -48,25 +41,30 @@ SIGNS = (
 )
 
 
-@pytest.fixture(scope="module")
-def maps() -> list[ProgramMap]:
-    sources = [Source.read(path) for path in GALLERY[::4]] + [Source("signs.mnt", SIGNS)]
-    return [program_map(each, dialect_for(each, None), settings_next_to(each.name)) for each in sources]
+PROGRAMS = {path.name: path.read_text(encoding="utf-8") for path in GALLERY[::4]} | {"signs.mnt": SIGNS}
 
 
-@pytest.mark.parametrize(("form", "grammar"), [("mermaid", MERMAID), ("dot", DOT)])
-def test_graphs_are_in_the_grammar_of_their_tool(form: str, grammar: str, maps: list[ProgramMap]) -> None:
+def written(cell: Cell, name: str, text: str, form: str, *options: str) -> str:
+    """Return the map of a program in the form of an extension."""
+    cell.write(name, text)
+    assert cell("map", name, "-o", f"m.{form}", *options).err == ""
+    return (cell.folder / f"m.{form}").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("form", "grammar"), [("mmd", MERMAID), ("dot", DOT)])
+def test_graphs_are_in_the_grammar_of_their_tool(form: str, grammar: str, cell: Cell) -> None:
     parser = Lark(grammar, parser="lalr" if form == "dot" else "earley")
-    for made in maps if form == "dot" else maps[::6] + maps[-1:]:
-        parser.parse(written(made, form))
+    names = list(PROGRAMS) if form == "dot" else [*list(PROGRAMS)[::6], "signs.mnt"]
+    for name in names:
+        parser.parse(written(cell, name, PROGRAMS[name], form))
 
 
 @pytest.mark.skipif(shutil.which("dot") is None, reason="Graphviz is not installed")
-def test_graphviz_draws_the_graphs(maps: list[ProgramMap]) -> None:
-    for made in maps[::5] + maps[-1:]:
+def test_graphviz_draws_the_graphs(cell: Cell) -> None:
+    for name in [*list(PROGRAMS)[::5], "signs.mnt"]:
         done = subprocess.run(
             ["dot", "-Tsvg"],
-            input=written(made, "dot"),
+            input=written(cell, name, PROGRAMS[name], "dot"),
             text=True,
             capture_output=True,
             check=True,
@@ -75,14 +73,13 @@ def test_graphviz_draws_the_graphs(maps: list[ProgramMap]) -> None:
         assert (done.stderr, "<svg" in done.stdout) == ("", True)
 
 
-def test_a_graph_has_every_state_and_transition(maps: list[ProgramMap]) -> None:
-    for made in maps:
-        for form, arrow in (("mermaid", " -->"), ("dot", " -> ")):
-            text = written(made, form)
-            for diagram in made.diagrams.diagrams:
-                assert all(re.search(rf"^ +{each.id}\W", text, re.M) for each in diagram.states)
-            count = sum(len(diagram.transitions) for diagram in made.diagrams.diagrams)
-            assert len(re.findall(rf"^ +\w+{arrow}", text, re.M)) == count
+def test_a_graph_has_every_state_and_transition(cell: Cell) -> None:
+    for name in [*list(PROGRAMS)[::3], "signs.mnt"]:
+        text = PROGRAMS[name]
+        made = json.loads(written(cell, name, text, "json"))
+        for form, arrow in (("mmd", " -->"), ("dot", " -> ")):
+            drawn = written(cell, name, text, form)
+            assert len(re.findall(rf"^ +\w+{arrow}", drawn, re.M)) == len(made["transitions"])
 
 
 class Links(HTMLParser):
@@ -104,20 +101,19 @@ class Links(HTMLParser):
             self.resources.append(tag)
 
 
-@pytest.mark.parametrize("graphviz", [False, None])
-def test_the_page_is_complete_in_itself(graphviz: bool | None, maps: list[ProgramMap]) -> None:
-    for made in maps[::6] + maps[-1:]:
-        text, found = page(made, graphviz=graphviz), Links()
-        found.feed(text)
-        assert found.resources == []
-        assert {each for each in found.links if not each.startswith("#")} == set()
-        assert {each[1:] for each in found.links} <= found.targets
-        assert "url(http" not in text
-        assert all(f'id="L{number}"' in text for number, _ in made.source.numbered())
+@pytest.mark.parametrize("name", [*list(PROGRAMS)[::6], "signs.mnt"])
+def test_the_page_is_complete_in_itself(name: str, cell: Cell) -> None:
+    text, found = written(cell, name, PROGRAMS[name], "html"), Links()
+    found.feed(text)
+    assert found.resources == []
+    assert {each for each in found.links if not each.startswith("#")} == set()
+    assert {each[1:] for each in found.links} <= found.targets
+    assert "url(http" not in text
+    assert all(f'id="L{number}"' in text for number in range(1, PROGRAMS[name].count("\n") + 1))
 
 
-def test_json_has_every_table() -> None:
-    found = json.loads(written(program_map(Source("a.mnt", "PAUSE INX(3)\n"), dialect("mint")), "json"))
+def test_json_has_every_table(cell: Cell) -> None:
+    found = json.loads(written(cell, "a.mnt", "PAUSE INX(3)\n", "json"))
     assert found["schema"] == "motionlang/1"
     assert found["channels"][0]["number"] == "3"
     assert [each["kind"] for each in found["states"]] == ["start", "wait", "end"]
@@ -127,41 +123,22 @@ def test_json_has_every_table() -> None:
     ]
 
 
-def test_markdown_has_a_diagram_of_each_unit() -> None:
-    text = "Fill\nSub Fill\n  WAIT = 5\nEnd Sub\n"
-    found = written(program_map(Source("a.mnt", text), dialect("mint")), "markdown")
+def test_markdown_has_a_diagram_of_each_unit(cell: Cell) -> None:
+    found = written(cell, "a.mnt", "Fill\nSub Fill\n  WAIT = 5\nEnd Sub\n", "md")
     assert found.count("```mermaid\nflowchart TD\n") == 2
     assert "### sub Fill (line 2)" in found
 
 
-def test_transitions_that_a_run_took_are_drawn_so() -> None:
-    text = "If INX(1) Then PAUSE INX(2)\nWAIT = 10\n"
-    made = map_of_run(Source("a.mnt", text), dialect("mint"), Checked({}))
-    drawn = picture(made, made.diagrams.diagrams[0], graphviz=False)
+def test_transitions_that_a_run_took_are_drawn_so_and_a_run_that_repeats_has_its_cycle(cell: Cell) -> None:
+    drawn = written(cell, "a.mnt", "If INX(1) Then PAUSE INX(2)\nWAIT = 10\n", "html", "--run")
     assert (drawn.count('class="path taken"'), drawn.count('class="path untaken"')) == (2, 2)
+    assert 'id="cycle"' not in drawn
+    text = "Loop\n  MOVER(0) = 20 : GO(0)\n  PAUSE IDLE(0)\n  WAIT = 200\nEnd Loop\n"
+    drawn = written(cell, "a.mnt", text, "html", "--run", "--until", "8")
+    assert 'id="cycle"' in drawn
+    assert "one cycle of a.mnt" in drawn
 
 
-def test_every_form_is_written(maps: list[ProgramMap]) -> None:
-    assert all(written(maps[0], form).endswith("\n") for form in FORMS)
-
-
-def test_the_layout_has_no_overlapping_nodes_or_labels() -> None:
-    """Boxes of a layer are beside each other, and layers are below each other."""
-    sizes = {f"n{k}": (60.0 + 7 * (k % 5), 20.0 + 3 * (k % 4)) for k in range(20)}
-    edges = [(f"n{k}", f"n{(k * 7 + 3) % 20}", (30.0, 12.0)) for k in range(20)]
-    edges += [(f"n{k}", f"n{k + 1}", (44.0, 24.0)) for k in range(19)]
-    placed = layout(sizes, edges)
-    boxes = [(*placed.nodes[name], *size) for name, size in sizes.items()]
-    boxes += [(*place, *size) for (a, b, size), (_, place) in zip(edges, placed.edges, strict=True) if a != b]
-    for k, (x, y, width, height) in enumerate(boxes):
-        for other_x, other_y, other_width, other_height in boxes[:k]:
-            beside = abs(x - other_x) >= (width + other_width) / 2 - 1e-6
-            below = abs(y - other_y) >= (height + other_height) / 2 - 1e-6
-            assert beside or below
-        assert x - width / 2 + 1e-6 >= 0
-        assert x + width / 2 <= placed.width + 1e-6
-
-
-def test_an_empty_program_has_a_map() -> None:
-    made = program_map(Source("a.mnt", "' nothing\n"), dialect("mint"))
-    assert all(written(made, form) for form in FORMS)
+@pytest.mark.parametrize("form", ["json", "csv", "md", "mmd", "dot", "html", "txt"])
+def test_an_empty_program_has_a_map(form: str, cell: Cell) -> None:
+    assert written(cell, "a.mnt", "' nothing\n", form).endswith("\n")

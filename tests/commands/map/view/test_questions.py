@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.map.program_map import mapped
-from motionlang.commands.map.view.text import render
+from tests.cli.programs import Cell
 
 OLD = Path(__file__).parents[4] / "examples" / "old"
 QUESTIONS = {
@@ -164,8 +163,8 @@ QUESTIONS = {
     ("program", "question"),
     [(program, question) for program, asked in QUESTIONS.items() for question in asked],
 )
-def test_the_map_answers(program: str, question: str) -> None:
-    shown = " ".join(render(mapped(str(OLD / program)), width=200).split())
+def test_the_map_answers(program: str, question: str, cell: Cell) -> None:
+    shown = " ".join(cell("map", str(OLD / program)).out.split())
     for answer in QUESTIONS[program][question]:
         assert answer in shown
 
