@@ -138,7 +138,7 @@ def found(case: Case) -> Found:
         assert prove(ran).violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]
     result.diagnostics = [(False, each.line, each) for each in ran.diagnostics]
-    result.unknown = ran.notes
+    result.unknown = ran.notes or ["none"]
     result.end = f"{ran.status} {ran.report['time']:.9g} s"
     if case.has("="):
         events = [(event["line"], shown(event)) for event in ran.report["events"]]
