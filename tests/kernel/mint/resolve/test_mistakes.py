@@ -5,8 +5,6 @@ from __future__ import annotations
 from motionlang.commands.check import check
 from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT
-from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS, Problems
-from motionlang.kernel.mint.syntax.parser import parse
 from tests.cases import cases
 
 DIM = "Dim n As Integer, t As String * 5\n"
@@ -132,13 +130,6 @@ def test_a_declaration_that_is_accepted(text: str) -> None:
     assert [each for each in check(Source("a.mnt", text), DIALECT) if each.severity == "error"] == []
 
 
-def test_of_many_problems_the_first_hundred_and_one_error_are_kept() -> None:
-    """A code is reported once per position."""
-    problems = Problems(parse(Source("a.mnt", "PRINT 1\n" * 200)))
-    for at in range(MAX_PROBLEMS + 20):
-        problems.add("not-simulated", "no effect", at, severity="warning")
-        problems.add("not-simulated", "again", at, severity="warning")
-    assert [each.message for each in problems.found.values()] == ["no effect"] * MAX_PROBLEMS
-    for at in range(MAX_PROBLEMS + 20):
-        problems.add("type", f"wrong {at}", at)
-    assert [each.message for each in problems.found.values()][MAX_PROBLEMS:] == ["wrong 0"]
+def test_of_many_errors_a_hundred_are_reported() -> None:
+    found = check(Source("a.mnt", 'SPEED(0) = "fast"\n' * 120), DIALECT)
+    assert [(each.code, each.line) for each in found] == [("type", line) for line in range(1, 101)]
