@@ -29,3 +29,8 @@ def test_a_hundred_warnings_hide_no_error() -> None:
     text = "AUTOTUNE(0, 1)\n" * 150 + 'SPEED(0) = "fast"\n'
     found = run(Source("a.mnt", text)).diagnostics
     assert [(each.code, each.line) for each in found if each.severity == "error"] == [("type", 151)]
+
+
+def test_of_many_errors_a_hundred_are_reported() -> None:
+    found = run(Source("a.mnt", 'SPEED(0) = "fast"\n' * 120)).diagnostics
+    assert [(each.code, each.line) for each in found] == [("type", line) for line in range(1, 101)]
