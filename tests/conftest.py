@@ -216,6 +216,24 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 @pytest.fixture
+def update(pytestconfig: pytest.Config) -> bool:
+    """True if the texts of golden files are to be rewritten."""
+    return bool(pytestconfig.getoption("--update"))
+
+
+@pytest.fixture
+def golden(update: bool) -> Callable[[Path, str], None]:
+    """Return the comparison of a text with its file, which `--update` rewrites first."""
+
+    def compare(path: Path, text: str) -> None:
+        if update:
+            path.write_text(text, encoding="utf-8", newline="\n")
+        assert text == path.read_text(encoding="utf-8")
+
+    return compare
+
+
+@pytest.fixture
 def unrendered(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let figures write no image, which takes matplotlib half a second.
 

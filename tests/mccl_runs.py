@@ -20,9 +20,3 @@ def mccl() -> Runner:
         return run(Source("test.mcl", text), dialect="mccl", **options)  # type: ignore[arg-type]
 
     return start
-
-
-@pytest.fixture
-def update(request: pytest.FixtureRequest) -> bool:
-    """True if golden files are to be rewritten."""
-    return bool(request.config.getoption("--update"))

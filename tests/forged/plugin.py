@@ -11,8 +11,13 @@ import pytest
 
 from tests.forged.changes import ROOT, Change, changes, forged
 
-# The tests of planners: of single plans first, then of what the controller plans with them.
-FOLDERS = ("tests/kernel/planners/test_fastest.py", "tests/kernel/planners", "tests/kernel/controller")
+# The tests of planners: of single plans first, then of what the controller and programs plan with them.
+FOLDERS = (
+    "tests/kernel/planners/test_fastest.py",
+    "tests/kernel/planners",
+    "tests/kernel/controller",
+    "tests/spec",
+)
 # Seconds for each of them; an endless forged planner fails.
 SECONDS = 120.0
 

@@ -5,15 +5,13 @@ Each line has the program, the line, the marked text and the code; `fix` is cert
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-
-import pytest
 
 from motionlang.commands.check import check
 from motionlang.kernel import ProgramError, Source, dialect_of
 
 TESTS = Path(__file__).parents[1]
-GOLDEN = TESTS / "lint" / "fixes.txt"
 # The programs of these folders that have such diagnostics.
 LINTED = ("conditions", "host", "values")
 PROGRAMS = [
@@ -39,8 +37,5 @@ def offered(path: Path) -> list[str]:
     return lines
 
 
-def test_the_replacements_of_diagnostics(request: pytest.FixtureRequest) -> None:
-    text = "".join(f"{line}\n" for path in PROGRAMS for line in offered(path))
-    if request.config.getoption("--update"):
-        GOLDEN.write_text(text, encoding="utf-8")
-    assert text == GOLDEN.read_text(encoding="utf-8")
+def test_the_replacements_of_diagnostics(golden: Callable[[Path, str], None]) -> None:
+    golden(TESTS / "lint" / "fixes.txt", "".join(f"{line}\n" for path in PROGRAMS for line in offered(path)))

@@ -5,6 +5,7 @@ A `.toml` next to a program is its machine file. `pytest --update` rewrites the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -33,11 +34,8 @@ def _machines(path: Path) -> tuple[Path, ...]:
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.name)
-def test_the_diagnostics(path: Path, request: pytest.FixtureRequest) -> None:
-    text, golden = diagnostics_of(path), path.with_suffix(".txt")
-    if request.config.getoption("--update"):
-        golden.write_text(text, encoding="utf-8")
-    assert text == golden.read_text(encoding="utf-8")
+def test_the_diagnostics(path: Path, golden: Callable[[Path, str], None]) -> None:
+    golden(path.with_suffix(".txt"), diagnostics_of(path))
 
 
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)

@@ -7,6 +7,7 @@ instead of the name continues a block. All other lines are output. Paths of file
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -40,10 +41,6 @@ def replay(transcript: str) -> str:
 
 
 @pytest.mark.parametrize("path", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
-def test_transcript(path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_transcript(path: Path, golden: Callable[[Path, str], None], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(FOLDER)
-    expected = path.read_text(encoding="utf-8")
-    now = replay(expected)
-    if request.config.getoption("--update", default=False):
-        path.write_text(now, encoding="utf-8")
-    assert now == path.read_text(encoding="utf-8")
+    golden(path, replay(path.read_text(encoding="utf-8")))

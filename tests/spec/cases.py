@@ -138,7 +138,7 @@ def found(case: Case) -> Found:
         assert prove(ran).violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]
     result.diagnostics = [(False, each.line, each) for each in ran.diagnostics]
-    result.unknown = ran.notes
+    result.unknown = ran.notes or ["none"]
     result.end = f"{ran.status} {ran.report['time']:.9g} s"
     if case.has("="):
         events = [(event["line"], shown(event)) for event in ran.report["events"]]
@@ -218,7 +218,7 @@ def updated(path: Path) -> str:
         for mark, wanted, given in compared(case, found(case)):
             if wanted != given:
                 _write(case, mark, given, comment, replaced, behind)
-    lines = []
+    lines = behind.get(0, [])
     for number, text in enumerate(texts, 1):
         lines += replaced.get(number, [text])
         lines += behind.get(number, [])
@@ -242,7 +242,7 @@ def _write(
     if mark in ("?", "="):
         replaced.update({each.number: [] for each in old})
         for *_, number, text in given:
-            behind.setdefault(number or case.lines[-1].number, []).append(line(text))
+            behind.setdefault(number or case.lines[0].number - 1, []).append(line(text))
         return
     if len(old) == len(given):
         replaced.update(

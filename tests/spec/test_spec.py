@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -12,9 +13,11 @@ CASES = [case for path in files() for case in cases(path)]
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_a_program_shows_what_is_written_beside_it(case: Case, request: pytest.FixtureRequest) -> None:
-    if request.config.getoption("--update"):
-        case.path.write_text(updated(case.path), encoding="utf-8", newline="\n")
+def test_a_program_shows_what_is_written_beside_it(
+    case: Case, update: bool, golden: Callable[[Path, str], None]
+) -> None:
+    if update:
+        golden(case.path, updated(case.path))
         return
     wrong = differences(case)
     assert not wrong, "\n".join([case.name, *wrong])

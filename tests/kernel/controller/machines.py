@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel import INFINITY, Controller
-from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
-from motionlang.kernel.controller.motion.offset import offset as begin_offset
-from motionlang.kernel.controller.moves.cam import Cam
-from motionlang.kernel.controller.moves.path import run_of
-from motionlang.kernel.planners.table_motion import table_curve
-from tests.kernel.planners.splines import cubic_table
+from motionlang.kernel import Controller
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
@@ -29,13 +23,6 @@ def until(controller: Controller, time: float) -> Controller:
     return controller
 
 
-def remaining(controller: Controller, axis: int) -> float:
-    """Return the remaining distance along the present path of an axis, user units."""
-    run = run_of(controller.axes[axis])
-    assert run is not None
-    return run.present.remaining
-
-
 def cam(
     controller: Controller,
     axis: int,
@@ -43,19 +30,13 @@ def cam(
     positions: list[float],
     values: list[float],
     *,
-    smooth: bool = False,
     cyclic: bool = False,
 ) -> None:
     """Let an axis follow a table over the positions of its master from here, counts."""
-    a, tied = controller.movable(axis), controller.axes[master]
-    check_chain(a, tied)
-    here = a.position(controller.clock.now)
-    curve = cubic_table(positions, values, cyclic) if smooth else table_curve(positions, values)
-    move = FollowMove(axis, "CAM", 0, "cam", INFINITY if cyclic else here + curve.end)
-    controller.end_move(a, "retarget")
-    made = Cam(controller, a, tied, move, curve, cyclic, 0)
-    made.lift, made.ordered = here, (tuple(positions), tuple(values), "smooth" if smooth else "linear")
-    made.engage()
+    controller.load_cam(
+        axis, master, lambda start: (positions, [start + each for each in values]), cyclic=cyclic
+    )
+    controller.go([axis])
 
 
 def offset(
@@ -68,4 +49,5 @@ def offset(
     line: int = 0,
 ) -> None:
     """Superpose a distance on following, in a mode of OFFSETMODE; at rest move by it."""
-    begin_offset(controller, controller.movable(axis), distance, mode, over, command, line)
+    controller.load_offset(axis, distance, mode, over, command, line)
+    controller.go([axis])

@@ -62,7 +62,7 @@ def steps_of(r: Random, most: int) -> list[Step]:
         lambda: ("load_fly", axis(), axis(), distance(), r.uniform(1.0, 9.0)),
         lambda: (r.choice(["stop", "suspend", "resume", "blend", "abort", "disable", "enable"]), axis()),
         lambda: ("gear", axis(), axis(), r.uniform(-2.0, 2.0), r.random() < 0.5),
-        lambda: ("cam", axis(), axis(), r.choice(["linear", "cubic"]), r.random() < 0.5),
+        lambda: ("cam", axis(), axis(), r.random() < 0.5),
         lambda: ("configure", axis(), r.choice(["speed", "accel", "decel"]), r.uniform(1.0, 200.0)),
         lambda: ("configure", axis(), "override", r.choice([0.0, 0.5, 1.0, 2.0])),
         lambda: ("configure", axis(), "feedrate_mode", r.randrange(4)),
@@ -76,8 +76,8 @@ def perform(c: Controller, step: tuple[Any, ...]) -> None:
     if verb == "wait":
         run_on(c, c.clock.now + rest[0])
     elif verb == "cam":
-        slave, master, kind, cyclic = rest
-        cam(c, slave, master, *TABLE, smooth=kind == "cubic", cyclic=cyclic)
+        slave, master, cyclic = rest
+        cam(c, slave, master, *TABLE, cyclic=cyclic)
     elif verb == "offset":
         offset(c, *rest)
     elif verb == "load_line_by":

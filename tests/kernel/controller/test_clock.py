@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 from motionlang.kernel import INFINITY
 from motionlang.kernel.controller import Clock
-from motionlang.kernel.controller.clock import WatchedClock
 from tests.cases import cases
 
 
@@ -124,28 +123,3 @@ def test_an_overdue_event_does_not_turn_time_back(advance: Callable[[Clock, floa
     clock.now = 2.0
     advance(clock, 1.5)
     assert (times, clock.now) == ([2.0], 2.0)
-
-
-def test_a_watched_clock_reports_each_time_before_it_comes() -> None:
-    times: list[tuple[float, float]] = []
-    clock = WatchedClock(lambda time: times.append((clock.now, time)))
-    clock.at(1.0, lambda: True)
-    clock.at(2.0, lambda: True)
-    clock.advance(3.0)
-    assert times == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
-    clock.advance(3.0)
-    assert len(times) == 3
-    clock.at(3.0, lambda: True)
-    clock.advance(3.0)
-    assert times[3:] == [(3.0, 3.0)]
-    clock.at(4.0, lambda: True)
-    clock.at(5.0, lambda: False)
-    assert not clock.advance_to_news(6.0)
-    assert times[4:] == [(3.0, 4.0), (4.0, 5.0)]
-    assert clock.advance_to_news(6.0)
-    assert times[6:] == [(5.0, 6.0)]
-    assert clock.advance_to_news(6.0)
-    assert len(times) == 7
-    clock.at(6.0, lambda: True)
-    assert clock.advance_to_news(6.0)
-    assert times[7:] == [(6.0, 6.0)]

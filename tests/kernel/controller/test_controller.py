@@ -8,8 +8,6 @@ from pathlib import Path
 import pytest
 
 from motionlang.kernel import Controller, Rejected
-from motionlang.kernel.controller.axis_verbs import SETTINGS
-from tests.recorder import Recorder
 from tests.verbs import VERBS
 
 PACKAGE = Path(__file__).parents[3] / "motionlang"
@@ -27,10 +25,9 @@ def machine(axes: int = 2, **settings: float | str) -> Controller:
     return controller
 
 
-def test_every_verb_is_a_method_of_the_controller_and_of_the_recorder() -> None:
+def test_every_verb_is_a_method_of_the_controller() -> None:
     for verb in VERBS:
         assert callable(getattr(Controller, verb))
-        assert callable(getattr(Recorder(), verb))
 
 
 @pytest.mark.parametrize(
@@ -48,25 +45,6 @@ def test_every_verb_is_used() -> None:
     texts = [path.read_text("utf-8") for path in PACKAGE.rglob("*.py")]
     used = {name for text in texts for pair in _USES.findall(text) for name in pair}
     assert set(VERBS) - used == set()
-
-
-def test_a_recorder_knows_no_other_verb() -> None:
-    with pytest.raises(AttributeError):
-        _ = Recorder().fly
-
-
-def test_restoring_gives_every_setting_its_value_at_power_up() -> None:
-    new, used = Controller(1), Controller(1)
-    for name in SETTINGS:
-        before = new.setting(0, name)
-        used.configure(0, name, "parabola" if isinstance(before, str) else 3)
-    assert all(
-        used.setting(0, name) != new.setting(0, name) for name in ("speed", "shape", "override", "max_accel")
-    )
-    used.restore(0)
-    assert {name: used.setting(0, name) for name in SETTINGS} == {
-        name: new.setting(0, name) for name in SETTINGS
-    }
 
 
 def test_a_loaded_move_waits_for_go() -> None:
@@ -166,11 +144,3 @@ def test_a_move_with_a_zero_is_refused_with_its_name(name: str, code: str) -> No
     with pytest.raises(Rejected) as rejected:
         c.go([0])
     assert (rejected.value.code, rejected.value.line) == (code, 7)
-
-
-def test_a_recorder_answers_like_axes_at_rest() -> None:
-    r = Recorder()
-    found = [r.is_idle(0), r.is_at_standstill(0), r.master_of(0), r.is_enabled(0), r.room(0), r.moving()]
-    assert found == [True, True, None, True, 2, []]
-    assert [r.settling(), r.position(0), Recorder(answers={"room": 5}).room(0)] == [[], 0.0, 5]
-    assert r.calls[-2:] == [("settling",), ("position", 0)]

@@ -7,7 +7,6 @@ from math import inf, sqrt
 import pytest
 
 from motionlang.kernel import Controller, Machine, Rejected
-from motionlang.kernel.log.move import Action
 from motionlang.kernel.planners import from_curve
 from motionlang.kernel.tracks import recall
 from tests.cases import cases
@@ -65,22 +64,6 @@ def test_a_velocity_that_the_rest_of_a_move_does_not_have_is_not_reached_before_
     assert c.demand_velocity_crossing_time(0, 0.0) == pytest.approx(1.1)
     assert c.demand_velocity_crossing_time(0, 60.0) == pytest.approx(1.1)
     assert c.demand_velocity_crossing_time(0, inf) == inf
-
-
-def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
-    """A buffer entry without a plan of its own has the plan of the motion's rest."""
-    c = controller()
-    c.move_to(0, 10.0)
-    c.clock.advance(5.0)
-    c.move_to(0, -40.0)
-    c.clock.advance(5.5)
-    a = c.axes[0]
-    left = Action().plan(c, a)
-    assert len(a.profiles) > 2
-    assert left.start == pytest.approx(c.position(0))
-    assert left.end == pytest.approx(-40.0)
-    assert left.velocity(0.0) == pytest.approx(a.velocity(5.5)) != 0.0
-    assert left.duration == pytest.approx(a.end_of_motion() - 5.5)
 
 
 def test_times_at_which_axes_will_be_idle() -> None:

@@ -3,12 +3,6 @@
 from __future__ import annotations
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.lang.keyword import ROLES, TRAITS, value
-from motionlang.kernel.mccl import MODELS
-from motionlang.kernel.mccl import table as mccl_table
-from motionlang.kernel.mint import table as mint_table
-from motionlang.kernel.mint.models import ABSENT, LARGEST, STRINGS
-from motionlang.kernel.servo import gains
 from tests.cases import cases
 
 
@@ -48,27 +42,3 @@ def test_the_effect_is_words() -> None:
     found = row(effect="stop abrupt")
     assert (found.does("stop"), found.does("abrupt"), found.does("sto")) == (True, True, False)
     assert (found.role, row().role, row(effect="all go").role) == ("stop", "", "go")
-
-
-def test_a_value_that_can_only_be_read_is_a_reading() -> None:
-    kinds = [
-        value("A", "", access, "axis", "uu", None, "", "").kind  # type: ignore[arg-type]
-        for access in ("R", "RW", "W")
-    ]
-    assert kinds == ["reading", "setting", "setting"]
-
-
-def test_columns_of_rows_have_known_words() -> None:
-    for each in (*mint_table(), *mccl_table()):
-        effects = each.effect.split()
-        assert set(effects) <= ROLES.keys() | TRAITS.keys(), each.name
-        assert len(ROLES.keys() & set(effects)) <= 1, each.name
-        assert not (each.role and each.gives), each.name
-        assert each.tunes in {"", *gains.MINT, *gains.MCCL}, each.name
-        assert each.changes in ("", "motion", "always"), each.name
-
-
-def test_families_of_rows_are_those_that_a_model_lacks_or_limits() -> None:
-    families = {each.family for each in mccl_table()} - {""}
-    assert {family for model in MODELS.values() for family in model.lacks} == families
-    assert {each.family for each in mint_table()} - {""} == ABSENT.keys() | LARGEST.keys() | {STRINGS}

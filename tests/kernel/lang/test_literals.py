@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import pytest
 
 import motionlang
-from motionlang.commands.sweep import Sweep
-from motionlang.commands.sweep.job import Worker
 from motionlang.kernel import ProgramError, Source, dialect
 from motionlang.kernel.lang import bound, canonical, edited, has_address, literals_of
 from motionlang.kernel.report import text
@@ -333,33 +330,15 @@ def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
     -5 is rejected, as in the edited program.
     """
     speeds = (50, 100, -5, 250)
-    job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": list(speeds)}, keep=["time", "prints", "moves"]).job
-    worker = Worker(job)
-    for number, speed in enumerate(speeds):
-        _, (time, prints, moves), problem = worker.result((number, (speed,)))
+    source = Source("a.mnt", STROKE)
+    rows = motionlang.sweep(source, {"SPEED[0]@1": list(speeds)}, keep=["time", "prints", "moves"])
+    for row, speed in zip(sorted(rows, key=lambda row: row.index), speeds, strict=True):
         run = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", f"= {speed} ")))
-        assert (time, prints, moves) == (run.time, "\n".join(run.output), len(run.machine.log.moves))
+        assert row["time"] == run.time
+        assert row["prints"] == "\n".join(run.output)
+        assert row["moves"] == len(run.machine.log.moves)
         errors = [each.message for each in run.diagnostics]
-        assert ([] if problem is None else [problem["message"]]) == errors
-
-
-def test_a_sweep_compiles_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    compiled: list[str] = []
-    mint = type(dialect("mint"))
-    original = mint.compile_given
-
-    def count(self: Any, source: Source, *given: Any) -> Any:
-        compiled.append(source.text)
-        return original(self, source, *given)
-
-    monkeypatch.setattr(mint, "compile_given", count)
-    job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": [50, 100, 250], "WAIT": [5, 6]}).job
-    compiled.clear()
-    worker = Worker(job)
-    for number in range(6):
-        assert worker.result((number, (50 + number, 5.0)))[2] is None
-    constants = "Const literal_1 = 50 : Const literal_2 = 5 : "
-    assert compiled == [constants + STROKE.replace("= 100 ", "= literal_1 ").replace("= 20", "= literal_2")]
+        assert ([] if row.problem is None else [row.problem["message"]]) == errors
 
 
 @cases(

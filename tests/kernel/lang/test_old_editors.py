@@ -10,7 +10,6 @@ from motionlang import run
 from motionlang.client import Client
 from motionlang.commands.check import check
 from motionlang.kernel import Source, dialect_for
-from motionlang.kernel.lang.typography import TYPOGRAPHIC, typographic
 
 MINT = b"SPEED(0) = 50\x0c\r\n\x0cMOVER(0) = \x0c5 : GO(0)\x1a\r\nPAUSE\x0cIDLE(0)\r\n\x0c\r\nPRINT POS(0)\r\n\x1a\x1a"
 MCCL = b"1MN\x0c\r\n\x0c1MR5,\x0c1WS0\x1a\r\n\x0c\r\n1TP\r\n\x1a\x1a"
@@ -48,9 +47,3 @@ def test_typographic_characters_of_windows_are_named(name: str, data: bytes, mes
     source = Source.from_bytes(name, data)
     found = check(source, dialect_for(source, None))
     assert (1, message) in [(each.line, each.message) for each in found]
-
-
-def test_no_plain_character_is_typographic() -> None:
-    assert all(typographic(chr(code)) is None for code in range(128))
-    assert typographic("") is None
-    assert not any(character.isascii() for character in TYPOGRAPHIC)

@@ -8,8 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from motionlang import run
-from motionlang.kernel import Controller, Scheduler, Source, Stuck, Task, Wait, execution
+from motionlang.kernel import Controller, Scheduler, Source, Stuck, Task, Wait, run
 from motionlang.kernel.lang import wait_idle, wait_until
 from motionlang.kernel.report import text as report_text
 
@@ -312,7 +311,7 @@ def test_a_wait_passes_within_its_statement_only_if_the_task_is_alone() -> None:
 )
 def test_a_program_that_only_computes_is_paced(name: str, text: str) -> None:
     times = [0.0]
-    execution.run(Source(name, text), until=0.5, pace=times.append)
+    run(Source(name, text), until=0.5, pace=times.append)
     assert max(later - earlier for earlier, later in pairwise(times)) < 0.011
     assert times[-1] == pytest.approx(0.5, abs=1e-3)
 
@@ -330,14 +329,14 @@ def test_an_event_after_a_handler_or_a_task_is_located_at_the_line_of_the_parent
     text = (
         "TIMEREVENT = 10\nRun Brief\nWAIT(55)\nEnd\nEvent TIMER\nEnd Event\nTask Brief\n  n = 1\nEnd Task\n"
     )
-    report = json.loads(report_text(execution.run(Source("a.mnt", text))))
+    report = json.loads(report_text(run(Source("a.mnt", text))))
     assert [event["line"] for event in report["events"]] == [3] * 5
 
 
 def test_an_event_after_the_end_of_the_program_has_no_line() -> None:
     """The limit of 50 is reached after half a second, and nothing waits for it."""
     text = "SOFTLIMITFORWARD(0) = 50 : SOFTLIMITMODE(0) = 2\nSPEED(0) = 100\nJOG(0) = 100\n"
-    report = json.loads(report_text(execution.run(Source("a.mnt", text), until=1.0)))
+    report = json.loads(report_text(run(Source("a.mnt", text), until=1.0)))
     assert [(event["kind"], event["line"], event["commanded_by"]) for event in report["events"]] == [
         ("soft limit", 0, 3),
         ("velocity jump", 0, 3),

@@ -2,58 +2,34 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.lang.typography import plain, typographic, unclosed
+from motionlang.commands.check import check
+from motionlang.kernel import Source
+from motionlang.kernel.mint import DIALECT
 from tests.cases import cases
 
-
-@cases(
-    "line, length, replacement",
-    [
-        ("“near” : PRINT 1", 6, '"near"'),
-        ('"near” : PRINT 1', 6, '"near"'),
-        ("“near", 1, '"'),
-        ("“”", 2, '""'),
-        ("’ a comment", 1, "'"),
-        ("’ don’t stop", 1, "'"),
-        ("‘a’ b", 0, ""),
-        ("− 5", 1, "-"),
-        ("\u00a05", 1, " "),
-        ("x", 0, ""),
-        ("", 0, ""),
-    ],
-)
-def test_the_plain_text_of_the_beginning_of_a_line(line: str, length: int, replacement: str) -> None:
-    """With a second single quote the replacement is not certain."""
-    assert plain(line) == (length, replacement)
+QUOTE, DASH = '“ is a typographic quote, not a plain "', "– is a typographic dash, not a plain -"
+APOSTROPHE, MINUS = "’ is a typographic quote, not a plain '", "− is a typographic dash, not a plain -"
+BLANK = "this is a non-breaking space, not a plain one"
 
 
 @cases(
-    "text, found",
+    "line, column, length, message, hint, fix",
     [
-        ("“near”", ('“ is a typographic quote, not a plain "', 'type "')),
-        ("’", ("’ is a typographic quote, not a plain '", "type '")),
-        ("–5", ("– is a typographic dash, not a plain -", "type -")),
-        ("\x93near", ('“ is a typographic quote, not a plain "', 'type "')),
-        ("\u00a0", ("this is a non-breaking space, not a plain one", "type a plain space")),
-        ("\x80", None),
-        ('"', None),
-        ("", None),
+        ("PRINT “near”", 7, 6, QUOTE, 'type "', '"near"'),
+        ('PRINT “near"', 7, 6, QUOTE, 'type "', '"near"'),
+        ("PRINT “”", 7, 2, QUOTE, 'type "', '""'),
+        ("PRINT \x93near\x94", 7, 1, QUOTE, 'type "', ""),  # Windows-1252
+        ('PRINT "near”', 7, 6, QUOTE.replace("“", "”"), 'type "', '"near"'),
+        ("PRINT 1 ’ don’t stop", 9, 1, APOSTROPHE, "type '", "'"),
+        ("n = 5 – 3", 7, 1, DASH, "type -", "-"),
+        ("n = − 5", 5, 1, MINUS, "type -", "-"),
+        ("n =\u00a05", 4, 1, BLANK, "type a plain space", " "),
     ],
 )
-def test_a_typographic_character_is_named(text: str, found: tuple[str, str] | None) -> None:
-    """Windows-1252 has its quotes at 91 to 94 hex."""
-    assert typographic(text) == found
-
-
-@cases(
-    "text, found",
-    [
-        ('"near”', ('” is a typographic quote, not a plain "', 'type "')),
-        ('"near', None),
-        ("near”", None),
-        ("“near”", None),
-        ("", None),
-    ],
-)
-def test_a_text_that_a_typographic_quote_closes(text: str, found: tuple[str, str] | None) -> None:
-    assert unclosed(text) == found
+def test_a_typographic_character_is_named_with_its_replacement(
+    line: str, column: int, length: int, message: str, hint: str, fix: str
+) -> None:
+    found = check(Source("a.mnt", line), DIALECT)[0]
+    assert (found.column, found.length, found.message, found.hint, found.fix) == (
+        column, length, message, hint, fix,
+    )  # fmt: skip

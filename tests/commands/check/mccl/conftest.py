@@ -1,3 +1,3 @@
 """Runs of MCCL texts."""
 
-from tests.mccl_runs import mccl, update  # noqa: F401
+from tests.mccl_runs import mccl  # noqa: F401

@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 
 from motionlang.kernel import Rejected
 from motionlang.kernel.controller import Clock, HostMemory, product
-from motionlang.kernel.controller.io.host_memory import packed
 from tests.cases import cases
 
 words = st.integers(-(2**31), 2**31 - 1)
@@ -121,16 +120,6 @@ def test_no_number_stays_no_number() -> None:
     memory = HostMemory()
     memory.set_real("comms", 1, math.nan)
     assert math.isnan(memory.real("comms", 1))
-
-
-@cases("text, expected", [("", []), ("A", [0x41000000]), ("ABCD", [0x41424344]), ("ABCDE", [0x41424344, 0x45000000]),
-                          ("\xff", [0xFF000000 - (1 << 32)]), ("\u20ac", [0x3F000000])])  # fmt: skip
-def test_packed_texts(text: str, expected: list[int]) -> None:
-    """Four characters in a word, the first one highest.
-
-    `?` for one that Latin-1 does not have.
-    """
-    assert packed(text) == expected
 
 
 @cases(

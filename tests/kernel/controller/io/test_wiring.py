@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel import Controller
-from motionlang.kernel.controller.faults import DRIVE, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
-from motionlang.kernel.controller.io.wiring import World
+from motionlang.kernel import Controller, Machine
+from motionlang.kernel.controller import fault_names
 
 
 def machine(**settings: object) -> Controller:
-    c = Controller(2)
+    given = {key.replace("__", "."): value for key, value in settings.items()}
+    c = Machine({"controller.axes": 2, **given}).controller
     for axis in c.axes:
         for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
             c.configure(axis, name, value)
-    World(c, {key.replace("__", "."): value for key, value in settings.items()})
     return c
+
+
+def faults(c: Controller) -> str:
+    return fault_names(c.faults(0))
 
 
 def changes(c: Controller) -> list[tuple[float, int, float]]:
@@ -59,7 +62,7 @@ def test_travel_limits_stop_the_axis_and_show_on_their_inputs() -> None:
     c.move_to(0, 12.0)
     c.clock.advance(5.0)
     assert c.position(0) == pytest.approx(6.0)
-    assert c.faults(0) == LIMIT_FORWARD
+    assert faults(c) == "forward limit"
     assert changes(c) == [(1.0, 7, 1)]
 
 
@@ -96,7 +99,7 @@ def test_a_fault_at_a_time_switches_the_axis_off() -> None:
     c = machine(fault=[{"axis": 0, "kind": "following-error", "at": 1.0}])
     c.move_to(0, 12.0)
     c.clock.advance(5.0)
-    assert (c.position(0), c.faults(0), c.is_enabled(0)) == (6.0, FOLLOWING_ERROR, False)
+    assert (c.position(0), faults(c), c.is_enabled(0)) == (6.0, "following error", False)
     assert c.log.moves[0].ended == "fault"
 
 
@@ -112,33 +115,12 @@ def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:
     assert changes(c)[3:] == [(2.0, 6, 1), (2.25, 5, 0)]
 
 
-def test_a_fault_at_a_line_happens_the_first_time_only() -> None:
-    c = Controller(1)
-    world = World(c, {"fault": [{"axis": 0, "kind": "forward-limit", "line": 12}]})
-    world.reach(11)
-    assert c.faults(0) == 0
-    world.reach(12)
-    assert c.faults(0) == LIMIT_FORWARD
-    c.clear_faults(0)
-    world.reach(12)
-    assert c.faults(0) == 0
-
-
-def test_what_an_axis_does_about_a_fault_is_the_programs_choice() -> None:
-    c = Controller(1)
-    world = World(c, {"fault": [{"axis": 0, "kind": "following-error", "at": 1.0}]})
-    world.actions[0, FOLLOWING_ERROR] = "event"
-    c.jog(0, 100.0)
-    c.clock.advance(2.0)
-    assert (c.faults(0), c.is_enabled(0), c.velocity(0)) == (FOLLOWING_ERROR, True, 100.0)
-
-
 def test_a_fault_beyond_a_position_happens_where_the_axis_comes_there() -> None:
     c = machine(fault=[{"axis": 0, "kind": "following-error", "above": 6.0}])
     c.move_to(0, 12.0)
     c.clock.advance(5.0)
     assert c.position(0) == pytest.approx(6.0)
-    assert c.faults(0) == FOLLOWING_ERROR
+    assert faults(c) == "following error"
 
 
 def test_pulses_of_an_input_repeat_until_the_end_or_so_many_times() -> None:
@@ -164,10 +146,10 @@ def test_marks_along_the_travel() -> None:
 
 
 def test_inputs_that_are_wired_later_count_their_times_from_then() -> None:
-    c = Controller(1)
-    world = World(c, {})
+    made = Machine({"controller.axes": 1})
+    c = made.controller
     c.clock.advance(2.0)
-    world.wire_inputs(
+    made.add_entries(
         {
             "input": [
                 {"channel": 3, "at": 1.0, "for": 0.5},
@@ -177,7 +159,6 @@ def test_inputs_that_are_wired_later_count_their_times_from_then() -> None:
             "analogue": [{"channel": 1, "value": 12.5, "at": 0.5, "for": 1.0}],
         }
     )
-    assert world.driven == {1, 3, 4, 5}
     c.clock.advance(3.0)
     assert changes(c) == [(2.0, 4, 1), (2.0, 5, 1), (2.25, 5, 0), (3.0, 3, 1), (3.0, 5, 1)]
     assert c.analogue_inputs[1] == 12.5
@@ -209,13 +190,13 @@ def test_the_travel_is_counted_from_the_start() -> None:
     c.move_to(0, 12.0)
     c.clock.advance(5.0)
     assert c.position(0) == pytest.approx(6.0)
-    assert c.faults(0) == LIMIT_FORWARD
+    assert faults(c) == "forward limit"
     c.clear_faults(0)
     c.enable(0)
     c.move_to(0, -12.0)
     c.clock.advance(10.0)
     assert c.position(0) == pytest.approx(-8.0)
-    assert c.faults(0) == LIMIT_REVERSE
+    assert faults(c) == "reverse limit"
     assert [(channel, value) for _, channel, value in changes(c)] == [(7, 1), (7, 0), (8, 1)]
     c = machine(**settings)
     c.set_scale(0, 2.0)
@@ -255,37 +236,6 @@ def test_a_drive_is_disabled_at_once_while_its_enable_input_is_off() -> None:
     assert c.velocity(0) == 0.0
     (stop,) = [each for each in c.log.events if each.kind == "e-stop" and each.time > 0.0]
     assert (stop.time, stop.axis, stop.text) == (3.0, 0, "input 3 is off")
-
-
-def test_errors_of_drives_and_of_the_controller() -> None:
-    """A drive has its error bits until its fault is cleared.
-
-    Only a new error of the controller is reported.
-    """
-    c, misc = Controller(2), list[int]()
-    world = World(
-        c,
-        {
-            "fault": [
-                {"axis": 1, "kind": "drive", "value": 6, "at": 1.0},
-                {"axis": 1, "kind": "drive", "value": 8, "at": 2.0},
-                {"kind": "controller", "value": 3, "at": 1.0},
-                {"kind": "controller", "value": 5, "at": 2.0},
-                {"kind": "controller", "value": 1, "at": 3.0},
-                {"kind": "drive", "at": 4.0},
-            ]
-        },
-    )
-    c.listeners.append(lambda what, value: misc.append(value), "misc")
-    c.clock.advance(1.5)
-    assert (world.drive_errors, world.misc, misc) == ({1: 6}, 3, [3])
-    assert (c.faults(1), c.faults(0)) == (DRIVE, 0)
-    c.clock.advance(3.5)
-    assert (world.drive_errors, world.misc, misc) == ({1: 14}, 7, [3, 4])
-    c.clear_faults(1)
-    assert world.drive_errors == {}
-    c.clock.advance(4.0)
-    assert world.drive_errors == {0: 1}
 
 
 def test_an_output_may_switch_an_input_on_at_a_value_of_its_own() -> None:

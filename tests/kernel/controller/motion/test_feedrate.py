@@ -8,7 +8,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel import Rejected
-from motionlang.kernel.planners.reference import Slope
 from tests.kernel.controller.machines import machine, until
 
 
@@ -174,26 +173,6 @@ def test_a_jog_with_rates_of_its_own_has_their_jerk() -> None:
     assert until(c, 0.3).velocity(0) == pytest.approx(10.0)
 
 
-@pytest.mark.parametrize(
-    ("begin", "end", "time"), [(0.0, 0.0, 0.1), (0.1, 0.0, 0.15), (0.0, 0.1, 0.15), (0.05, 0.1, 0.175)]
-)
-def test_a_speed_reference_of_nothing_ends_at_standstill(begin: float, end: float, time: float) -> None:
-    c = machine()
-    slope = Slope(100.0, begin, end)
-    c.refer_speed(0, 10.0, (slope, slope))
-    until(c, 1.0).refer_speed(0, 0.0, (slope, slope))
-    assert c.idle_time(0) == pytest.approx(1.0 + time)
-    assert until(c, 2.0).is_idle(0)
-
-
-def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:
-    c = machine()
-    c.refer_speed(0, 10.0, (Slope(100.0, 0.0, 0.0), Slope(50.0, 0.0, 0.0)))
-    until(c, 1.0).configure(0, "max_speed", 5.0)
-    assert until(c, 1.05).velocity(0) == pytest.approx(7.5)
-    assert until(c, 2.0).velocity(0) == 5.0
-
-
 def test_bit_1_of_the_feed_rate_mode_alone_lets_the_override_act() -> None:
     c = machine(feedrate_mode=3)
     c.load_by(0, 100.0)
@@ -203,34 +182,6 @@ def test_bit_1_of_the_feed_rate_mode_alone_lets_the_override_act() -> None:
     assert until(c, 2.0).velocity(0) == 10.0
     c.configure(0, "feedrate_mode", 2)
     assert until(c, 3.0).velocity(0) == pytest.approx(5.0)
-
-
-def test_a_speed_reference_that_is_written_again_changes_nothing() -> None:
-    """At 100 counts/s² it has 5 counts/s after 0.05 s; then at 200 and 50 counts/s²."""
-    c = machine()
-    a = c.axes[0]
-
-    def refer(speed: float, rate: float, command: str = "SPEEDREF") -> tuple[float, int]:
-        slope = Slope(rate, 0.0, 0.0)
-        c.refer_speed(0, speed, (slope, slope), command=command, line=3)
-        return a.starts[-1], len(c.log.moves)
-
-    assert refer(0.0, 100.0) == (0.0, 0)
-    assert refer(10.0, 100.0) == (0.0, 1)
-    until(c, 0.05)
-    assert refer(10.0, 100.0) == (0.0, 1)
-    assert refer(10.0, 200.0) == (0.05, 1)
-    assert until(c, 0.06).velocity(0) == pytest.approx(7.0)
-    until(c, 1.0)
-    assert refer(10.0, 50.0) == (0.05, 1)
-    assert refer(20.0, 50.0) == (1.0, 1)
-    assert until(c, 1.1).velocity(0) == pytest.approx(15.0)
-    assert refer(20.0, 50.0, "other") == (1.1, 2)
-    assert until(c, 1.15).velocity(0) == pytest.approx(17.5)
-    assert [(move.command, move.line, move.ended) for move in c.log.moves] == [
-        ("SPEEDREF", 3, "retarget"),
-        ("other", 3, ""),
-    ]
 
 
 def test_position_references_form_one_entry_of_the_log() -> None:
@@ -313,16 +264,3 @@ def test_a_velocity_that_is_decided_at_each_tick() -> None:
     wanted[0] = 1.0
     c.resume(0)
     assert until(c, 4.0).velocity(0) == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize(("rate", "time"), [(50.0, 0.2), (0.0, 0.1)])
-def test_an_error_stops_a_speed_reference_at_its_own_rate(rate: float, time: float) -> None:
-    """From 10 counts/s it takes 0.2 s at 50 counts/s², whatever stop follows."""
-    c = machine(error_decel=100.0)
-    slope = Slope(100.0, 0.0, 0.0)
-    c.refer_speed(0, 10.0, (slope, slope), rate, "SPEEDREF", 3)
-    until(c, 1.0).fault(0, 2, "error-stop")
-    until(c, 1.05).stop(0, hard=True)
-    assert c.idle_time(0) == pytest.approx(1.0 + time)
-    assert until(c, 2.0).position(0) == pytest.approx(9.5 + 5.0 * time)
-    assert (c.target(0), c.log.moves[0].ended) == (c.position(0), "fault")

@@ -5,8 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel import Rejected
-from motionlang.kernel.controller.axis import BY_INPUT
-from motionlang.kernel.controller.motion import halt
 from tests.kernel.controller.machines import machine, until
 
 
@@ -62,7 +60,7 @@ def test_a_hard_stop_has_the_deceleration_of_errors(ended: str) -> None:
     """From 10 at 200 it takes 0.25."""
     c = machine(error_decel=200.0)
     c.jog(0, 10.0)
-    halt.stop(until(c, 1.0), c.axes[0], ended, hard=True)
+    until(c, 1.0).stop(0, ended, hard=True)
     assert until(c, 2.0).position(0) == pytest.approx(9.75)
 
 
@@ -111,11 +109,11 @@ def test_a_jog_and_a_stop_have_no_end_point_to_change() -> None:
 
 
 def test_what_does_not_suspend_an_axis_does_not_resume_it() -> None:
-    """A move that goes on is not planned again, as a resumed one is."""
+    """A move that goes on is not planned again, as a resumed one is. Reason 2 is an input."""
     c = machine()
     c.move_to(0, 20.0)
-    until(c, 1.0).resume(0, BY_INPUT)
+    until(c, 1.0).resume(0, 2)
     assert len(c.axes[0].starts) == 2
     c.suspend(0)
-    until(c, 3.0).resume(0, BY_INPUT)
+    until(c, 3.0).resume(0, 2)
     assert until(c, 4.0).is_suspended(0)

@@ -150,21 +150,6 @@ def test_times_at_which_so_much_is_left() -> None:
     assert c.offset_crossing_time(1, 4.5) == inf
 
 
-def test_offsets_that_sum_to_nothing() -> None:
-    """At rest nothing is left to do; in between an offset turns back."""
-    c = moving()
-    entries = len(c.log.moves)
-    offset(c, 1, 0.0)
-    assert len(c.log.moves) == entries
-    offset(c, 1, 5.0)
-    until(c, 1.3)
-    offset(c, 1, -2.5)
-    assert c.offset_remaining(1) == pytest.approx(0.0, abs=1e-12)
-    assert len(c.log.moves) == entries + 2
-    until(c, 9.0)
-    assert c.position(1) - c.position(0) == pytest.approx(2.5)
-
-
 def test_an_offset_at_rest_of_a_master_needs_its_speed() -> None:
     c = machine()
     c.gear(1, 0, 1.0)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import pytest
 
 from motionlang.kernel import INFINITY, Controller, Rejected
-from motionlang.kernel.planners.reparametrised import Reparametrised
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -73,10 +72,8 @@ def climbing(segments: int, cycles: int) -> Controller:
     return controller
 
 
-def test_all_cycles_of_a_cam_share_its_curve() -> None:
+def test_many_cycles_of_a_cam_add_up() -> None:
     controller = climbing(segments=20, cycles=500)
-    curves = {id(each.path) for each in controller.axes[1].profiles if isinstance(each, Reparametrised)}
-    assert len(curves) == 1
     assert controller.position(0) == pytest.approx(50_000.0)
     assert controller.position(1) == pytest.approx(50_000.0)
     found = controller.crossing_time(1, 50_060.0)  # x + 0.4 x - 0.004 x² = 60: x = 50, a point of the table

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel import Controller
-from motionlang.kernel.controller.triggers.watch import margin, side_of
 
 
 def machine() -> Controller:
@@ -127,11 +126,3 @@ def test_channels_log_and_notify_changes_only() -> None:
     assert changes == [(3, 1), (0, 1), (2, 1), (3, 0)]
     assert c.log.outputs[0][:3] == (0.0, 3, 1)
     assert [c.outputs[channel] for channel in range(4)] == [1, 0, 1, 0]
-
-
-@pytest.mark.parametrize(("position", "within"), [(0.0, 1e-6), (1e6, 2e-6), (-1e6, 2e-6), (1e9, 1.001e-3)])
-def test_how_near_counts_as_being_at_a_position(position: float, within: float) -> None:
-    """A millionth of a count, and a millionth of a millionth of the position."""
-    assert margin(position) == pytest.approx(within)
-    for distance, side in ((0.99, 0), (1.01, 1), (-0.99, 0), (-1.01, -1)):
-        assert side_of(distance * within, position) == side

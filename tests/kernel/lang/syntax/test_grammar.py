@@ -1,4 +1,4 @@
-"""The parser of a grammar: no conflicts, stored tables, tokens of any text."""
+"""The parser of a grammar: no conflicts, and stored tables."""
 
 from __future__ import annotations
 
@@ -8,15 +8,12 @@ from pathlib import Path
 
 import lark
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from motionlang.kernel.lang.syntax import grammar
-from motionlang.kernel.lang.syntax.grammar import BAD, GRAMMARS, build, lex, load, store, table_name
+from motionlang.kernel.lang.syntax.grammar import GRAMMARS, build, load, store, table_name
 from motionlang.kernel.mccl.syntax.parser import OPTIONS
 from motionlang.kernel.mint.syntax.build import Builder
-from motionlang.kernel.mint.syntax.tokens import PARSER, ended
-from tests.cases import examples
+from motionlang.kernel.mint.syntax.tokens import PARSER
 
 
 @pytest.mark.parametrize(("name", "options"), [("mint", {}), ("mccl", OPTIONS)])
@@ -36,16 +33,6 @@ def test_a_conflict_is_an_error() -> None:
     """`strict` of Lark needs a library for its terminals; the table refuses two reductions by itself."""
     with pytest.raises(lark.exceptions.GrammarError, match="Reduce/Reduce"):
         lark.Lark('start: a | b\na: "x"\nb: "x"', parser="lalr")
-
-
-def test_every_alternative_has_a_method() -> None:
-    names = {rule.alias for rule in PARSER.rules if rule.alias}
-    methods = {name for name in vars(Builder) if not name.startswith("_")}
-    assert names == methods
-
-
-def test_a_rule_without_a_method_has_one_symbol() -> None:
-    assert all(rule.options.expand1 for rule in PARSER.rules if not rule.alias)
 
 
 def test_no_group_is_repeated_possessively() -> None:
@@ -114,27 +101,3 @@ def test_without_a_cache_the_table_is_built_in_memory(
     monkeypatch.setattr(lark, "__version__", "0.0")
     assert parses(load("mint", Builder()))
     assert built == [False]
-
-
-# --------------------------------------------------------------------------------------------------- tokens
-
-
-@settings(max_examples=examples(200))
-@given(st.text(st.sampled_from("aREMrem019.xX_e+-'\"`\\:;,()=<> \t\n#?é\0"), max_size=24))
-def test_any_text_has_tokens(text: str) -> None:
-    """They are in order, and leave out only blanks and marks of continuation."""
-    end = 0
-    for token in lex(PARSER, ended(text)):
-        assert token.start_pos is not None
-        assert token.end_pos is not None
-        assert re.fullmatch(r"(?:[ \t]|[\\_][ \t]*(?:'[^\n]*)?\n)*", ended(text)[end : token.start_pos])
-        assert ended(text)[token.start_pos : token.end_pos] == token
-        end = token.end_pos
-
-
-@pytest.mark.parametrize(
-    ("text", "bad"),
-    [('x = "open\ny', '"open'), ("12abc = 1", "12abc"), ("a @ b", "@"), ("`ab`", "`"), ("é", "é")],
-)
-def test_a_text_of_no_terminal_is_one_token(text: str, bad: str) -> None:
-    assert next(str(token) for token in lex(PARSER, text) if token.type == BAD) == bad

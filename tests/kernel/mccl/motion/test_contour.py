@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from itertools import pairwise
 from math import hypot, pi
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from motionlang import Run, prove
-from motionlang.kernel.mccl.motion.contour import Contour
 from tests.cases import cases
 from tests.mccl_runs import Runner
 
@@ -210,49 +207,3 @@ def test_paths_with_other_vector_settings_are_not_joined(
     first = result.controller.log.moves[0].profile
     assert first is not None
     assert (first.end_velocity > 0.0) is is_run_through
-
-
-# The axes of the current paths, if they stop, the shape of one in progress; the axes, length and shape of the next.
-FOLLOWS: list[tuple[bool, str | None, tuple[int, ...], float, str, bool]] = [
-    (False, None, (1, 2), 5.0, "trapezoid", True),
-    (False, None, (1, 2), 5.0, "scurve", True),
-    (False, "trapezoid", (1, 2), 5.0, "trapezoid", True),
-    (False, "trapezoid", (1, 2), 5.0, "scurve", False),
-    (True, None, (1, 2), 5.0, "trapezoid", False),
-    (False, None, (2, 1), 5.0, "trapezoid", False),
-    (False, None, (1, 2), 0.0, "trapezoid", False),
-]
-
-
-@pytest.mark.parametrize(("stopping", "shape", "axes", "length", "next_shape", "expected"), FOLLOWS)
-def test_a_path_may_follow_those_of_the_same_axes(
-    stopping: bool, shape: str | None, axes: tuple[int, ...], length: float, next_shape: str, expected: bool
-) -> None:
-    contour: Any = SimpleNamespace(_stopping=stopping, _members=(1, 2), _in_progress=shape)
-    vector: Any = SimpleNamespace(length=length, shape=next_shape)
-    assert Contour._may_follow(contour, axes, vector) is expected
-
-
-@pytest.mark.parametrize(
-    ("number", "in_progress", "idle", "goes_on"),
-    [
-        (1, False, (1, 2), True),
-        (1, False, (1,), False),  # the other axis still moves
-        (1, True, (1, 2), False),
-        (3, False, (1, 2), False),
-    ],
-)
-def test_the_next_paths_begin_when_all_axes_are_at_rest(
-    number: int, in_progress: bool, idle: tuple[int, ...], goes_on: bool
-) -> None:
-    gone: list[bool] = []
-    contour: Any = SimpleNamespace(
-        _members=(1, 2), _handed=3, _stopping=True, _start=lambda: gone.append(True),
-        _in_progress="a path" if in_progress else None,
-        _board=SimpleNamespace(controller=SimpleNamespace(is_idle=lambda each: each in idle)),
-    )  # fmt: skip
-    Contour.rested(contour, number)
-    assert gone == [True] * goes_on
-    assert (contour._members, contour._handed, contour._stopping) == (
-        ((), 0, False) if goes_on else ((1, 2), 3, True)
-    )

@@ -10,8 +10,6 @@ from motionlang import run
 from motionlang.commands.check import check
 from motionlang.kernel import Source
 from motionlang.kernel.mccl import DIALECT, MODELS, table
-from motionlang.kernel.mccl.keywords import of_families
-from motionlang.kernel.mccl.models import DEFAULT
 from tests.cases import cases
 from tests.hosts.mccl.test_port import ask, board
 from tests.mccl_runs import Runner
@@ -95,7 +93,7 @@ def test_prompt_echo_and_line_end(model: str, talk: bytes) -> None:
 
 @pytest.mark.parametrize("model", ALL)
 def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: str, mccl: Runner) -> None:
-    lacks = of_families(MODELS[model].lacks)
+    lacks = {row.name for row in table() if row.family in MODELS[model].lacks}
     settings = {"controller.model": model}
     helped = {line.split()[0] for line in mccl("HE", machine=settings).output}
     assert helped == {row.name for row in table()} - lacks
@@ -155,11 +153,6 @@ def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) 
     assert bool(check(Source(name, text), DIALECT)) is ("output control" in MODELS[model].lacks)
     other = run(Source(name, text), dialect="mccl", machine={"controller.model": "dcx-at200"})
     assert other.output[0].startswith(MODELS["dcx-at200"].title)
-
-
-def test_the_default_is_a_multiflex() -> None:
-    assert DEFAULT == "multiflex"
-    assert set(MODELS) == set(ALL)
 
 
 @pytest.mark.parametrize("model", ALL)

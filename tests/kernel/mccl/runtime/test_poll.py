@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 
-from motionlang.kernel.lang.change_times import Dependencies
-from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.mccl import CommandTask
 from tests.cases import cases
+from tests.generated.compared import counting_skips, every_iteration
 from tests.mccl_runs import Runner
 
 POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
@@ -104,31 +102,21 @@ def outcome(runner: Runner, text: str) -> dict[str, Any]:
         for each in PROGRAMS
     ],
 )
-def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_skipping_changes_nothing(name: str, mccl: Runner) -> None:
     skipped = outcome(mccl, PROGRAMS[name])
-    monkeypatch.setattr(Loops, "back", lambda self, task, here, t, is_inside=True: (t, None))
-    assert outcome(mccl, PROGRAMS[name]) == skipped
+    with every_iteration():
+        assert outcome(mccl, PROGRAMS[name]) == skipped
     assert skipped["output"]
 
 
 @pytest.mark.parametrize("read", ["RL", "RV", "RD"])
-def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
-    read: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """50 s of polling are a million iterations of four commands.
-
-    At most eleven are carried out.
-    """
-    rounds, back = [0], Loops.back
-
-    def count(*given: Any) -> Any:
-        rounds[0] += 1
-        return back(*given)
-
-    monkeypatch.setattr(Loops, "back", count)
-    result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
+def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(read: str, mccl: Runner) -> None:
+    """45 s of polling are more than a million iterations of four commands."""
+    skips: list[int] = []
+    with counting_skips(skips):
+        result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
     assert result.output == ["01 45001"]
-    assert rounds[0] <= 11
+    assert sum(skips) > 1_000_000
 
 
 def test_eight_hours_of_polling(mccl: Runner) -> None:
@@ -156,40 +144,17 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
         pytest.param("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 8, marks=pytest.mark.slow),
     ],
 )
-def test_an_hour_of_watching_is_over_at_once(
-    watch: str, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more."""
-    jumps, again = 0, Loops.back
+def test_an_hour_of_watching_is_over_at_once(watch: str, most: int, mccl: Runner) -> None:
+    """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more.
 
-    def counted(*given: Any) -> Any:
-        nonlocal jumps
-        jumps += 1
-        return again(*given)
-
-    monkeypatch.setattr(Loops, "back", counted)
-    variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
-    result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
-    assert result.time == pytest.approx(3601.0, abs=0.001)
-    assert jumps <= most
-
-
-@pytest.mark.parametrize("bit", [3, 25])
-def test_a_bit_is_polled_from_event_to_event(bit: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The ends of the ramps change neither bit, so they do not end a skip.
-
-    The executed iterations are a first one, which is compared with the second, and those just before and
-    after the event.
+    At most so many times are iterations skipped.
     """
-    ends, again = [], Loops.back
-
-    def counted(loops: Loops, *given: Any) -> Any:
-        ends.append(loops.machine.clock.now)
-        return again(loops, *given)
-
-    monkeypatch.setattr(Loops, "back", counted)
-    mccl(f"1MN,1SV1000,1SA1000,1DS1000,1MR9000,{POLL.replace('3', str(bit), 1)}", until=9.9)
-    assert [each for each in ends if 0.01 < each < 9.8] == []
+    variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
+    skips: list[int] = []
+    with counting_skips(skips):
+        result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
+    assert result.time == pytest.approx(3601.0, abs=0.001)
+    assert len(skips) <= most
 
 
 def test_a_poll_and_a_wait_beside_it_are_one_period(mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -205,24 +170,6 @@ def test_a_poll_and_a_wait_beside_it_are_one_period(mccl: Runner, monkeypatch: p
     result = mccl(f"MD1,WA1,RP\nGT1\n{POLL.replace('IC3', 'IC25')}", until=101)
     assert slices < 10
     assert result.time == pytest.approx(101)
-
-
-def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
-    mccl: Runner, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """After back-off, only one in 257 of thousands of iterations is checked."""
-    notes, note = 0, Dependencies.note
-
-    def counted(dependencies: Dependencies, until: Callable[..., float], *about: object) -> None:
-        nonlocal notes
-        notes += dependencies.notes is not None
-        note(dependencies, until, *about)
-
-    monkeypatch.setattr(Dependencies, "note", counted)
-    result = mccl(RECKONED.replace("500", "9000").replace("305", "9e9"), until=1.0)
-    passes = result.time / (4 * 10e-6)
-    assert passes > 20_000
-    assert 0 < notes < passes / 50
 
 
 def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
@@ -247,21 +194,14 @@ def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
     ],
 )
 def test_a_loop_without_an_end_is_skipped_to_the_end_of_the_run(
-    program: str, end: float, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+    program: str, end: float, most: int, mccl: Runner
 ) -> None:
-    """At most so many jumps of thousands are executed."""
-    jumps, again = 0, Loops.back
-
-    def counted(*given: Any) -> Any:
-        nonlocal jumps
-        jumps += 1
-        return again(*given)
-
-    with monkeypatch.context() as patched:
-        patched.setattr(Loops, "back", counted)
+    """Iterations are skipped at most so many times."""
+    skips: list[int] = []
+    with counting_skips(skips):
         result = mccl(program, until=100.0)
     assert result.time == pytest.approx(end, abs=1e-4)
-    assert 0 < jumps <= most
+    assert len(skips) <= most
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel import Diagnostic, Machine, Rejected, Scheduler, Source
-from motionlang.kernel.mccl.runtime.session import Session
+from motionlang.kernel.mccl import DIALECT
 
 
 class Prompt:
@@ -13,7 +13,7 @@ class Prompt:
 
     def __init__(self, **overrides: float) -> None:
         self.machine = Machine(first_axis=1, overrides=overrides)
-        self.session = Session(self.machine)
+        self.session = DIALECT.interactive(self.machine)
         self.lines = 0
 
     def enter(self, line: str) -> list[str]:
@@ -23,7 +23,7 @@ class Prompt:
         before = len(self.machine.terminal.lines)
         scheduler = Scheduler(self.machine, task)
         self.machine.scheduler = scheduler
-        scheduler.tasks.extend(self.session.board.background.values())
+        scheduler.tasks.extend(self.session.board.background.values())  # type: ignore[attr-defined]
         scheduler.run_program()
         return self.machine.terminal.lines[before:]
 
@@ -72,13 +72,3 @@ def test_a_mistake_in_the_line_itself() -> None:
     assert (found.line, found.column, found.length) == (2, 5, 2)
     found = prompt.mistake("1TP," * 100)
     assert (found.line, found.column) == (3, 1)
-
-
-def test_a_task_stands_in_its_own_text() -> None:
-    """A run-time error in a macro of an earlier text is reported at the call."""
-    prompt = Prompt()
-    prompt.enter("MD1,WN9,MC2")
-    prompt.enter("MD2,WN8")
-    task = prompt.session.task(Source("input", "\n\nAL1,MC1,AL2"))
-    task.resume(0.0, 1.0)
-    assert task.at == len("\n\nAL1,")

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang import run
 from motionlang.kernel import Source
-from motionlang.kernel.mint.keywords.language import ROWS
+from motionlang.kernel.mint import table
 from tests.cases import examples
 
 PROGRAMS = [
@@ -34,7 +34,7 @@ def kind_of(piece: str) -> str:
     return "operator" if piece in "+-*/&^<" else ""
 
 
-_CONTROL = {row.name.lower() for row in ROWS}
+_CONTROL = {row.name.lower() for row in table() if row.group == "language"}
 
 
 def mutated(random: Random) -> str:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
 
 from motionlang import run
 from motionlang.kernel import Source
-from motionlang.kernel.lang import task
 from motionlang.kernel.mint import DIALECT as MINT
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from types import FrameType
 
 # Each call waits, calls itself in line 9 or 11, at 20 once more in line 13, and waits again.
 DOWN = """\
@@ -93,46 +90,3 @@ def test_the_loops_of_gotos_that_an_end_leaves() -> None:
         for each in loops
     ]
     assert (found[0], found[-1]) == ((4, 7, 0.015), (2, 0.005))
-
-
-# The deepest call waits, so that every loop around it is logged.
-LOOPS = """\
-Down({})
-End
-Sub Down(ByVal n As Integer)
-  If n = 0 Then WAIT = 5 : Exit Sub
-  Repeat
-    Down(n - 1)
-  Until 1
-End Sub
-"""
-
-
-def lines_to_find_calls(depth: int) -> int:
-    """Return how many lines of `task.py` a run executes.
-
-    The run leaves `depth` loops, each in a call of its own.
-    """
-    lines = 0
-
-    def line(_frame: FrameType, _event: str, _argument: object) -> Any:
-        nonlocal lines
-        lines += 1
-        return line
-
-    def call(frame: FrameType, _event: str, _argument: object) -> Any:
-        return line if frame.f_code.co_filename == task.__file__ else None
-
-    before = sys.gettrace()
-    sys.settrace(call)
-    try:
-        result = run(Source("a.mnt", LOOPS.format(depth)))
-    finally:
-        sys.settrace(before)
-    assert [len(loop.callers) for loop in result.machine.log.loops] == list(range(depth, 0, -1))
-    return lines
-
-
-def test_to_leave_twice_the_calls_takes_twice_the_work() -> None:
-    once, twice = lines_to_find_calls(100), lines_to_find_calls(200)
-    assert twice < 2.2 * once

@@ -5,14 +5,13 @@ The data need a file.
 
 from __future__ import annotations
 
-import os
-from json import loads
+from json import dumps, loads
 from pathlib import Path
 
 import pytest
 
-from motionlang.kernel import Machine, Run, Source, run
-from motionlang.kernel.lang.machine import nonvolatile
+from motionlang.kernel import Run, Source, run
+from tests.cases import cases
 
 COUNTERS = """\
 Type Point
@@ -75,20 +74,51 @@ def test_program_without_nv_data_reports_nothing(tmp_path: Path) -> None:
     assert loads(file.read_text())["values"] == {"a": [4]}
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "shown"),
+def stored(folder: Path, **tree: object) -> Path:
+    """Return a file with nonvolatile data."""
+    path = folder / "kept.json"
+    path.write_text(dumps({"schema": "motionlang.nv/1", **tree}), encoding="utf-8")
+    return path
+
+
+@cases(
+    "value, declared, shown",
     [
-        ("Dim nv a As Integer = 4", "Dim nv a As Float = 1\nPRINT a", "4.0000"),
-        ("Dim nv a As Float = 4.5", "Dim nv a As Integer = 1\nPRINT a", "1"),
-        ("Dim nv a As Integer = 4", 'Dim nv a As String = "no"\nPRINT a', "no"),
-        ("Dim nv a(2) As Integer = 4, 5", "Dim nv a(3) As Integer = 1, 2, 3\nPRINT a(2)", "2"),
-        ("Dim nv a As Integer = 4", "Dim nv b As Integer = 1\nPRINT b", "1"),
+        ([5], "v As Integer = 1", "5"),
+        ([2147483647], "v As Integer = 1", "2147483647"),
+        ([2147483648], "v As Integer = 1", "1"),
+        ([-2147483648], "v As Integer = 1", "-2147483648"),
+        ([-2147483649], "v As Integer = 1", "1"),
+        ([1.5], "v As Integer = 1", "1"),
+        ([True], "v As Integer = 1", "1"),
+        (["a"], "v As Integer = 1", "1"),
+        (5, "v As Integer = 1", "1"),
+        ([1, 2], "v As Integer = 7", "7"),
+        ([5], "v As Float = 1", "5.0000"),
+        ([True], "v As Float = 1", "1.0000"),
+        ([5], 'v As String = "no"', "no"),
+        (["a"], 'v As String = "no"', "a"),
+        ([0, 3, 4], "v(2) As Integer = 1, 2", "34"),
+        ([0, 3, "a"], "v(2) As Integer = 1, 2", "12"),
+        ([0, 3, 4, 5], "v(2) As Integer = 1, 2", "12"),
     ],
 )
-def test_what_no_longer_fits_is_forgotten(before: str, after: str, shown: str, tmp_path: Path) -> None:
-    file = tmp_path / "kept.json"
-    ran(before, file)
-    assert ran(after, file).output == [shown]
+def test_a_stored_value_is_restored_if_its_kind_size_and_range_fit(
+    value: object, declared: str, shown: str, tmp_path: Path
+) -> None:
+    items = "v(1); v(2)" if declared.startswith("v(") else "v"
+    assert ran(f"Dim nv {declared}\nPRINT {items}", stored(tmp_path, values={"v": value})).output == [shown]
+
+
+def test_words_have_addresses_up_to_1023_and_32_bits(tmp_path: Path) -> None:
+    words = {
+        "0": 5, "1023": -2147483648, "7": 2147483647, "1024": 1, "-1": 1, "8": 2147483648, "9": -2147483649,
+        "10": 1.5, "011": 3, "x": 4,
+    }  # fmt: skip
+    text = "".join(f"PRINT NVLONG({address})\n" for address in (0, 1023, 7, 8, 9, 10, 11))
+    assert ran(text, stored(tmp_path, words=words)).output == [
+        "5", "-2147483648", "2147483647", "0", "0", "0", "0",
+    ]  # fmt: skip
 
 
 def test_failed_run_stores_its_nv_data(tmp_path: Path) -> None:
@@ -143,25 +173,6 @@ def test_unwritable_path_is_reported(tmp_path: Path) -> None:
     result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
     assert result.output == []
     assert "cannot be read" in result.diagnostics[0].message
-
-
-def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two runs on one file would each miss or overwrite the changes of the other."""
-    monkeypatch.setattr(nonvolatile, "PATIENCE", 0.0)
-    file, link = tmp_path / "kept.json", tmp_path / "link.json"
-    link.symlink_to(file)
-    second: list[Run] = []
-
-    def begin_another(machine: Machine) -> None:
-        second.append(ran("Dim nv b As Integer = 2", link, "fault"))
-
-    run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=str(file), begun=begin_another)
-    assert [each.message for each in second[0].diagnostics] == [
-        f"the nv data of {link} are in use by another run"
-    ]
-    assert loads(file.read_text())["values"] == {"a": [1]}
-    assert ran("Dim nv a As Integer\nPRINT a", file).output == ["1"]
-    assert sorted(os.listdir(tmp_path)) == ["kept.json", "link.json"]
 
 
 def test_files_of_a_killed_run_do_not_block_the_next(tmp_path: Path) -> None:

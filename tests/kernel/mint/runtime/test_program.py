@@ -1,15 +1,12 @@
-"""Checked programs: started twice, with overrides, and typed in."""
+"""Checked programs: started twice, and with overrides."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import pytest
 
 from motionlang import run
-from motionlang.kernel import Machine, ProgramError, Scheduler, Source
-from motionlang.kernel.mint import DIALECT, program
-from motionlang.kernel.mint.program import checked_program
+from motionlang.kernel import Machine, Scheduler, Source
+from motionlang.kernel.mint import DIALECT
 
 BALL_SCREW = """\
 Const LENGTH = 200
@@ -99,101 +96,6 @@ def test_a_value_for_a_name_that_is_not_there_is_a_mistake() -> None:
     (diagnostic,) = result.diagnostics
     assert diagnostic.code == "unknown-word"
     assert diagnostic.hint == "did you mean LENGTH?"
-
-
-@pytest.mark.parametrize(
-    ("overrides", "printed", "checks"),
-    [
-        ({"t": "c", "n": 5.0}, "c5.0000 1", 0),
-        ({"t": "c", "n": 1e300}, "c1.000000e+300 1", 0),
-        ({"t": "c"}, "c2.0000 1", 1),
-        ({"n": 5.0}, "a5.0000 1", 1),
-        ({"t": "c", "n": 5.0, "k": 7}, "c5.0000 7", 1),
-    ],
-)
-def test_a_program_for_given_names_is_checked_again_only_for_other_names(
-    overrides: dict[str, float | str], printed: str, checks: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = 'Dim t As String = "a", n As Float = 2\nConst k = 1\nPRINT t; n; " "; k'
-    found = DIALECT.compile_given(Source("a.mnt", text), {}, {"t": "b", "n": 3.0})
-    calls = 0
-
-    def counted(*given: Any, **more: Any) -> program.MintProgram:
-        nonlocal calls
-        calls += 1
-        return checked_program(*given, **more)
-
-    monkeypatch.setattr(program, "checked_program", counted)
-    machine = Machine()
-    machine.overrides = overrides
-    Scheduler(machine, found.start(machine)).run()
-    assert (machine.terminal.lines, calls) == ([printed], checks)
-
-
-class Prompt:
-    """Prompt at which a test types one line after the other, with their output."""
-
-    def __init__(self) -> None:
-        self.machine = Machine()
-        self.interactive = DIALECT.interactive(self.machine)
-
-    def type(self, text: str) -> list[str]:
-        before = len(self.machine.terminal.lines)
-        task = self.interactive.task(Source("input", text))
-        scheduler = self.machine.scheduler = Scheduler(self.machine.controller, task)
-        scheduler.run_program()
-        return self.machine.terminal.lines[before:]
-
-
-def test_names_stay_from_one_line_to_the_next() -> None:
-    prompt = Prompt()
-    assert prompt.type("x = 5") == []
-    assert prompt.type("? x * 2") == ["10.0000"]
-    prompt.type("Dim n As Integer = 3, list(4) As Integer")
-    prompt.type("list(2) = n * 7")
-    assert prompt.type("PRINT list(2), n") == ["213"]
-    prompt.type("Const k = 9")
-    assert prompt.type("? k") == ["9"]
-
-
-def test_a_name_can_be_declared_again() -> None:
-    prompt = Prompt()
-    prompt.type("Dim n As Integer = 3")
-    prompt.type('Dim n As String = "three"')
-    assert prompt.type("? n") == ["three"]
-
-
-def test_subs_and_tasks_stay() -> None:
-    prompt = Prompt()
-    prompt.type("total = 1")
-    prompt.type("Sub Add(ByVal n As Integer)\n  total = total + n\nEnd Sub")
-    prompt.type("Function Twice(ByVal n As Integer) As Integer\n  Twice = n * 2\nEnd Function")
-    prompt.type("For i = 1 To 4\n  Add(Twice(i))\nNext")
-    assert prompt.type("? total") == ["21.0000"]
-    prompt.type('Task Blink\n  WAIT = 5\n  PRINT "blink"\nEnd Task')
-    assert prompt.type("Run Blink\nWAIT = 20") == ["blink"]
-
-
-def test_a_line_with_a_mistake_declares_nothing() -> None:
-    prompt = Prompt()
-    with pytest.raises(ProgramError):
-        prompt.type("Dim n As Integer\nSPED(0) = 1")
-    with pytest.raises(ProgramError, match="n is unknown"):
-        prompt.type("? n")
-
-
-def test_motion_from_a_prompt() -> None:
-    prompt = Prompt()
-    prompt.type("SPEED = 100 : ACCEL = 1000 : DECEL = 1000")
-    prompt.type("MOVER = 20 : GO : PAUSE IDLE")
-    assert prompt.type("? POS") == ["20.0000"]
-
-
-def test_open_blocks_ask_for_more() -> None:
-    interactive = Prompt().interactive
-    assert interactive.is_complete("x = 1")
-    assert not interactive.is_complete("For i = 1 To 3")
-    assert interactive.is_complete("For i = 1 To 3\nNext")
 
 
 @pytest.mark.parametrize(

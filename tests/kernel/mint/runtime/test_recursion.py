@@ -14,7 +14,6 @@ from motionlang import run
 from motionlang.commands.check import check
 from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
-from motionlang.kernel.mint.runtime.task import MAX_DEPTH
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -120,7 +119,7 @@ def test_a_recursion_of_a_given_depth(depth: int) -> None:
     )
     for program, printed in ((text, depth * (depth + 1) // 2), (chain, depth)):
         status, output, found, _ = outcome(program)
-        if depth <= MAX_DEPTH:
+        if depth <= 1000:
             assert (status, output) == ("ended", [str(printed)])
         else:
             assert (status, found[0][0]) == ("fault", "recursion")  # type: ignore[index]
@@ -180,6 +179,9 @@ NESTED = {
     "loops": "Dim i As Integer\n" + "For i = 1 To 1\n" * 199 + "x = 1\n" + "Next\n" * 199,
     "Defines": "".join(f"Define d{k} = d{k - 1} + 1\n" for k in range(1, 150)).replace("d0", "1")
     + "x = d149\n",
+    "ElseIfs": "Dim n As Integer\nIf n Then\n"
+    + "".join(f"ElseIf n = {k} Then\n n = {k}\n" for k in range(1, 3000))
+    + "End If\n",
     "too many Defines": "".join(f"Define d{k} = d{k - 1} + 1\n" for k in range(1, 3000)).replace("d0", "1")
     + "x = d2999\n",
     "constants": "".join(f"Const d{k} = d{k - 1} + 1\n" for k in range(1, 900)).replace("d0", "1")

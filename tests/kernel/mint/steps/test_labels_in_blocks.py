@@ -1,7 +1,4 @@
-"""A Goto may lead to a label in a block, and a block with labels runs like one without.
-
-It takes as long, too.
-"""
+"""A block with labels runs like one without, and takes as long."""
 
 from __future__ import annotations
 
@@ -35,35 +32,6 @@ def with_labels(text: str) -> str:
 def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
     text, machine = program(seed)
     assert outcome(with_labels(text), machine) == outcome(text, machine)
-
-
-# Each with its output; | ends a line.
-PROGRAMS = {
-    "the next turn": ("FOR i = 1 TO 4|IF i = 2 THEN GOTO next|PRINT i|#next|NEXT|PRINT i", "1 3 4 5"),
-    "counting down": ("by = -2|For i = 7 To 1 Step by|If i = 3 Then Goto n|PRINT i|n:|Next", "7 5 1"),
-    "the limit stays": ("k = 3|FOR i = 1 TO k|k = 9|#n|NEXT|PRINT i", "4"),
-    "out of two": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|#n|ENDW|ENDL|PRINT n", "3"),
-    "out of one that has none": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|ENDW|#n|ENDL|PRINT n", "3"),
-    "a select": (
-        "For i = 1 To 3|Select Case i|Case 1|Goto last|Case 2|PRINT 20|Exit Select|Case Else|last:|PRINT i|"
-        "End Select|Next",
-        "1 20 3",
-    ),
-    "into a block": ("GOTO inside|IF 0 DO|PRINT 4|#inside|PRINT 5|ELSE|PRINT 6|ENDIF", "5"),
-    "a repeat": ("REPEAT|n = n + 1|IF n = 2 THEN GOTO test|PRINT n|#test|UNTIL n = 3", "1 3"),
-    "a gosub": (
-        "LOOP|n = n + 1|GOSUB show|IF n = 2 THEN GOTO out|#m|ENDL|#out|END|#show|PRINT n|RETURN",
-        "1 2",
-    ),
-}
-
-
-@pytest.mark.parametrize(("text", "printed"), PROGRAMS.values(), ids=PROGRAMS.keys())
-def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
-    lines = ["Dim n As Integer, k As Integer, i As Integer, by As Integer", *text.split("|")]
-    result = run(Source("a.mnt", "\n".join(lines)))
-    assert [each.message for each in result.diagnostics] == []
-    assert " ".join(result.output) == printed
 
 
 def test_a_label_at_the_end_of_a_loop_is_not_warned_of() -> None:

@@ -1,10 +1,9 @@
-"""The blocks of a text and the indentation of its lines, without the parser."""
+"""The indentation of the lines of a text, also of one that has errors."""
 
 from __future__ import annotations
 
-from motionlang.kernel.mint.syntax.layout import layout
-from motionlang.kernel.mint.syntax.outline import blocks
-from motionlang.kernel.mint.syntax.tokens import Tokens
+from motionlang.kernel import Source
+from motionlang.kernel.mint import DIALECT as MINT
 
 # The levels by which a line moves back and by which the lines below it change. A line with `c` continues
 # another one, and one with `u` is unreadable.
@@ -76,27 +75,6 @@ LINES = """\
 0 +0  |last:
 0 +0  |PRINT 1
 """
-# The first and the last line of each block that is closed, its kind and its name.
-BLOCKS = """\
-5 7 STARTUP
-8 22 WHILE
-9 17 IF
-19 21 IF
-23 25 FOR
-24 25 FOR
-26 26 FOR
-27 27 REPEAT
-28 30 LOOP
-31 36 SELECT
-35 35 LOOP
-37 40 IF
-42 44 LOOP
-49 54 TASK t
-50 52 SUB inner
-55 57 TYPE pair
-58 58 EVENT IN1
-59 62 FUNCTION f
-"""
 
 
 def rows() -> list[tuple[str, str]]:
@@ -104,10 +82,14 @@ def rows() -> list[tuple[str, str]]:
     return [(row[:6].rstrip(), row[7:]) for row in LINES.splitlines()]
 
 
+def source() -> Source:
+    return Source("a.mnt", "\n".join(text for _, text in rows()))
+
+
 def test_the_layout_of_each_line() -> None:
     """A `Return` ends the routine of a label, unless an If or a loop contains it."""
     found = []
-    for line in layout("\n".join(text for _, text in rows())):
+    for line in MINT.layout(source()):
         mark = " c" if line.continues else " u" if line.unreadable else ""
         found.append(f"{line.back} {line.change:+d}{mark}")
     assert found == [expected for expected, _ in rows()]
@@ -120,17 +102,7 @@ def test_a_label_within_a_v4_routine_does_not_end_it() -> None:
         "\n#next\nx = 2\nRETURN\nstart:\nGOTO start\n#third\nx = 3\nRETURN\n#fault\nEND\n"
     )
     lines = text.split("\n")
-    found = [(lines[number], line.change) for number, line in enumerate(layout(text)) if line.change]
+    made = enumerate(MINT.layout(Source("a.mnt", text)))
+    found = [(lines[number], line.change) for number, line in made if line.change]
     assert [name for name, change in found if change > 0] == ["#drill", "#next", "#third"]
     assert [name for name, change in found if change < 0] == ["x = 0 : RETURN", "RETURN", "RETURN"]
-
-
-def test_the_lines_of_each_block() -> None:
-    text = "\n".join(text for _, text in rows())
-    tokens = Tokens(text)
-    lines = [1 + text.count("\n", 0, start) for start in tokens.starts]
-    found = []
-    for each in blocks(tokens.kinds):
-        name = f" {tokens.texts[each.name]}" if each.name >= 0 else ""
-        found.append(f"{lines[each.first]} {lines[each.last]} {each.kind}{name}")
-    assert found == BLOCKS.splitlines()

@@ -1,36 +1,29 @@
-"""Properties of the syntax tree: positions, highlighting, completeness, any text."""
+"""Properties of any text: positions, highlighting, completeness, any text."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
+from typing import Any
 
-import lark
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel import Diagnostic, ProgramError, Source
-from motionlang.kernel.lang.syntax.word import Word
-from motionlang.kernel.mint.syntax.node import Node
-from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import is_complete, parse
-from motionlang.kernel.mint.syntax.tokens import tokens, value_length
-from motionlang.kernel.mint.syntax.traversal import children, walk
+from motionlang import parse
+from motionlang.kernel import Diagnostic, Machine, ProgramError, Source
+from motionlang.kernel.mint import DIALECT as MINT
 from tests.cases import examples
 from tests.kernel.mint.syntax.test_parser_errors import samples as broken
 from tests.kernel.mint.syntax.test_parser_spec import samples
 
-
-def module(text: str) -> Module:
-    return parse(Source("test.mnt", text))
+is_complete = MINT.interactive(Machine()).is_complete
 
 
 def locations(text: str) -> list[tuple[int, int, int]]:
-    tree = module(text)
-    return [
-        (tree.line(each.start), tree.column(each.start), value_length(text, each.start)) for each in tree.body
-    ]
+    """Return line, column and length of the beginning of each statement."""
+    tree: Any = parse(text, "mint")
+    return [MINT.locate(Source("a.mnt", text), each.start) for each in tree.body]
 
 
 def test_locations() -> None:
@@ -47,38 +40,16 @@ def test_locations_after_continued_lines() -> None:
     ]
 
 
-def test_location_of_a_binary_is_that_of_its_left_side() -> None:
-    tree = module("xx = 12 + 345")
-    assert [tree.column(value.start) for value in tree.body[0].values] == [6]  # type: ignore[union-attr]
-
-
 def test_equality_ignores_locations() -> None:
-    assert module("x = 1") == module("\n\n  x   =  1 ' note")
-    assert module("x = 1") != module("x = 2")
-
-
-@pytest.mark.parametrize("name", samples())
-def test_every_node_and_name_has_its_position(name: str) -> None:
-    """A name is the text at its position, and a node contains its children; nothing in a tree is Lark's."""
-    text = samples()[name]
-    tree = module(text)
-    assert (tree.start, tree.end <= len(text)) == (0, True)
-    for node in walk(tree.everything):
-        for value in children(node):
-            assert not isinstance(value, lark.Token)
-            assert not isinstance(value, Node) or node.start <= value.start <= value.end <= node.end
-        for field in ("name", "field", "word"):
-            word = getattr(node, field, None)
-            if word:
-                assert isinstance(word, Word)
-                assert text[word.start : word.end] == word
+    assert parse("x = 1", "mint") == parse("\n\n  x   =  1 ' note", "mint")
+    assert parse("x = 1", "mint") != parse("x = 2", "mint")
 
 
 @pytest.mark.parametrize("name", samples())
 def test_tokens_are_the_text(name: str) -> None:
     """The tokens are in order at their offsets, and omit only blanks and line ends."""
     text, end = samples()[name], 0
-    for kind, piece, at in tokens(text):
+    for kind, piece, at in MINT.tokens(text):
         assert kind in {"word", "control", "number", "string", "comment", "operator", "separator"}
         assert text[end:at].strip() == ""
         assert text[at : at + len(piece)] == piece
@@ -88,7 +59,7 @@ def test_tokens_are_the_text(name: str) -> None:
 
 def test_kinds_of_tokens() -> None:
     text = 'If x.1 >= 0x1F Then GO(`A`) : REM hi\ny = "a" \\\n ~ 12ab é \'end'
-    assert [f"{kind} {piece}" for kind, piece, _ in tokens(text)] == [
+    assert [f"{kind} {piece}" for kind, piece, _ in MINT.tokens(text)] == [
         *("control If", "word x.1", "operator >=", "number 0x1F", "control Then", "word GO", "separator ("),
         *("string `A`", "separator )", "separator :", "comment REM hi", "word y", "operator =", 'string "a"'),
         *("separator \\", "operator ~", "bad 12ab", "bad é", "comment 'end"),
@@ -120,13 +91,13 @@ def test_any_text_is_answered(text: str) -> None:
     diagnostics = mistakes(text)
     assert len(diagnostics) == len({(d.line, d.column, d.message) for d in diagnostics})
     assert all(1 <= d.line <= text.count("\n") + 2 and d.column >= 1 for d in diagnostics)
-    list(tokens(text))
+    list(MINT.tokens(text))
     is_complete(text)
 
 
 def mistakes(text: str) -> list[Diagnostic]:
     try:
-        module(text)
+        parse(text, "mint")
     except ProgramError as error:
         return error.diagnostics or [Diagnostic("syntax", "an error without a mistake", -1)]
     return []
@@ -157,16 +128,15 @@ def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: 
     opener_line = lines.pop(removed)[2] + 1
     text = "\n".join("  " * depth + word for depth, word, _ in lines)
     with pytest.raises(ProgramError) as caught:
-        module(text)
+        parse(text, "mint")
     assert [(d.code, d.line) for d in caught.value.diagnostics] == [("missing-end", opener_line)]
 
 
 def test_parsing_imports_nothing_heavy() -> None:
     """For a fast start, parsing loads Lark and no other large library."""
     code = (
-        "import sys; from motionlang.kernel.source import Source;"
-        "from motionlang.kernel.mint.syntax.parser import parse;"
-        "parse(Source('a', 'x = 1')).line(0);"
+        "import sys, motionlang;"
+        "motionlang.parse('x = 1', 'mint');"
         "print(*{'lark', 'argparse', 'numpy', 'rich'} & set(sys.modules))"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
