@@ -47,6 +47,7 @@ class Cell:
 
     def write(self, name: str, text: str | bytes) -> Path:
         path = self.folder / name
+        path.parent.mkdir(exist_ok=True)
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
 

@@ -6,7 +6,6 @@ import re
 
 import pytest
 
-from motionlang.kernel.lang import steps
 from tests.cases import cases
 from tests.cli.programs import Cell
 
@@ -55,12 +54,6 @@ def test_each_line_of_mccl_has_steps_of_its_own(cell: Cell) -> None:
         "        6  back to 0\n"
         "        7  return\n"
     )
-
-
-def test_every_kind_has_a_name() -> None:
-    kinds = {value for name, value in vars(steps).items() if name.isupper() and isinstance(value, int)}
-    assert steps.NAMES.keys() == kinds
-    assert len(set(steps.NAMES.values())) == len(kinds)
 
 
 def test_the_steps_are_a_table(cell: Cell) -> None:

@@ -22,8 +22,7 @@ import pytest
 from motionlang import __version__
 from motionlang.cli import option_groups as shared
 from motionlang.cli import signals
-from motionlang.commands.trace import export
-from motionlang.kernel import Scheduler, Terminated, dialect
+from motionlang.kernel import Scheduler, Terminated, Trace, dialect
 from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
@@ -143,7 +142,7 @@ def test_a_signal_during_a_trace_leaves_the_report_and_no_half_of_a_file(
 ) -> None:
     cell.write("a.mnt", MOVE)
     before = cell.write("a.csv", "old")
-    monkeypatch.setitem(export._WRITERS, ".csv", sending(signal.SIGTERM, export._write_csv))
+    monkeypatch.setattr(Trace, "chunks", sending(signal.SIGTERM, Trace.chunks))
     ran = cell("trace", "a.mnt", "a.csv", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"], before.read_text()) == (143, "ended", "old")
     assert "a.csv was not written: the command was ended by SIGTERM" in ran.err

@@ -181,7 +181,6 @@ def test_a_transcript(
     for path in cell.folder.glob("*.mcl"):
         path.unlink()
     for file, text in FILES.items():
-        (cell.folder / file).parent.mkdir(exist_ok=True)
         cell.write(file, text)
     monkeypatch.setattr(sys, "stdin", sys.stdin)
     monkeypatch.setenv("COLUMNS", "100")

@@ -7,10 +7,8 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.scenarios import Scenario, scenario_files, unmet
-from motionlang.commands.sweep.variants import Variants
 from motionlang.kernel import ProgramError, Source, read_machine, run
-from motionlang.kernel.lang import TABLES, layered
-from motionlang.kernel.lang.machine.keys import ABOUT, EXPECTED
+from motionlang.kernel.lang import layered
 
 STROKE = """\
 SPEED(0) = 200 : ACCEL(0) = 2000 : DECEL(0) = 2000
@@ -38,13 +36,6 @@ def test_entries_about_the_same_thing_are_replaced_and_others_stay() -> None:
         "key": [{"text": "x"}],
     }
     assert layered(below, {}) == below
-
-
-def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
-    assert ABOUT.keys() == TABLES.keys() - {"expect"}
-    assert all(names.keys() <= TABLES[table].keys() for table, names in ABOUT.items())
-    companions = {name for names in EXPECTED.values() for name in names}
-    assert EXPECTED.keys() | companions == TABLES["expect"].keys()
 
 
 # By hand: the part arrives at 0.5 s, the move takes 100/200 + 200/2000 = 0.6 s.
@@ -167,7 +158,3 @@ def test_a_scenario_with_a_named_input(tmp_path: Path) -> None:
     late = tmp_path / "late.toml"
     late.write_text("[[input]]\nname = 'Part'\nat = 3.0\n")
     assert Scenario(str(program), str(late)).run().time == pytest.approx(3.6, abs=1e-3)
-    (tmp_path / "worlds").mkdir()
-    late.rename(tmp_path / "worlds" / "late.toml")
-    (world,) = Variants(scenarios=str(tmp_path / "worlds")).worlds()["scenario"].values()
-    assert world["input"] == [{"name": "Part", "at": 3.0}]

@@ -6,9 +6,8 @@ An error that occurs several times is shown with its count.
 from __future__ import annotations
 
 import motionlang
-from motionlang.commands.check.mccl.check import check
-from motionlang.kernel import Diagnostic, Machine, Source
-from motionlang.kernel.lang.machine.machine import MAX_DIAGNOSTICS
+from motionlang.commands.check import check
+from motionlang.kernel import Diagnostic, Machine, Source, dialect
 from motionlang.views.diagnostics import MAX_SHOWN, render, render_all
 
 BAD = "".join(f"1XX{number}\n" for number in range(3000))
@@ -31,18 +30,18 @@ class Counting(str):
 def test_locations_of_many_mistakes_cost_one_scan_of_the_text() -> None:
     source = Source("bad.mcl", BAD)
     source.text = Counting(BAD)
-    found = check(source, {})
+    found = check(source, dialect("mccl"))
     assert [each.line for each in found] == list(range(1, 3001))
     assert Counting.scans < 10
 
 
 def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
     source = Source("bad.mcl", BAD)
-    text = render_all(check(source, {}), source)
+    text = render_all(check(source, dialect("mccl")), source)
     assert text.count("error[") == MAX_SHOWN
     assert text.endswith("\nand 2900 errors more in the JSON report\n")
     assert (
-        len(render_all(check(source, {})[:MAX_SHOWN], source))
+        len(render_all(check(source, dialect("mccl"))[:MAX_SHOWN], source))
         == len(text) - len(text.rpartition("\nand ")[2]) - 5
     )
 
@@ -83,8 +82,8 @@ def test_a_command_that_is_refused_again_and_again_is_counted() -> None:
 
 def test_different_diagnostics_of_a_run_are_bounded() -> None:
     machine = Machine()
-    for number in range(2 * MAX_DIAGNOSTICS):
+    for number in range(400):
         machine.complain(Diagnostic("never", f"complaint {number}"))
         machine.complain(Diagnostic("never", f"complaint {number}"))
-    assert len(machine.diagnostics) == MAX_DIAGNOSTICS
+    assert len(machine.diagnostics) == 200
     assert {each.count for each in machine.diagnostics} == {2}

@@ -1,4 +1,4 @@
-"""Drawings and tables of a notebook, and cells of a sweep, by hand."""
+"""Drawings and tables of a notebook."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import re
 
 import pytest
 
-from motionlang.commands.sweep.table import cell, sweep_table
 from motionlang.kernel import Source, run
 from motionlang.views.notebook import MAX_LINES, MOST_MOVES, html
 
@@ -48,33 +47,3 @@ def test_output_of_many_lines_is_shortened_in_the_middle(count: int) -> None:
     else:
         assert lines[half] == "… 1 lines …"
         assert len(lines) == MAX_LINES + 1
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (True, "true"),
-        (False, "false"),
-        (12, "12"),
-        (1 / 3, "0.333333"),
-        ("a\nb", "a · b"),
-        ("x" * 40, "x" * 40),
-        ("x" * 41, "x" * 39 + "…"),
-    ],
-)
-def test_a_cell_of_a_sweep(value: object, text: str) -> None:
-    assert cell(value) == text
-
-
-def test_a_narrow_sweep_drops_its_last_columns() -> None:
-    """The first two are always shown; texts are on the left, numbers on the right."""
-    units = {"n": "", "name": "", "time": "s", "peak": "uu/s"}
-    found = [[1, "x", 2.5, 3], [10, "yy", 2, 4]]
-    table = sweep_table(units, [dict(zip(units, row, strict=True)) for row in found])
-    wide = table.lines(80)
-    assert [line.split() for line in wide[-2:]] == [["1", "x", "2.5", "3"], ["10", "yy", "2", "4"]]
-    assert wide[-2].startswith(" 1  x ")
-    assert wide[-1].startswith("10  yy")
-    full = max(map(len, wide))
-    for width, shown in ((full, 4), (full - 1, 3), (5, 2)):
-        assert len(table.lines(width)[-1].split()) == shown

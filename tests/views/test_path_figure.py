@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.plot import path as path_plot
-from motionlang.commands.plot.path import path_figure
+from motionlang.commands.plot.view import run_figure
 from motionlang.kernel import Run, Source, run
-from motionlang.views.figure import Note
+from motionlang.views.figure import Figure
 from motionlang.views.window import Window
 from tests.views.runs import ended, new_run
 
@@ -25,13 +24,17 @@ def twice() -> Run:
     return run(Source("a.mnt", TWICE))
 
 
-def notes(made: Run, window: Window) -> list[Note]:
-    return list(path_figure(made, (0, 1), window).rows[0][0].notes)
+def path_figure(made: Run, axes: tuple[int, ...], begin: float = 0.0, end: float | None = None) -> Figure:
+    return run_figure(made, {}, Window(begin, end, path=axes))
+
+
+def named(made: Run, begin: float = 0.0, end: float | None = None) -> list[str]:
+    return [note.text for note in path_figure(made, (0, 1), begin, end).rows[0][0].notes]
 
 
 def test_a_path_has_its_positions_and_the_colour_of_its_speed(twice: Run) -> None:
     """The margin is 6 % of the longer side, 0.06 · 100 uu."""
-    figure = path_figure(twice, (0, 1), Window(path=(0, 1)))
+    figure = path_figure(twice, (0, 1))
     ((panel,),) = figure.rows
     first, last = panel.curves[0], panel.curves[-1]
     assert (first.x[0], first.y[0]) == pytest.approx((0.0, 0.0), abs=1e-9)
@@ -51,7 +54,7 @@ def test_a_path_has_its_positions_and_the_colour_of_its_speed(twice: Run) -> Non
 
 def test_each_line_is_named_at_the_middle_of_its_time(twice: Run) -> None:
     """A move is symmetrical in time, so that is the middle of its way, too."""
-    found = notes(twice, Window(path=(0, 1)))
+    found = path_figure(twice, (0, 1)).rows[0][0].notes
     assert [(note.text, round(note.x, 4), round(note.y, 4)) for note in found] == [
         ("line 2", 15.0, 20.0),
         ("line 3", 45.0, 20.0),
@@ -69,20 +72,19 @@ def test_each_line_is_named_at_the_middle_of_its_time(twice: Run) -> None:
 )
 def test_a_window_names_the_lines_in_it(begin: float, end: float, names: list[str], twice: Run) -> None:
     """A statement takes some time before each move, so the window has 1 ms more."""
-    window = Window(begin, min(end + 0.001, twice.time), path=(0, 1))
-    assert [note.text for note in notes(twice, window)] == names
+    assert named(twice, begin, min(end + 0.001, twice.time)) == names
 
 
-def test_a_line_is_named_once_and_forty_of_them_at_most(monkeypatch: pytest.MonkeyPatch, twice: Run) -> None:
+def test_a_line_is_named_once_and_forty_of_them_at_most() -> None:
     loop = "SPEED(0) = 100\nDim i\nFor i = 1 To 3\nMOVER(0) = 10 : GO(0) : PAUSE IDLE(0)\nMOVER(1) = 5 : GO(1)\nNext\n"
-    assert [note.text for note in notes(run(Source("a.mnt", loop)), Window())] == ["line 4"]
-    monkeypatch.setattr(path_plot, "MAX_NAMED", 2)
-    assert [note.text for note in notes(twice, Window())] == ["line 2", "line 3"]
+    assert named(run(Source("a.mnt", loop))) == ["line 4"]
+    lines = "MOVER(1) = 1 : GO(1) : PAUSE IDLE(1)\n" + 41 * "MOVER(0) = 1 : GO(0) : PAUSE IDLE(0)\n"
+    assert named(run(Source("a.mnt", lines))) == [f"line {k}" for k in range(2, 42)]
 
 
 def test_a_path_in_space_has_a_box_with_the_names_of_its_axes(twice: Run) -> None:
     made = run(Source("a.mnt", TWICE + "MOVER(2) = 7 : GO(2)\n"))
-    ((panel,),) = path_figure(made, (0, 1, 2), Window()).rows
+    ((panel,),) = path_figure(made, (0, 1, 2)).rows
     texts = [note.text for note in panel.notes]
     assert [text for text in texts if "axis" in text] == ["axis 0 (uu)", "axis 1 (uu)", "axis 2 (uu)"]
     assert (len(panel.areas), panel.has_frame) == (3, False)
@@ -95,7 +97,7 @@ def test_axes_at_rest_are_a_point() -> None:
     for axis in (0, 1):
         controller.move_by(axis, 1.0)
     controller.clock.advance(100.0)
-    figure = path_figure(ended(made), (0, 1), Window(50.0, 60.0, path=(0, 1)))
+    figure = path_figure(ended(made), (0, 1), 50.0, 60.0)
     assert figure.rows[0][0].x_limits == pytest.approx((1.0, 1.0), abs=1e-8)
     assert figure.scale is not None
     assert (figure.scale.label, figure.scale.low, figure.scale.high) == ("speed (uu/s), at most 0", 0.0, 1.0)

@@ -7,20 +7,21 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel.planners import plan_pvt
-from motionlang.lab.pvt import view as pvt
 from motionlang.views import device_writes as written
 from motionlang.views.questions import _show_once
+from tests.cli.programs import Cell
 
 
 @pytest.mark.parametrize(
-    ("count", "rest"), [(40, ""), (41, "… and 1 more segments"), (50, "… and 10 more segments")]
+    ("count", "rest"), [(40, []), (41, ["… and 1 more segments"]), (50, ["… and 10 more segments"])]
 )
-def test_at_most_40_segments_of_a_drive_are_listed(count: int, rest: str) -> None:
-    profile = plan_pvt(range(count + 1), [0.0] * (count + 1), [0.01] * count)
-    lines = pvt.segment_lines(profile)
-    assert [line for line in lines if line.startswith("…")] == ([rest] if rest else [])
-    assert sum(line.split()[:1] == [str(k)] for k in range(40) for line in lines[3:]) == 40
+def test_at_most_40_segments_of_a_drive_are_listed(count: int, rest: list[str], cell: Cell) -> None:
+    positions = ",".join(map(str, range(count + 1)))
+    lines = cell(
+        "pvt", "plot", f"--positions={positions}", "--time", "10", "--velocities", "zero"
+    ).out.splitlines()
+    assert [line for line in lines if line.startswith("…")] == rest
+    assert sum(line.split()[:1] == [str(k)] for k in range(count) for line in lines[3:]) == 40
     assert lines[-1].startswith(f"{count} segments, {10 * count} ms")
 
 

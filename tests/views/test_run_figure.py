@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-from motionlang.commands.plot import view as plot
 from motionlang.commands.plot.view import run_figure
 from motionlang.kernel import Run, Source, run
 from motionlang.kernel.servo import Loop, ServoTrace, make_plant, simulate
@@ -16,6 +15,7 @@ from motionlang.views.figure import Figure, Panel
 from motionlang.views.window import Window
 from tests.views.runs import ballscrew, ended, new_run, pick, shift, switched
 
+RATES = "SPEED(0) = 10 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 
 
@@ -95,12 +95,11 @@ def test_many_moves_are_neither_named_nor_shaded() -> None:
     assert figure.rows[0][0].x_limits == pytest.approx((0.0, shift(900).time / 60.0))
 
 
-def test_shades_have_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
-    rows: list[dict[str, Any]] = [{"phases": [{}, {}, {}]}] * 2
-    for most, shaded in ((5, False), (6, True), (7, True)):
-        monkeypatch.setattr(plot, "MAX_SHADED", most)
-        assert plot.is_shaded(rows) is shaded
-    assert not plot.is_shaded([])
+@pytest.mark.parametrize(("count", "shaded"), [(20, 60), (21, 0)])
+def test_sixty_phases_are_shaded_at_most(count: int, shaded: int) -> None:
+    """Each move has three phases."""
+    position, *_ = panels(run(Source("a.mnt", RATES + "MOVER(0) = 1 : GO(0) : PAUSE IDLE(0)\n" * count)))
+    assert (len(position.bands), len(position.labels)) == (shaded, count)
 
 
 def test_a_run_without_motion_or_time_has_its_panels() -> None:

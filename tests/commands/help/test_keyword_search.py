@@ -2,39 +2,54 @@
 
 from __future__ import annotations
 
-import pytest
+import re
 
-from motionlang.commands.help.keyword_search import MAX_FOUND, _are_similar, search
-from motionlang.commands.help.view import FIRST
-from motionlang.kernel import dialect, dialects
+from tests.cases import cases
 from tests.cli.programs import Cell
 
-TABLES = {name: list(dialect(name).table()) for name in dialects()}
+
+def found(cell: Cell, *question: str) -> list[str]:
+    """Return the keywords that a question finds."""
+    return re.findall(r"^  ([A-Z_]\w*)", cell("help", *question).out, re.MULTILINE)
 
 
-@pytest.mark.parametrize(
-    ("question", "language", "word"),
+@cases(
+    "question, language, word",
     [
         ("how do I stop at an input", "mint", "STOPINPUT"),
         ("following error", "mint", "FOLERROR"),
         ("parabolic profile", "mccl", "PP"),
         ("wait for a time", "mccl", "WA"),
+        # An ending does not count.
+        ("the jerking", "mint", "ACCELJERK"),
+        ("a stopping input", "mint", "STOPINPUT"),
+        ("parabolics for profiles", "mccl", "PP"),
+        # One word begins with the other, and is two letters shorter at most.
+        ("a parabol", "mccl", "PP"),
+        ("a parabolicxy", "mccl", "PP"),
     ],
 )
-def test_a_question_finds_its_keyword(question: str, language: str, word: str) -> None:
-    found, _ = search(question, TABLES)
-    assert word in [row.name for row in found[language]]
+def test_a_question_finds_its_keyword(question: str, language: str, word: str, cell: Cell) -> None:
+    assert word in found(cell, question, "--lang", language)
 
 
-def test_names_come_first() -> None:
-    found, _ = search("how do I stop at an input", TABLES)
-    assert found["mint"][0].name == "STOPINPUT"
+@cases("question", ["a parabo", "a parabolicxyz", "a pax", "what is the"])
+def test_what_no_word_is_like_finds_nothing(question: str, cell: Cell) -> None:
+    ran = cell("help", question, "--lang", "mccl")
+    assert (ran.status, f"there is no keyword {question}" in ran.err) == (1, True)
 
 
-def test_a_long_list_says_what_it_omits() -> None:
-    found, omitted = search("axis", TABLES)
-    assert max(map(len, found.values())) == MAX_FOUND
-    assert omitted > 0
+def test_names_come_first(cell: Cell) -> None:
+    assert found(cell, "how do I stop at an input", "--lang", "mint")[0] == "STOPINPUT"
+
+
+def test_a_language_shows_twelve_keywords_at_most(cell: Cell) -> None:
+    out = cell("help", "the axis").out
+    assert [int(one) + int(other) for one, other in re.findall(r"(\d+) simulated, (\d+) known", out)] == [
+        12,
+        12,
+    ]
+    assert re.search(r"\n\d\d\d more match; add a word\n$", out)
 
 
 def test_the_words_need_no_quotes(cell: Cell) -> None:
@@ -67,27 +82,9 @@ def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
     assert "there is no command, keyword or diagnostic xyzzy frobnicate" in ran.err
 
 
-@pytest.mark.parametrize(
-    ("one", "other", "similar"),
-    [
-        ("mov", "mov", True),
-        ("mov", "move", True),
-        ("mover", "mov", True),  # two letters more
-        ("mov", "movers", False),
-        ("mo", "mov", False),  # fewer than three letters
-        ("mo", "mo", True),
-        ("mov", "dmov", False),
-    ],
-)
-def test_stems_that_begin_alike_are_similar(one: str, other: str, similar: bool) -> None:
-    assert _are_similar(one, other) is similar
-
-
-@pytest.mark.parametrize("language", dialects())
-def test_the_list_begins_with_what_people_use_first(language: str, cell: Cell) -> None:
-    first = FIRST[language].split()
+@cases("language, first", [("mint", ["MOVER", "MOVEA", "GO"]), ("mccl", ["MR", "MA", "GO"])])
+def test_the_list_begins_with_what_people_use_first(language: str, first: list[str], cell: Cell) -> None:
     listed = [
         line.split()[0] for line in cell("help", "keywords", "--lang", language).out.splitlines() if line
     ]
-    assert set(first) <= {each.upper() for each in listed}
-    assert listed[2:4] == first[:2]
+    assert listed[2:5] == first

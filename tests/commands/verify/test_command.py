@@ -6,12 +6,10 @@ import io
 import json
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import pytest
 
-from motionlang.kernel import Run
 from tests.cli.programs import BALLSCREW, Cell
 
 
@@ -211,26 +209,3 @@ def test_a_wrong_machine_file_beside_a_program(option: list[str], cell: Cell) ->
     assert ran.status == 1
     assert "error[machine-file]: there is no key controller.axs\n" in ran.err
     assert "ballscrew.machine.toml:2:1" in ran.err
-
-
-def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_files(
-    cell: Cell, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    from motionlang import run
-    from motionlang.commands.verify import command as verify
-
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("bundles")))
-
-    def stumbles(program: str) -> Run:
-        assert "ballscrew" not in program, "somebody has thought wrong"
-        return run(program)
-
-    monkeypatch.setattr(verify, "run", stumbles)
-    (cell.folder / "wrong.mcl").unlink()
-    ran = cell("verify", ".", "--update")
-    assert ran.status == 1
-    assert ran.out == "./jog.mcl: written\n1 of 2 programs have current golden files\n"
-    assert "error[crash]: internal error: AssertionError: somebody has thought wrong" in ran.err
-    assert not (cell.folder / "ballscrew.golden.json").exists()
-    files = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
-    assert files == ["ballscrew.mcl", "crash.txt"]
