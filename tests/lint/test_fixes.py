@@ -16,7 +16,7 @@ TESTS = Path(__file__).parents[1]
 LINTED = ("conditions", "host", "values")
 PROGRAMS = [
     *(TESTS / "lint" / "mint" / f"{name}.mnt" for name in LINTED),
-    *(TESTS / "errors" / "mint" / f"{name}.mnt" for name in ("unreadable", "words")),
+    *(TESTS / "errors" / "mint" / f"{name}.mnt" for name in ("typography", "unreadable", "words")),
 ]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check import check
 from motionlang.kernel import Source
 from motionlang.kernel.mccl import DIALECT as MCCL
 from tests.cases import cases
@@ -58,27 +57,3 @@ def test_where_a_program_depends_on_inputs() -> None:
         ("wait", 5, 1, 1), ("wait", 6, 0, 2), ("test", 7, 1, 2), ("test", 8, 0, 3), ("test", 9, 1, 3),
         ("test", 10, 0, 3), ("poll", 11, 1, 4), ("test", 12, 1, 5),
     ]  # fmt: skip
-
-
-@cases(
-    "word, hint",
-    [
-        ("MOVE", "did you mean MA or MR?"),
-        ("SPEED", "did you mean SV?"),
-        ("on", "did you mean MN?"),
-        ("OFF", "did you mean MF?"),
-        # Two letters the other way round.
-        (
-            "TW",
-            "did you mean WT? Wait for target: until the axis has been in the deadband for DT, then for a time.",
-        ),
-        ("ZZ", "the commands that begin with Z are ZF"),
-        ("QX", "the commands that begin with Q are QM"),
-        ("XYZ", "a command is two letters and its parameter; commands are separated by commas"),
-        ("VX", "the commands that begin with V are VA, VD, VE, VG, VM, VO, VV"),
-    ],
-)
-def test_the_hint_for_an_unknown_word(word: str, hint: str) -> None:
-    (found,) = check(Source("word.mcl", f"1{word}5"), MCCL)
-    assert found.code == "unknown-word"
-    assert found.hint == hint
