@@ -97,6 +97,16 @@ def test_the_short_page_is_short() -> None:
     assert len(PAGE.read_text(encoding="utf-8").split()) <= MAX_WORDS
 
 
+def test_the_alternatives_to_a_default_are_the_other_values_if_they_are_few() -> None:
+    """HOMESTATUS is 0 or 1; STOPINPUTMODE is 3 of 0 to 3; ADCERRORMODE has six values."""
+    for name, alternatives in (
+        ("mint.homestatus-default", ["1"]),
+        ("mint.stopinputmode-default", ["0", "1", "2"]),
+        ("mint.adcerrormode-default", ["any other number"]),
+    ):
+        assert list(assumptions()[name].alternatives) == alternatives
+
+
 def test_no_run_loads_the_evidence() -> None:
     text = (
         "import sys; from motionlang import run; from motionlang.kernel.source import Source; "
