@@ -12,6 +12,7 @@ import pytest
 
 from motionlang import certify, run
 from motionlang.commands.certify import Limit, least_margin, violations
+from motionlang.commands.quantities import values_of
 from motionlang.kernel import Run, Source, settings_next_to
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
@@ -169,6 +170,11 @@ def test_the_peaks_of_a_motor_are_those_of_its_trace() -> None:
         assert line.reached == pytest.approx(values.max(), rel=1e-2)
         assert line.time == pytest.approx(samples.time[values.argmax()], abs=2e-3)
         assert line.verdict == "within"
+    torques = result.trace.sample(1000.0, [0], None, ["torque"]).get(0, "torque")
+    mean = values_of(result, ["rms_torque.0"])["rms_torque.0"]
+    assert mean == pytest.approx(float((torques**2).mean() ** 0.5), rel=1e-2)
+    still = run(Source("still.mnt", ""), machine=machine)
+    assert values_of(still, ["rms_torque.0", "time"]) == {"rms_torque.0": 0.0, "time": 0.0}
 
 
 def certified(limits: Mapping[str, object]) -> list[Limit]:

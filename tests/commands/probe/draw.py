@@ -11,7 +11,7 @@ import sys
 from random import Random
 from typing import TYPE_CHECKING
 
-from motionlang.commands.probe.facts import facts_of, of_word
+from motionlang.commands.probe.facts import of_word
 from motionlang.kernel import dialect, dialects
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ def drawn(seed: str) -> tuple[list[tuple[str, Keyword, str]], list[tuple[str, Ke
     facts = [
         (language, row, fact)
         for language, row in every
-        for fact in facts_of(row)
+        for fact in of_word(language, row)
         if fact not in ("meaning", "index")
     ]
     random = Random(seed)

@@ -5,14 +5,12 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
-from motionlang.commands.probe.answers import is_answer
 from motionlang.commands.probe.assumption import Assumption
-from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
-from motionlang.commands.probe.facts import facts_of, listed, of_word
+from motionlang.commands.probe.entries import assumptions
+from motionlang.commands.probe.facts import of_word
 from motionlang.kernel import dialect, dialects
 from tests.commands.probe.draw import FACTS, ROWS, drawn, line
 from tools.fidelity_page import PAGE
@@ -64,6 +62,13 @@ OWN = 63
 OF_HOSTS = 24
 
 
+def facts(language: str) -> Iterator[tuple[str, str, str, str]]:
+    """Yield each fact of each keyword, the strength of its evidence and its source."""
+    for row in dialect(language).table():
+        for fact, evidence in of_word(language, row).items():
+            yield row.name, fact, evidence.strength, evidence.source
+
+
 def test_every_assumption_is_complete() -> None:
     assert len(assumptions()) > 400
     for name, each in assumptions().items():
@@ -71,12 +76,6 @@ def test_every_assumption_is_complete() -> None:
         assert each.question, name
         assert each.chosen, name
         assert each.chosen not in each.alternatives, name
-
-
-def test_no_question_is_asked_twice_in_a_chapter() -> None:
-    for chapter in chapters():
-        questions = [each.question for section in chapter.sections for each in section.assumptions]
-        assert sorted(questions) == sorted(set(questions)), chapter.title
 
 
 def test_an_assumption_depends_on_keywords_of_a_language() -> None:
@@ -96,6 +95,16 @@ def test_the_short_page_has_the_figures_of_the_entries() -> None:
 
 def test_the_short_page_is_short() -> None:
     assert len(PAGE.read_text(encoding="utf-8").split()) <= MAX_WORDS
+
+
+def test_the_alternatives_to_a_default_are_the_other_values_if_they_are_few() -> None:
+    """HOMESTATUS is 0 or 1; STOPINPUTMODE is 3 of 0 to 3; ADCERRORMODE has six values."""
+    for name, alternatives in (
+        ("mint.homestatus-default", ["1"]),
+        ("mint.stopinputmode-default", ["0", "1", "2"]),
+        ("mint.adcerrormode-default", ["any other number"]),
+    ):
+        assert list(assumptions()[name].alternatives) == alternatives
 
 
 def test_no_run_loads_the_evidence() -> None:
@@ -124,36 +133,20 @@ def test_what_can_be_set_is_an_assumption_with_as_many_alternatives() -> None:
         assert len(switch.choices or [1]) == len(each.probe.answers), name
 
 
-def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
-    """`help WORD` parses only the entries that name the keyword.
-
-    They are the same as with all files, for each keyword of both languages.
-    """
-    for language in ("mint", "mccl"):
-        for row in dialect(language).table():
-            names = [each.name for each in assumptions().values() if row.name in each.words]
-            assert [each.name for each in entries_naming(row.name)] == names, row.name
-
-
 def test_the_type_library_is_the_source_of_no_meaning() -> None:
-    for (word, fact), evidence in listed("mint").items():
-        if evidence.source in LIBRARIES and evidence.strength == "code":
+    for word, fact, strength, source in facts("mint"):
+        if source in LIBRARIES and strength == "code":
             assert fact in ("index", "unit"), word
 
 
 def test_a_contents_page_and_a_blog_print_nothing() -> None:
-    for (word, _), evidence in listed("mint").items():
-        if evidence.source in NAMES_ONLY:
-            assert evidence.strength.startswith("memory"), word
+    for word, _, strength, source in facts("mint"):
+        if source in NAMES_ONLY:
+            assert strength.startswith("memory"), word
 
 
 def test_only_a_meaning_is_known_by_name_only() -> None:
-    found = {
-        fact
-        for language in dialects()
-        for (_, fact), each in listed(language).items()
-        if each.strength == "name only"
-    }
+    found = {fact for name in dialects() for _, fact, strength, _ in facts(name) if strength == "name only"}
     assert found == {"meaning"}
 
 
@@ -200,24 +193,6 @@ def test_what_is_marked_as_printed_is_what_the_pages_print() -> None:
     assert claimed == PRINTED
 
 
-@pytest.mark.parametrize("language", dialects())
-def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
-    table = dialect(language).table()
-    for word, fact in listed(language):
-        row = table.get(word)
-        assert row is not None, word
-        assert row.name == word
-        assert fact in facts_of(row), (word, fact)
-
-
-@pytest.mark.parametrize("language", dialects())
-def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
-    """Even an arbitrary choice needs evidence; no other facts exist."""
-    known = listed(language)
-    expected = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
-    assert sorted(expected - known.keys()) == []
-
-
 def open_ones() -> list[Assumption]:
     """Return the open assumptions that a controller can confirm."""
     return [each for each in assumptions().values() if each.is_open and not each.own]
@@ -239,16 +214,6 @@ def test_what_is_our_own_is_asked_of_no_controller() -> None:
     for each in own:
         assert each.is_open, each.name
         assert each.probe is None, each.name
-
-
-def test_each_answer_is_distinct_and_belongs_to_an_alternative() -> None:
-    for each in assumptions().values():
-        if each.probe is None or each.probe.form:
-            continue
-        assert len(each.probe.answers) <= 1 + len(each.alternatives), each.name
-        plain = [answer for answer in each.probe.answers if not answer.startswith("re:")]
-        for answer in plain:
-            assert sum(is_answer(other, answer) for other in each.probe.answers) == 1, (each.name, answer)
 
 
 def test_the_page_of_probes_names_the_options() -> None:

@@ -11,6 +11,7 @@ from motionlang.kernel import Axis, Source
 from motionlang.kernel.controller import axis_verbs
 from motionlang.kernel.controller.core import Core
 from motionlang.kernel.controller.motion import feedrate
+from motionlang.kernel.controller.motion.follow import Gear
 from motionlang.kernel.controller.motion.jog import jog as honest
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
@@ -55,3 +56,10 @@ def test_another_velocity_that_is_ignored(text: str, name: str, monkeypatch: pyt
     assert messages(text, name) == []
     monkeypatch.setattr(axis_verbs, "jog", jog)
     assert messages(text, name) != []
+
+
+def test_another_ratio_that_is_ignored(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "MASTERSOURCE(1) = _msPOS : FOLLOW(1) = 0.5\nJOG(0) = 20\nWAIT 1000\nFOLLOW(1) = 0.6\nWAIT 100\n"
+    assert messages(text) == []
+    monkeypatch.setattr(Gear, "set_ratio", lambda *_: None)
+    assert messages(text) == ["axis 1 at 1.000040 s: it follows at 0.5, commanded 0.6"]
