@@ -6,6 +6,7 @@ A line of `parser_errors.golden.txt` is `line:column+length code: message (hint)
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -13,17 +14,13 @@ import pytest
 
 from motionlang import parse
 from motionlang.kernel import ProgramError
+from tests.kernel.mint.syntax import test_parser_spec as parser_spec
 
 HERE = Path(__file__).parent
 
 
-def read(name: str) -> dict[str, str]:
-    blocks = (HERE / name).read_text().removesuffix("----\n").split("\n----\n")
-    return {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks}
-
-
 def samples() -> dict[str, str]:
-    return read("parser_errors.txt")
+    return parser_spec.samples("parser_errors.txt")
 
 
 def shown(text: str) -> str:
@@ -37,9 +34,9 @@ def shown(text: str) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.parametrize("name", samples())
-def test_diagnostics(name: str) -> None:
-    assert shown(samples()[name]) == read("parser_errors.golden.txt")[name]
+def test_diagnostics(golden: Callable[[Path, str], None]) -> None:
+    found = {name: shown(text) for name, text in samples().items()}
+    golden(HERE / "parser_errors.golden.txt", parser_spec.together(found))
 
 
 @pytest.mark.parametrize("text", ["9" * 400, "9" * 9_000, "0x" + "F" * 300, "0b1" + "0" * 1023])

@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-
-import pytest
 
 from motionlang import parse
 
 HERE = Path(__file__).parent
 
 
-def samples() -> dict[str, str]:
-    """Return the samples of the specification, by name."""
-    blocks = (HERE / "parser_spec.txt").read_text().removesuffix("----\n").split("\n----\n")
-    return {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks}
-
-
-def goldens() -> dict[str, str]:
-    blocks = (HERE / "parser_spec.golden.txt").read_text().split("\n----\n")
+def samples(name: str = "parser_spec.txt") -> dict[str, str]:
+    """Return the samples of a file of this folder, by name."""
+    blocks = (HERE / name).read_text(encoding="utf-8").removesuffix("----\n").split("\n----\n")
     return {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks}
 
 
@@ -31,10 +25,11 @@ def shown(module: object) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.parametrize("name", samples())
-def test_tree(name: str) -> None:
-    assert shown(parse(samples()[name], "mint")) == goldens()[name]
+def together(shown: dict[str, str]) -> str:
+    """Return the text of a golden file, from what is shown of each sample."""
+    return "\n----\n".join(f"{name}\n{text}" for name, text in shown.items())
 
 
-def test_every_sample_has_its_golden() -> None:
-    assert list(samples()) == list(goldens())
+def test_trees(golden: Callable[[Path, str], None]) -> None:
+    trees = {name: shown(parse(text, "mint")) for name, text in samples().items()}
+    golden(HERE / "parser_spec.golden.txt", together(trees))
