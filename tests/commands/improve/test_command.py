@@ -73,7 +73,6 @@ axis  limit                allowed  reached        at  line  margin
     assert shuttle("run", "shuttle.mnt").out.startswith("back after 1400 ms")  # it is not changed
 
 
-@pytest.mark.slow
 def test_the_fewest_edits_for_a_wanted_gain(shuttle: Cell) -> None:
     """The speed alone, of which 158 uu/s are reached: 2 · 2 √(50/500) = 1.265 s; all of it is 36 %."""
     lines = shuttle("improve", "shuttle.mnt", "--by", "7%").out.splitlines()
@@ -120,7 +119,6 @@ def test_a_fixed_wait_that_is_too_long_is_named_and_stays(cell: Cell) -> None:
     assert "+MOVEA" not in out
 
 
-@pytest.mark.slow
 def test_a_cycle_of_a_program_that_never_ends(cell: Cell) -> None:
     first, _, rest = SHUTTLE.partition("\n")
     cell.write("line.mnt", f"{first}\nLoop\n{rest}End Loop\n")
@@ -143,7 +141,6 @@ def test_brute_force_over_a_grid_finds_nothing_better(speed: float, rate: float,
     assert found.after == pytest.approx(best, rel=2e-4)
 
 
-@pytest.mark.slow
 @cases("length", [1.0, 30.0, 39.0, 41.0, 200.0])
 def test_a_single_move_takes_the_least_time_that_its_limits_allow(length: float) -> None:
     """v²/a is the length of a move that just reaches its speed; a shorter one takes 2 √(d/a)."""

@@ -87,7 +87,6 @@ def test_machines_of_a_folder(stroke: Cell) -> None:
     assert "short.toml, line 2: there is no key axis.0.travell" in ran.err
 
 
-@pytest.mark.slow
 def test_parquet_has_the_rows_of_the_csv(stroke: Cell) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     for out in ("rows.csv", "rows.parquet"):

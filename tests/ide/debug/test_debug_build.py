@@ -35,7 +35,6 @@ def test_a_debug_build_of_the_gallery_does_the_same(program: Path) -> None:
     assert hook.count > 0
 
 
-@pytest.mark.slow
 def test_a_debug_build_of_several_tasks_does_the_same() -> None:
     for seed in range(examples(40)):
         text, settings = tasks_of(seed)

@@ -143,7 +143,6 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
 @pytest.mark.parametrize("count", [15, pytest.param(1000, marks=pytest.mark.long)])
 @pytest.mark.parametrize("locations", LOCATIONS)
 @pytest.mark.parametrize(("name", "text"), [("a.mnt", MINT), ("a.mcl", MCCL)])
-@pytest.mark.slow
 def test_it_may_end_at_any_line(
     name: str, text: str, locations: str, count: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

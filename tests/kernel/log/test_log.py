@@ -83,7 +83,6 @@ def figures(result: Run) -> tuple[str, object]:
     return report.text(result), [column.tolist() for column in rows]
 
 
-@pytest.mark.slow
 def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> None:
     whole = {name: figures(run(name)) for name in gallery()}
     request.getfixturevalue("small")
@@ -101,7 +100,6 @@ def living_moves() -> list[Move]:
     return [each for each in gc.get_objects() if type(each) is Move]
 
 
-@pytest.mark.slow
 def test_a_move_takes_at_most_450_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log_module, "MAX_PROFILES", 500)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
@@ -179,7 +177,6 @@ End Task
         assert fsum(each.seconds) == pytest.approx(each.until - each.time)
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("small")
 def test_a_track_is_read_as_one_list() -> None:
     axis = run(Source("shuttle.mnt", SHUTTLE)).controller.axes[0]

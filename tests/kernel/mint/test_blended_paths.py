@@ -146,7 +146,6 @@ def consistent(seed: int) -> None:
         assert mine[-1]["end"] == pytest.approx(at, abs=1e-9), seed
 
 
-@pytest.mark.slow
 def test_random_blends_are_consistent() -> None:
     for seed in range(examples(60)):
         consistent(seed)

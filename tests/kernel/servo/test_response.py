@@ -92,7 +92,6 @@ def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
     return opened, control().feedback(opened, 1)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", PAIRS)
 def test_step_response_is_controls(name: str) -> None:
     loop, plant = PAIRS[name]

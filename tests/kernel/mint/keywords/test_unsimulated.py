@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
 from motionlang import run
 from motionlang.kernel import Keyword, Run, Source
 from motionlang.kernel.mint import table
@@ -27,7 +25,6 @@ def word(row: Keyword) -> str:
     return row.name if row.index == "none" else f"{row.name}({', '.join('0' for _ in row.index.split(', '))})"
 
 
-@pytest.mark.slow
 @cases("row", [row for row in OTHERS if "W" in row.access and row not in MOTION], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     read = f"PRINT {word(row)}" if "R" in row.access else ""

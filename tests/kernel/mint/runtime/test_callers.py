@@ -43,7 +43,6 @@ def waits_of(n: int, side: int, calls: tuple[int, ...]) -> Iterator[tuple[int, .
         yield calls
 
 
-@pytest.mark.slow
 def test_each_wait_of_a_recursion_has_the_calls_that_led_to_it() -> None:
     """Calls from another line replace the cached ones."""
     source = Source("a.mnt", DOWN)

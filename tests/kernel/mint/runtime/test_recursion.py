@@ -6,7 +6,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from subprocess import run as run_process
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -16,7 +16,7 @@ from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from pathlib import Path
 
 ENDLESS = "Dim n As Integer\n{}\nEnd\n"
@@ -64,6 +64,15 @@ RECURSIONS = {
 }
 
 
+# Those that take a second.
+LONG = ("nine loops within one another", "a long sub", "ElseIfs", "Defines", "too many Defines")
+
+
+def named(programs: Iterable[str]) -> list[Any]:
+    """Return the names of programs for `parametrize`; those that take a second are slow."""
+    return [pytest.param(each, marks=pytest.mark.slow if each in LONG else ()) for each in programs]
+
+
 def outcome(text: str, file: str = "a.mnt") -> tuple[object, ...]:
     """Return the output and the end time of a run."""
     result = run(Source(file, text))
@@ -80,8 +89,7 @@ def below(frames: int, call: Callable[[], object]) -> object:
     return below(frames - 1, call) if frames else call()
 
 
-@pytest.mark.parametrize("name", RECURSIONS)
-@pytest.mark.slow
+@pytest.mark.parametrize("name", named(RECURSIONS))
 def test_calls_nest_a_thousand_deep(name: str) -> None:
     start, subs = RECURSIONS[name]
     result = run(Source("a.mnt", ENDLESS.format(start) + subs))
@@ -125,8 +133,7 @@ def test_a_recursion_of_a_given_depth(depth: int) -> None:
             assert (status, found[0][0]) == ("fault", "recursion")  # type: ignore[index]
 
 
-@pytest.mark.parametrize("name", RECURSIONS)
-@pytest.mark.slow
+@pytest.mark.parametrize("name", named(RECURSIONS))
 def test_it_does_not_matter_how_deep_the_caller_is(name: str) -> None:
     start, subs = RECURSIONS[name]
     text = ENDLESS.format(start) + subs + HANDLER
@@ -189,8 +196,7 @@ NESTED = {
 }
 
 
-@pytest.mark.parametrize("name", NESTED)
-@pytest.mark.slow
+@pytest.mark.parametrize("name", named(NESTED))
 def test_a_nested_text_is_read_from_anywhere(name: str) -> None:
     text = NESTED[name]
     first = outcome(text)

@@ -44,7 +44,6 @@ def told(result: Run) -> tuple[object, ...]:
 
 @pytest.mark.parametrize("others", ["", OTHERS], ids=["alone", "beside others"])
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
-@pytest.mark.slow
 def test_program_runs_the_same_with_and_without_a_sub(body: str, others: str) -> None:
     begin = "Run beside\n" if others else ""
     unshared = ran(f"{begin}{body}\nEnd\n{others}")

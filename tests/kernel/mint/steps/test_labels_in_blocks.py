@@ -27,7 +27,6 @@ def with_labels(text: str) -> str:
     return _ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", [seed for seed in range(16) if _ENDS.search(program(seed)[0])])
 def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
     text, machine = program(seed)
