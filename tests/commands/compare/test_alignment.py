@@ -144,3 +144,11 @@ def test_a_recording_of_part_of_a_stroke(scale: float) -> None:
     expected = DELAY if scale > 0.0 else DELAY + BACK - OUT
     assert made.delay == pytest.approx(expected, abs=1e-6)
     assert made.signals[0]["scale"] == pytest.approx(abs(scale), rel=1e-6)
+
+
+def test_a_reversed_stroke_is_not_taken_for_the_other_one_that_is_slower() -> None:
+    """Out at 100 uu/s and back at 90: reversed, the recording of the first is near the second, but not equal to it."""
+    made = run(Source("stroke.mnt", PROGRAM.replace("MOVEA(0) = 0", "SPEED(0) = 90 : MOVEA(0) = 0")))
+    compared = compare(made, recorded(0.0, 1.15, lambda t: -travelled(t - OUT)), {"position.0": "x"})
+    assert compared.delay == pytest.approx(0.0, abs=1e-6)
+    assert compared.signals[0]["scale"] == pytest.approx(-1.0)
