@@ -6,10 +6,12 @@ import io
 import json
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
+from motionlang.kernel import Scheduler
 from tests.cli.programs import BALLSCREW, Cell
 
 
@@ -209,3 +211,25 @@ def test_a_wrong_machine_file_beside_a_program(option: list[str], cell: Cell) ->
     assert ran.status == 1
     assert "error[machine-file]: there is no key controller.axs\n" in ran.err
     assert "ballscrew.machine.toml:2:1" in ran.err
+
+
+def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_files(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """The first of the two programs ends with an internal error."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("bundles")))
+    whole = Scheduler.run
+
+    def stumbles(scheduler: Scheduler, *given: object) -> object:
+        monkeypatch.setattr(Scheduler, "run", whole)
+        raise AssertionError("somebody has thought wrong")
+
+    monkeypatch.setattr(Scheduler, "run", stumbles)
+    (cell.folder / "wrong.mcl").unlink()
+    ran = cell("verify", ".", "--update")
+    assert ran.status == 1
+    assert ran.out == "./jog.mcl: written\n1 of 2 programs have current golden files\n"
+    assert "error[crash]: internal error: AssertionError: somebody has thought wrong" in ran.err
+    assert not (cell.folder / "ballscrew.golden.json").exists()
+    files = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
+    assert files == ["ballscrew.mcl", "crash.txt"]
