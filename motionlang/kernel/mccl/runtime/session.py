@@ -8,7 +8,7 @@ from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.steps import Steps, Values
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
+from motionlang.kernel.mccl.resolve.line import lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
 from motionlang.kernel.mccl.runtime.program import override
@@ -77,6 +77,6 @@ class LineTask(CommandTask):
                 return steps[call.pc - 1].at
         return self._begin
 
-    def enter(self, line: Line) -> tuple[Steps, Values]:
-        self._begin = line.offsets[0]
-        return super().enter(line)
+    def enter(self, steps: LineSteps) -> tuple[Steps, Values]:
+        self._begin = steps.line.offsets[0]
+        return super().enter(steps)

@@ -133,9 +133,9 @@ class CommandTask(StepTask):
         command = self.steps.command(self.pc) if isinstance(self.steps, LineSteps) else None
         return "" if command is None else command.name
 
-    def enter(self, line: Line) -> tuple[Steps, Values]:
+    def enter(self, steps: LineSteps) -> tuple[Steps, Values]:
         """Return the call of a line."""
-        return self.board.written(line), self.new_values()
+        return steps, self.new_values()
 
     def new_values(self) -> Values:
         """Return the values of a call of a line or a macro."""
@@ -147,7 +147,7 @@ class CommandTask(StepTask):
             if isinstance(line, tuple):
                 self.steps.add(WAIT, self._stray(*line[:2]))
             else:
-                self.steps.add(CALL, self._call(line))
+                self.steps.add(CALL, self._call(self.board.written(line)))
         self.steps.add(TRY, lambda values: self.rest())
         self.steps.add(END)
 
@@ -186,13 +186,13 @@ class CommandTask(StepTask):
         if path is not None:
             path.close(self)
 
-    def _call(self, line: Line) -> Callable[[Values], tuple[Steps, Values]]:
+    def _call(self, steps: LineSteps) -> Callable[[Values], tuple[Steps, Values]]:
         def call(values: Values) -> tuple[Steps, Values]:
             if self.board.machine.world is not None:
-                self.board.machine.world.reach(line.number)
+                self.board.machine.world.reach(steps.line.number)
             # A macro that the line calls is not at the position of its last call.
             self.board.effects += 1
-            return self.enter(line)
+            return self.enter(steps)
 
         return call
 
@@ -205,7 +205,7 @@ class CommandTask(StepTask):
 
     def _enter_next(self, values: Values) -> tuple[Steps, Values]:
         assert self._entered is not None
-        return self.enter(self._entered)
+        return self.enter(self.board.written(self._entered))
 
     def _await_line(self) -> Wait | None:
         line = self.next_line()
