@@ -35,7 +35,7 @@ def started(style: Style) -> Scheduler:
     language = dialect_of(style.file)
     assert language is not None
     machine = Machine(style.machine, first_axis=language.first_axis)
-    program = language.compile(Source(style.file, style.text), style.machine)
+    program = language.program(Source(style.file, style.text), style.machine)
     machine.scheduler = Scheduler(machine, program.start(machine))
     return machine.scheduler
 

@@ -115,7 +115,7 @@ def check(
     OSError if the file cannot be read, ProgramError if the machine file is wrong, and ValueError, with the
     choices, for an unknown model or language.
     """
-    from motionlang.commands.check import check as check_text
+    from motionlang.commands.check import check as check_program
 
     program = _checked(program)
     source = program if isinstance(program, Source) else Source.read(program)
@@ -130,7 +130,7 @@ def check(
         raise ProgramError(wrong)
     if model is not None:
         settings["controller.model"] = model
-    return one_sentence(language, source, check_text(source, language, settings))
+    return one_sentence(language, source, check_program(language.program(source, settings)))
 
 
 def profile(program: Program | Run) -> TimeProfile:

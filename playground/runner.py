@@ -149,7 +149,7 @@ def inputs(request: Message) -> list[int]:
     from motionlang.kernel.lang.dialect import dialect
 
     try:
-        reads = dialect(request["dialect"]).input_reads(Source(request["name"], request["program"]))
+        reads = dialect(request["dialect"]).program(Source(request["name"], request["program"])).reads
     except ProgramError:
         return []
     return sorted({each.channel for each in reads if each.is_input and each.channel is not None})

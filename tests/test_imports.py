@@ -29,13 +29,18 @@ LAZY = {
     "kernel/controller/axis_verbs.py": "motion.profile_playback",
     "kernel/controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
     "moves.entries triggers.limit",
-    "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
+    "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models",
     "kernel/mint/__init__.py": "keywords keywords.latches keywords.machine_readings keywords.switchable models "
-    "resolve.aliases resolve.chosen_rates runtime.task runtime.wait_sources",
+    "resolve.aliases runtime.task runtime.wait_sources",
     "kernel/mccl/keywords/__init__.py": "keywords.index",
     "kernel/mint/keywords/__init__.py": "keywords.index",
     "kernel/mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
     "commands/run/command.py": "keyboard",
+    # Questions about a program that a run does not ask.
+    "kernel/mccl/runtime/program.py": "resolve.board resolve.definitions resolve.errors resolve.wait_causes "
+    "runtime.listing runtime.program_graph",
+    "kernel/mint/program.py": "check.port resolve.definitions resolve.wait_causes steps.listing steps.program_graph "
+    "syntax.extent syntax.layout",
     # Those that need one another.
     "kernel/planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.

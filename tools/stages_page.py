@@ -141,7 +141,7 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
 
 
 def _code(source: Source) -> str:
-    lines = "".join(render_steps(DIALECT, DIALECT.step_list(source, {}), colour=False)).splitlines()
+    lines = "".join(render_steps(DIALECT, DIALECT.program(source, {}).step_list, colour=False)).splitlines()
     begin = next(i for i, line in enumerate(lines) if line.endswith(STATEMENT))
     end = next(i for i in range(begin + 1, len(lines)) if lines[i][:4].strip())
     return "\n".join(lines[begin:end])
@@ -192,7 +192,7 @@ def entered(source: Source, line: int) -> list[str]:
 def _verbs(source: Source) -> list[tuple[Any, ...]]:
     machine, recorder = Machine(), Recorder()
     machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
-    task = DIALECT.compile(source).start(machine)
+    task = DIALECT.program(source).start(machine)
     Scheduler(machine, task).run_program()
     return [call for call in recorder.calls if str(call[0]).startswith("load") or call[0] == "go"]
 

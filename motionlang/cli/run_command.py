@@ -148,7 +148,9 @@ class Simulated(Output, World, Program):
         given = self.entries()
         if given:
             try:
-                check_inputs_are_read(source, language, settings, entries(settings, **given))
+                check_inputs_are_read(
+                    language.program(source, settings), language, settings, entries(settings, **given)
+                )
                 settings = Checked(with_entries(settings, **given))
             except WrongEntry as error:
                 wrong = Diagnostic("option", error.message, hint=error.hint)

@@ -14,7 +14,7 @@ from math import inf
 from time import monotonic
 from typing import Any
 
-from motionlang.kernel import Checked, Dialect, Hook, Machine, Program, Run, Source, Steps, Task, run
+from motionlang.kernel import Checked, Dialect, Hook, Machine, Program, Run, Steps, Task, run
 from motionlang.kernel.lang import BACK, BRANCH, Step, Values
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
@@ -38,18 +38,22 @@ class World:
 
 
 class Worlds:
-    """Runs of one program, for a search of at most so many seconds."""
+    """Runs of one program, a debug build, for a search of at most so many seconds."""
 
-    def __init__(self, source: Source, language: Dialect, seconds: float = inf) -> None:
-        self.source, self.language, self.seconds = source, language, seconds
-        self.reads = language.input_reads(source)
+    def __init__(self, program: Program, language: Dialect, seconds: float = inf) -> None:
+        self.program, self.source, self.language, self.seconds = program, program.source, language, seconds
+        self.reads = program.reads
         # The number of runs, and the settings of the last one.
         self.count = 0
         self.last: Mapping[str, object] = {}
-        # The compiled program, and the settings that it depends on.
-        self._compiled: Program | None = None
-        self._deciding: dict[str, object] = {}
+        # The program as it was last run, and the settings that it depends on.
+        self._last = program
+        self._deciding = self._decisive(program.settings)
         self._begun = monotonic()
+
+    def _decisive(self, settings: Mapping[str, object]) -> dict[str, object]:
+        """Return the settings that the check of the program depends on."""
+        return {key: value for key, value in settings.items() if self.language.compiled_in(key)}
 
     @property
     def share(self) -> float:
@@ -65,21 +69,21 @@ class Worlds:
         """Run the program in a world."""
         self.count += 1
         self.last = settings
-        deciding = {key: value for key, value in settings.items() if self.language.compiled_in(key)}
+        deciding = self._decisive(settings)
         if deciding != self._deciding:
-            self._compiled, self._deciding = None, deciding
+            self._last = self.language.program(self.source, settings, is_debug=True)
+            self._deciding = deciding
         counts = Counts()
         result = run(
             self.source,
             dialect=self.language,
             machine=Checked(settings),
             until=until,
-            compiled=self._compiled,
+            compiled=self._last,
             hook=counts,
             observer=counts,
             begun=counts.attach,
         )
-        self._compiled = result.program
         return World(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
 
 

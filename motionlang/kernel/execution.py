@@ -104,7 +104,7 @@ def run(
     as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
     an observer. `listener` makes a listener to the motion of the controller, which `Run.listener` then is. `hook`
     selects a debug build, which calls it before statements. `observer` counts steps. An internal error is raised, or
-    with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the compiled program of this
+    with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the program of this
     source, made for a machine that agrees with this one in every setting for which `Dialect.compiled_in` is True.
     """
     source = program if isinstance(program, Source) else Source.read(program)
@@ -131,7 +131,9 @@ def run(
         result.diagnostics, result.status = wrong, "fault"
         return result
     if compiled is None:
-        compiled = _compile(source, language, settings, result)
+        compiled = language.program(source, settings, is_debug=hook is not None)
+    if not _is_ready(compiled, language, result):
+        compiled = None
     result.program = compiled
     gigabytes = settings.get("run.log") if log_size is None else log_size
     if gigabytes is not None:
@@ -262,32 +264,24 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
-def _compile(
-    source: Source,
-    language: Dialect,
-    settings: dict[str, object],
-    result: Run,
-) -> Program | None:
-    """Return the compiled program; None if it has errors."""
+def _is_ready(program: Program, language: Dialect, result: Run) -> bool:
+    """True if a program has no errors that prevent a run; they are in the result otherwise."""
     try:
-        if result.machine.hook is not None:
-            compiled = language.debug(source, settings)
-        else:
-            compiled = language.compile(source, settings)
+        program.require()
     except (KeyboardInterrupt, Terminated) as error:
         result.diagnostics.append(interrupted(result, None, error))
         result.status = "interrupted"
-        return None
+        return False
     except ProgramError as error:
-        result.diagnostics = one_sentence(language, source, error.diagnostics)
+        result.diagnostics = one_sentence(language, program.source, error.diagnostics)
         result.status = "fault"
-        return None
-    if compiled.is_doubtful:
-        found = one_sentence(language, source, language.errors(source, settings))
+        return False
+    if program.is_doubtful:
+        found = one_sentence(language, program.source, program.errors)
         if [each.code for each in found] == ["language"]:
             result.diagnostics, result.status = found, "fault"
-            return None
-    return compiled
+            return False
+    return True
 
 
 def _execute(

@@ -329,7 +329,7 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
 
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (
-        find(result.dialect, result.source, result.machine, task, wait)
+        find(result.dialect, result.program, result.machine, task, wait)
         for find in (what_ends, what_frees)
         for task, wait in waits
     )

@@ -139,7 +139,8 @@ class Runner:
             self._report_at(source, at, "interrupted", "the command was interrupted from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, which can never happen"
-            blocked = self.dialect, source, self.machine, stuck.task, stuck.wait
+            program = self.dialect.program(source) if source.text.strip() else None
+            blocked = self.dialect, program, self.machine, stuck.task, stuck.wait
             hint = what_ends(*blocked, at_prompt=True) or what_frees(*blocked) or "start a move first"
             self._report_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:

@@ -200,7 +200,7 @@ class Session:
         """
         if source is None or not source.text or all(each.severity != "error" for each in found):
             return found
-        checked = one_sentence(self.dialect, source, check(source, self.dialect), AT_PROMPT)
+        checked = one_sentence(self.dialect, source, check(self.dialect.program(source)), AT_PROMPT)
         return checked if checked and checked[0].code == "language" else found
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:

@@ -22,7 +22,8 @@ import pytest
 from motionlang import __version__
 from motionlang.cli import option_groups as shared
 from motionlang.cli import signals
-from motionlang.kernel import Scheduler, Terminated, Trace, dialect
+from motionlang.kernel import Scheduler, Terminated, Trace
+from motionlang.kernel.mint import MintProgram
 from tests.cli.programs import MAX_SECONDS, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
@@ -58,7 +59,7 @@ def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
 
 
 STAGES = {
-    "compiling": (type(dialect("mint")), "compile", "interrupted"),
+    "compiling": (MintProgram, "require", "interrupted"),
     "running": (Scheduler, "run", "interrupted"),
     "reporting": ("motionlang.cli.run_command", "pieces", "ended"),
 }

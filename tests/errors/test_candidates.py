@@ -27,7 +27,7 @@ def test_a_misspelt_name_has_candidates(
     language: str, text: str, marked: str, candidates: tuple[str, ...]
 ) -> None:
     source = Source("a", text)
-    found = [each for each in check(source, dialect(language)) if each.candidates or not candidates]
+    found = [each for each in check(dialect(language).program(source)) if each.candidates or not candidates]
     assert [each.candidates for each in found[:1]] == [candidates]
     line = source.line(found[0].line)
     assert line[found[0].column - 1 :].startswith(marked)

@@ -46,7 +46,7 @@ def trouble(name: str, text: str) -> str:
     try:
         with bounded(MAX_SECONDS):
             try:
-                check(source, dialect(name), {})
+                check(dialect(name).program(source, {}))
             except ProgramError:
                 pass
             run(source, until=UNTIL)

@@ -59,7 +59,7 @@ def port(seed: int, cell: Cell) -> bool:
     old = Source("old.prg", as_v4(made.text))
     language = dialect_of(old.name)
     assert language is not None
-    assert language.written_for(old).model == "mint4", old.text
+    assert language.program(old).target.model == "mint4", old.text
     written = cell.write("new.prg", old.text)
     ran = cell("check", "new.prg", "--fix", "--model", "mintmt")
     assert not re.search(r"^error", ran.out, re.MULTILINE), ran.out

@@ -43,13 +43,13 @@ a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4 : r.n = 5
 
 
 def mixed(line: str) -> list[Diagnostic]:
-    found = check(Source("a.mnt", BEFORE + line), dialect("mint"), {})
+    found = check(dialect("mint").program(Source("a.mnt", BEFORE + line), {}))
     assert not [each for each in found if each.severity == "error"], line
     return [each for each in found if each.code == "mixed-operators"]
 
 
 def tree(line: str) -> str:
-    module: Any = dialect("mint").parse(Source("a.mnt", BEFORE + line))
+    module: Any = dialect("mint").program(Source("a.mnt", BEFORE + line)).tree
     return repr(module.body)
 
 

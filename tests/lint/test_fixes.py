@@ -25,7 +25,7 @@ def offered(path: Path) -> list[str]:
     language, source = dialect_of(path.name), Source.read(path)
     assert language is not None
     try:
-        found = check(source, language, {})
+        found = check(language.program(source, {}))
     except ProgramError as error:
         found = list(error.diagnostics)
     lines = []

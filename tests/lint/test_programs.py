@@ -26,7 +26,7 @@ def diagnostics_of(path: Path) -> str:
     assert language is not None
     machine = next((each for each in _machines(path) if each.exists()), None)
     settings = read_machine(Source.read(machine)) if machine is not None else {}
-    return "".join(render(each, source) for each in check(source, language, settings))
+    return "".join(render(each, source) for each in check(language.program(source, settings)))
 
 
 def _machines(path: Path) -> tuple[Path, ...]:

@@ -84,7 +84,7 @@ def ran(text: str) -> Run:
 
 
 def warned(text: str, code: str) -> list[Diagnostic]:
-    return [each for each in check(Source("random.mnt", text), DIALECT) if each.code == code]
+    return [each for each in check(DIALECT.program(Source("random.mnt", text))) if each.code == code]
 
 
 @pytest.mark.slow

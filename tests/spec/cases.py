@@ -131,7 +131,7 @@ def found(case: Case) -> Found:
         result.diagnostics = [(True, each.line, each) for each in error.diagnostics]
         return result
     if case.is_only_checked:
-        result.diagnostics = [(False, each.line, each) for each in check(source, language, settings)]
+        result.diagnostics = [(False, each.line, each) for each in check(language.program(source, settings))]
         return result
     ran = run(source, machine=settings, prove=True)
     if ran.listener is not None:

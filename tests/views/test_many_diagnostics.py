@@ -30,18 +30,18 @@ class Counting(str):
 def test_locations_of_many_mistakes_cost_one_scan_of_the_text() -> None:
     source = Source("bad.mcl", BAD)
     source.text = Counting(BAD)
-    found = check(source, dialect("mccl"))
+    found = check(dialect("mccl").program(source))
     assert [each.line for each in found] == list(range(1, 3001))
     assert Counting.scans < 10
 
 
 def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
     source = Source("bad.mcl", BAD)
-    text = render_all(check(source, dialect("mccl")), source)
+    text = render_all(check(dialect("mccl").program(source)), source)
     assert text.count("error[") == MAX_SHOWN
     assert text.endswith("\nand 2900 errors more in the JSON report\n")
     assert (
-        len(render_all(check(source, dialect("mccl"))[:MAX_SHOWN], source))
+        len(render_all(check(dialect("mccl").program(source))[:MAX_SHOWN], source))
         == len(text) - len(text.rpartition("\nand ")[2]) - 5
     )
 

@@ -12,7 +12,7 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unwritten
 from motionlang.cli.option_groups import Findings, Jobs, OnMachine, read
 from motionlang.cli.program_files import PATHS, programs
-from motionlang.commands.check import check as check_text
+from motionlang.commands.check import check as check_program
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, Unfixable, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table
@@ -27,6 +27,7 @@ from motionlang.kernel import (
     STDIN_NAME,
     Diagnostic,
     Dialect,
+    Program,
     ProgramError,
     Source,
     depended_on,
@@ -58,6 +59,7 @@ class Checked:
     settings: dict[str, object] | None = None
     diagnostics: Sequence[Diagnostic] = ()
     fixed: Sequence[Fixed] = ()
+    notes: Sequence[str] = ()
 
 
 @dataclass
@@ -144,9 +146,7 @@ examples:
     def _report(self, checked: Checked, found: Found) -> None:
         """Print what is known of a file, or keep it for the document."""
         source, settings, text = checked.source, checked.settings, self.format == "text"
-        notes: list[str] = []
-        if source is not None and settings is not None:
-            notes = dialect(checked.language).remarks(source, settings)
+        notes = list(checked.notes)
         row: dict[str, object] = {
             "file": found.file,
             "dialect": checked.language,
@@ -180,11 +180,12 @@ examples:
                     line = printable(source.line(each.line).strip())
                     sys.stdout.write(f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n")
         try:
+            program = language.program(source, settings)
             if self.tree:
-                row["tree"] = tree = render_tree(language.parse(source))
+                row["tree"] = tree = render_tree(program.tree)
                 sys.stdout.write(tree if text else "")
             if self.steps:
-                units = language.step_list(source, settings)
+                units = program.step_list
                 self._shown.steps.append((file, units))
                 sys.stdout.writelines(render_steps(language, units, colour=colour) if text else ())
         except ProgramError:  # its errors are among the findings
@@ -235,16 +236,18 @@ def _checked_and_fixed(options: Check, file: str) -> Checked:
     name, language = source.name, dialect(checked.language)
 
     def check(text: str) -> list[Diagnostic]:
-        return check_text(Source(name, text), language, settings)
+        return check_program(language.program(Source(name, text), settings))
+
+    before = language.program(source, settings)
 
     def differences(text: str) -> list[Diagnostic]:
-        return language.port_differences(source, Source(name, text), settings)
+        return language.port_differences(before, language.program(Source(name, text), settings))
 
     try:
         fixed = fix(file, checked.diagnostics, check, differences)
         if not fixed:
             return checked
-        left = _left_of_port(options, language, file, source, settings)
+        left = _left_of_port(options, language, file, before)
     except Unfixable as reason:
         message = f"{file} is not fixed: {reason}"
         problem = Diagnostic("file", message, hint="save it in UTF-8, as lines of text", severity="warning")
@@ -255,16 +258,16 @@ def _checked_and_fixed(options: Check, file: str) -> Checked:
     return replace(done, fixed=fixed, diagnostics=[*done.diagnostics, *left])
 
 
-def _left_of_port(
-    options: Check, language: Dialect, file: str, before: Source, settings: dict[str, object]
-) -> list[Diagnostic]:
+def _left_of_port(options: Check, language: Dialect, file: str, before: Program) -> list[Diagnostic]:
     """Return the differences of a ported program that no fix removes, and a model of the machine file that is old."""
     now = Source.read(file)
-    found = language.port_differences(before, now, settings)
+    found = language.port_differences(before, language.program(now, before.settings))
     path = machine_of(file, options.machine)
     own = {} if path is None else read_machine(Source.read(path), language=language)
     model = own.get("controller.model", "")
-    if options.model is not None and any(each.code == "model" for each in check_text(now, language, own)):
+    if options.model is not None and any(
+        each.code == "model" for each in check_program(language.program(now, own))
+    ):
         message = f'{path} is still for another controller: controller.model = "{model}"'
         hint = f'write controller.model = "{options.model}"'
         found.append(Diagnostic("model", message, hint=hint, severity="warning"))
@@ -293,5 +296,6 @@ def _checked(options: Check, file: str) -> Checked:
             return Checked(language.name, machine, None, wrong)
     if options.model is not None:
         settings["controller.model"] = options.model
-    found = one_sentence(language, source, check_text(source, language, settings))
-    return Checked(language.name, source, settings, found)
+    program = language.program(source, settings)
+    found = one_sentence(language, source, check_program(program))
+    return Checked(language.name, source, settings, found, notes=program.remarks)

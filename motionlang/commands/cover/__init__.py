@@ -165,12 +165,11 @@ def covered(
     language = dialect_for(source, dialect)
     worlds = worlds_of(program)
     events: Counter[Event] = Counter()
-    runs = Worlds(source, language)
+    own = language.program(source, worlds[""], is_debug=True)
+    runs = Worlds(own, language)
     for settings in worlds.values():
         events += runs.run(settings, until).events
-    structure = language.structure(source, worlds[""])
-    offsets = language.debug(source, worlds[""]).offsets
-    found = coverage(structure, offsets, events, list(worlds))
+    found = coverage(own.structure, own.offsets, events, list(worlds))
     return found if isinstance(program, Source) else replace(found, file=program)
 
 

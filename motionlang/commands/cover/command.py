@@ -117,8 +117,9 @@ examples:
         source, limit = read(file), UNTIL if self.until is None else self.until
         progress, ended = Progress(sys.stderr, os.path.basename(file)), False
         try:
-            all_own, runs = worlds_of(file), Worlds(source, language, self.seconds)
+            all_own = worlds_of(file)
             own = all_own[""]
+            runs = Worlds(language.program(source, own, is_debug=True), language, self.seconds)
             before: Counter[Event] = Counter()
             ends = []
             for settings in all_own.values():

@@ -70,9 +70,8 @@ class Search:
         progress: Callable[[float], object] = lambda share: None,
     ) -> None:
         self.worlds, self.own, self.until = worlds, own, until
-        source, language = worlds.source, worlds.language
-        self.structure: Structure = language.structure(source, own)
-        self.offsets = language.debug(source, own).offsets
+        self.structure: Structure = worlds.program.structure
+        self.offsets = worlds.program.offsets
         self.events = before.copy()
         # What all runs together have reached.
         self.coverage = self._covered()
@@ -103,7 +102,7 @@ class Search:
     def _guesses(self) -> Iterator[dict[str, object]]:
         """Yield the worlds that `init` guesses: for the program, and for each path through its menus."""
         own = {key: value for key, value in self.own.items() if key != "run.until"}
-        target = self.worlds.language.written_for(self.worlds.source)
+        target = self.worlds.program.target
         if target.model:
             own.setdefault("controller.model", target.model)
         guesses, _ = guessed(self.worlds, self.until, own)

@@ -179,8 +179,9 @@ class Improver:
                 "the machine file lacks what lets it work: motionlang run shows where it waits",
                 "option",
             )
-        structure = language.structure(source, world.settings)
-        self._beside = lines_beside(structure)
+        assert self._base.program is not None
+        self._structure = self._base.program.structure
+        self._beside = lines_beside(self._structure)
         self._behaviour = Behaviour(self._base, self._beside)
         self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
         wrong = [each for each in self._limits if each.verdict == "exceeded"]
@@ -288,7 +289,7 @@ class Improver:
             f"axis {axis} has no limits{self._in}, so its speeds stay" for axis in sorted(axes - limited)
         ]
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
-        structure = self.language.structure(self.source, self.world.settings)
+        structure = self._structure
         starts = sorted(structure.statements)
         uses = [
             use

@@ -50,7 +50,7 @@ from math import inf
 from motionlang.commands.init.ending import asks, plain
 from motionlang.commands.worlds import Entry, World, Worlds, entries
 from motionlang.kernel import Run, Task
-from motionlang.kernel.lang import InputRead, Read, layered
+from motionlang.kernel.lang import InputRead, LoopDependencies, Read, layered
 
 # Seconds from when the program waits to when an input changes, and from an output to the input that follows it.
 DELAY = 0.3
@@ -458,7 +458,7 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
         if key == "key":
             return _press(guesses, _last_act(result), reads)
         if key == "analogue":
-            dependencies = result.dialect.loop_dependencies(result.source)(task.at)
+            dependencies = _polls(result)(task.at)
             analogue = (
                 sorted(n for kind, n in dependencies.leaves if kind == "analogue" and n is not None)
                 if dependencies
@@ -482,11 +482,17 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
 
 def _improve_event(guesses: Guesses, result: Run, reads: list[InputRead], task: Task, since: float) -> bool:
     """Change the input of a handler, if a task waits for a variable that a handler or another task changes."""
-    dependencies = result.dialect.loop_dependencies(result.source)(task.at)
+    dependencies = _polls(result)(task.at)
     if dependencies is None or ("task", None) not in dependencies.leaves:
         return False
     events = dict.fromkeys(each.channel for each in reads if each.kind == "event")
     return any(guesses.flip(channel, since, result) for channel in events if channel is not None)
+
+
+def _polls(result: Run) -> Callable[[int], LoopDependencies | None]:
+    """Return what maps a source offset of a run to the reads of its loop."""
+    assert result.program is not None
+    return result.program.polls
 
 
 def _question(result: Run) -> str:
@@ -513,7 +519,7 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
     if not polls:
         return False
     ends = [guesses.line(result, task.at) for task in tasks]
-    depends = result.dialect.loop_dependencies(result.source)
+    depends = _polls(result)
     loops = [(each, depends(each.at)) for each in result.machine.log.loops]
     waits = result.machine.log.waits.written()
     pauses = [(guesses.line(result, each.at), each.since) for each in waits if each.cause == "time"]
@@ -543,7 +549,7 @@ def _polled(result: Run, reads: list[InputRead], at_rest: bool) -> Iterator[Call
     """
     scheduler = result.machine.scheduler
     since = _last_motion(result) if at_rest else 0.0
-    depends = result.dialect.loop_dependencies(result.source)
+    depends = _polls(result)
     tasks = scheduler.tasks if scheduler is not None else ()
     loops = [depends(at) for task in tasks if not task.done for at, _, _ in task.loops]
     polled = {

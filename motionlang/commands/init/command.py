@@ -126,13 +126,13 @@ examples:
             exists = Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)
             raise Refused([exists], file=file)
         source = read(file)
-        mistakes = language.errors(source, {})
-        if mistakes:
-            raise Refused(mistakes, source=source, file=file)
-        target = language.written_for(source)
+        program = language.program(source, is_debug=True)
+        if program.errors:
+            raise Refused(program.errors, source=source, file=file)
+        target = program.target
         board: dict[str, object] = {"controller.model": target.model} if target.model else {}
         fixed = dict(board)
-        worlds = Worlds(source, language, self.seconds)
+        worlds = Worlds(program, language, self.seconds)
         reads = worlds.reads
         guesses, result = guessed(worlds, self.until, fixed)
         SIGNALS.end_with(result)
@@ -140,7 +140,7 @@ examples:
             given = _ask(source, guesses, reads)
             if given:
                 fixed = board | given
-                worlds = Worlds(source, language, self.seconds)
+                worlds = Worlds(program, language, self.seconds)
                 guesses, result = guessed(worlds, self.until, fixed)
                 SIGNALS.end_with(result)
         try:
@@ -157,7 +157,7 @@ examples:
         run = Run(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
         status = run.start()
-        structure = language.structure(source, board)
+        structure = language.program(source, board).structure
         sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, worlds, result))
         return max(status, int(motionless(structure, result)))
 

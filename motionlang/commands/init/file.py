@@ -185,7 +185,7 @@ def _inputs(source: Source, language: Dialect, guesses: Guesses, reads: list[Inp
     for read in reads:
         if read.is_input and read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
-    for each in channels_of(source, language, guesses.fixed):
+    for each in channels_of(language.program(source, guesses.fixed), language):
         if each.kind == "input" and each.number.isdecimal() and each.set_up:
             read_at.setdefault(int(each.number), {}).update(dict.fromkeys(each.set_up))
     found: list[str] = []

@@ -65,7 +65,7 @@ examples:
                 overrides = self.overrides()
                 made = map_of_run(source, language, settings, until=self.until, overrides=overrides)
             else:
-                made = program_map(source, language, settings)
+                made = program_map(language.program(source, settings), language)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=self.file) from None
         if self.unit is not None:

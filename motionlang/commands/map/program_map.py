@@ -11,7 +11,7 @@ from motionlang.commands.map.comments import Named, named, without_marks
 from motionlang.commands.map.observed import Observed, Taken
 from motionlang.commands.map.states import Diagrams, Transition, diagrams
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
-from motionlang.kernel import Checked, Dialect, Run, Source, dialect_for, run, settings_next_to
+from motionlang.kernel import Checked, Dialect, Program, Run, Source, dialect_for, run, settings_next_to
 from motionlang.kernel.lang import Structure
 
 # Seconds of machine time of a run without an end of its own.
@@ -49,15 +49,12 @@ class ProgramMap:
         return self.observed.taken.get(transition) if self.observed is not None else None
 
 
-def program_map(
-    source: Source, language: Dialect, settings: Mapping[str, object] | None = None
-) -> ProgramMap:
-    """Return the map of a program on a machine with these settings, without a run.
+def program_map(program: Program, language: Dialect) -> ProgramMap:
+    """Return the map of a program on the machine of its settings, without a run.
 
     Raises ProgramError with all errors of the text.
     """
-    settings = settings or {}
-    structure = language.structure(source, settings)
+    source, structure = program.source, program.structure
     listed, at_ends = _comments(source, language)
     names = named(listed)
     made, unreached = units(structure, {line: without_marks(text) for line, text in listed})
@@ -66,10 +63,10 @@ def program_map(
         source,
         language,
         structure,
-        channels(structure, settings, names, at_ends, drawn.polled),
+        channels(structure, program.settings, names, at_ends, drawn.polled),
         axes(structure, names),
         made,
-        variables(structure, language.names(source, settings).definitions, names),
+        variables(structure, program.names.definitions, names),
         drawn,
         unreached,
     )
@@ -82,14 +79,15 @@ def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -
     """
     source = program if isinstance(program, Source) else Source.read(program)
     settings = settings_next_to(program) if machine is None else machine
-    return program_map(source, dialect_for(source, None), settings)
+    language = dialect_for(source, None)
+    return program_map(language.program(source, settings), language)
 
 
-def channels_of(source: Source, language: Dialect, settings: Mapping[str, object]) -> list[Channel]:
+def channels_of(program: Program, language: Dialect) -> list[Channel]:
     """Return only the channels of a program; ProgramError with all errors of the text."""
-    listed, at_ends = _comments(source, language)
-    structure = language.structure(source, settings)
-    return channels(structure, settings, named(listed), at_ends, diagrams(structure).polled)
+    listed, at_ends = _comments(program.source, language)
+    structure = program.structure
+    return channels(structure, program.settings, named(listed), at_ends, diagrams(structure).polled)
 
 
 def names_in_comments(source: Source, language: Dialect) -> list[Named]:
@@ -110,7 +108,8 @@ def map_of_run(
     The run ends after `until` seconds of machine time, by default after `run.until` of the settings or `UNTIL`. Raises
     ProgramError with all errors of the text.
     """
-    made = program_map(source, language, settings)
+    program = language.program(source, settings)
+    made = program_map(program, language)
     made.observed = observed = Observed(made.diagrams)
     end = until if until is not None or "run.until" in settings else UNTIL
     made.run = run(
@@ -119,6 +118,7 @@ def map_of_run(
         machine=settings,
         until=end,
         overrides=overrides,
+        compiled=None if overrides else program,
         observer=observed,
         begun=observed.attach,
     )

@@ -88,7 +88,8 @@ class Polls:
         found = self._dependencies.get(at)
         if found is None:
             if self._ask is None:
-                self._ask = self._run.dialect.loop_dependencies(self._run.source)
+                assert self._run.program is not None
+                self._ask = self._run.program.polls
             found = self._dependencies[at] = self._ask(at) or _NOTHING
         return found
 

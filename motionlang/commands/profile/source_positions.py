@@ -25,7 +25,7 @@ class SourcePositions:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        self._blocks = run.dialect.blocks(run.source)
+        self._blocks = run.program.blocks if run.program is not None else ()
         self._lines: dict[int, int] = {}
         self._called: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}
         self._at_lines: dict[int, SourcePosition] = {}

@@ -139,10 +139,10 @@ class Sweep:
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, given = self.job.of(values)
-        language.compile(source, settings)
+        language.program(source, settings).require()
         try:
             source, overrides, _ = edited(source, language, given)
-            language.compile_given(source, settings, overrides)
+            language.program_with(source, settings, overrides)
         except ProgramError as error:
             if not any(each.line for each in error.diagnostics):
                 raise ValueError(

@@ -167,7 +167,7 @@ class Adapter:
         debugger = self._debugger
         source = self._launch.read()[0]
         # Checked before the response, so that errors are its text.
-        debugger.language.debug(source, dict(self._launch.settings))
+        debugger.language.program(source, self._launch.settings, is_debug=True).require()
         self._go(lambda: debugger.restart(source))
 
     def _do_terminate(self, given: Arguments) -> None:

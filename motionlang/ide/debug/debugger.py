@@ -141,7 +141,8 @@ class Debugger:
         self._next_search = STRIDE
 
     def _load(self, source: Source) -> None:
-        program = self.language.debug(source, self._settings)
+        program = self.language.program(source, self._settings, is_debug=True)
+        program.require()
         self.source = source
         self._setup = Setup(source, self.language, self._settings, self._overrides, self._until, program)
         self._entries = frozenset(program.entries)

@@ -21,7 +21,7 @@ _UNKNOWN = "\ufffd"
 
 def findings(page: Page) -> list[Diagnostic]:
     """Return the diagnostics of a program, as `check` reports them."""
-    found = check(page.source, page.language, page.settings)
+    found = check(page.program)
     return decoded(page.source, one_sentence(page.language, page.source, found, IN_EDITOR))
 
 

@@ -29,7 +29,7 @@ def format(page: Page, indent: str = "  ") -> list[Edit]:
 def formatted_lines(page: Page, indent: str) -> list[str]:
     """Return the lines of a text in the layout of its language."""
     lines = page.text.split("\n")
-    layout = page.language.layout(page.source)
+    layout = page.program.layout
     if layout is None:
         return lines
     found, depth = [], 0

@@ -42,7 +42,7 @@ def hover(page: Page, offset: int) -> Hover | None:
 def channel_uses(page: Page, at: int) -> str:
     """Return a paragraph about each channel that the keyword at an offset uses; "" for a text with errors."""
     try:
-        channels = channels_of(page.source, page.language, page.settings)
+        channels = channels_of(page.program, page.language)
     except ProgramError:
         return ""
     found = ["; ".join(each.sentences()).translate(_SIGNS) for each in channels if at in each.names_at]

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cached_property
 
-from motionlang.kernel import Dialect, Keyword, Source
+from motionlang.kernel import Dialect, Keyword, Program, Source
 from motionlang.kernel.lang import Names, Span
 
 # Kinds of token that are no code.
@@ -16,8 +17,6 @@ _WORDS = frozenset(("word", "control", "command", "not-simulated"))
 
 class Page:
     """The text of a program. Its names are computed on first use, unless they are given."""
-
-    __slots__ = ("_names", "_starts", "language", "settings", "source")
 
     def __init__(
         self,
@@ -34,11 +33,15 @@ class Page:
     def text(self) -> str:
         return self.source.text
 
+    @cached_property
+    def program(self) -> Program:
+        return self.language.program(self.source, self.settings)
+
     @property
     def names(self) -> Names:
         """The names of the text."""
         if self._names is None:
-            self._names = self.language.names(self.source, self.settings)
+            self._names = self.program.names
         return self._names
 
     def offset(self, line: int, column: int) -> int:

@@ -8,7 +8,6 @@ from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Frame as Frame
-    from motionlang.kernel.lang.dialect import Target as Target
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
@@ -42,6 +41,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.names import Definition as Definition
     from motionlang.kernel.lang.names import Names as Names
     from motionlang.kernel.lang.names import Span as Span
+    from motionlang.kernel.lang.program import Target as Target
     from motionlang.kernel.lang.program_graph import READ as READ
     from motionlang.kernel.lang.program_graph import WRITE as WRITE
     from motionlang.kernel.lang.program_graph import AxisUse as AxisUse
@@ -77,7 +77,7 @@ if TYPE_CHECKING:
 PUBLIC = {
     "names": "Definition Changes Names NO_NAMES Span",
     "vocabulary": "Vocabulary",
-    "dialect": "Target",
+    "program": "Target",
     "literals": "Literal literals_of constants canonical bound edited has_address number_text replaced",
     "machine.file": "read_toml first_mistake generic",
     "machine.entries": "Given check_inputs_are_read",

@@ -7,8 +7,7 @@ it is called, so that a command imports only what it needs.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic
@@ -20,13 +19,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.keyword import Keyword
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.machine.switch import Switch
-    from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.program import Program
-    from motionlang.kernel.lang.program_graph import Structure
-    from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
     from motionlang.kernel.lang.vocabulary import Vocabulary
-    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
+    from motionlang.kernel.lang.wait_causes import Read
 
 
 # The package of each dialect, imported by name on demand, as nothing below may import it.
@@ -56,7 +52,7 @@ def parse(text: str, language: str) -> object:
     A tree is a `Module` of `motionlang.kernel.mint.syntax.nodes` or of `motionlang.kernel.mccl.syntax.tree`. Raises
     ProgramError with all syntax errors, and ValueError for another language.
     """
-    return dialect(language).parse(Source("", text))
+    return dialect(language).program(Source("", text)).tree
 
 
 def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str] | None:
@@ -71,18 +67,6 @@ def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str]
     known = [f"{each.title} runs on {', '.join(each.models())}" for each in languages]
     hint = f"did you mean {near}?" if near else "; ".join(known)
     return f"{shown(name)} is not a known controller{f' of {language.title}' if language else ''}", hint
-
-
-@dataclass(eq=False, slots=True)
-class Target:
-    """The controller model that a program is written for, with the reasons; "" if nothing decides it.
-
-    `others` are models that fit the program as well.
-    """
-
-    model: str
-    reasons: list[str]
-    others: list[str]
 
 
 class Dialect:
@@ -107,63 +91,33 @@ class Dialect:
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
     jumps: frozenset[str] = frozenset()
 
-    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        """Parse and check; raise ProgramError with all errors of the text."""
-        raise NotImplementedError
-
-    def compile_given(
-        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+    def program(
+        self, source: Source, settings: Mapping[str, object] | None = None, *, is_debug: bool = False
     ) -> Program:
-        """Return a program for runs with many `values` of names; same as `compile` by default."""
-        return self.compile(source, settings)
+        """Return the program of a text, for a machine with some settings.
 
-    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        """Return a program that counts its statements, for a machine with a `hook`.
-
-        It runs exactly like the program that `compile` returns, bit for bit. Raises ProgramError with all
-        errors of the text.
+        With `is_debug` it counts its statements, for a machine with a `hook`, and runs otherwise bit for bit alike.
         """
         raise NotImplementedError
 
-    def parse(self, source: Source) -> object:
-        """Return the syntax tree of a text; ProgramError with all its syntax errors."""
-        raise NotImplementedError
+    def program_with(
+        self, source: Source, settings: Mapping[str, object], values: Mapping[str, float | str]
+    ) -> Program:
+        """Return a program for runs with many `values` of names; ProgramError with all errors of the text with them."""
+        program = self.program(source, settings)
+        program.require()
+        return program
 
-    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
-        """Return the steps of a program on a machine with these settings, for people to read.
+    def port_differences(self, before: Program, program: Program) -> list[Diagnostic]:
+        """Return what a program does differently on the model of its settings, with fixes where they are certain.
 
-        Raises ProgramError with all errors.
+        `before` is the program as it was written, for another model; `program` is in the notation of this one.
         """
-        raise NotImplementedError
-
-    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
-        """Return the statements, units and graph of a program on a machine with these settings.
-
-        Raises ProgramError with all errors.
-        """
-        raise NotImplementedError
+        return []
 
     def compiled_in(self, key: str) -> bool:
         """True if the check of a program depends on a key of the machine file."""
         return False
-
-    def errors(self, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
-        """Return all errors without a run; `settings` are those of the machine file."""
-        raise NotImplementedError
-
-    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
-        """Return the definitions, uses and blocks of a text.
-
-        Lines with syntax errors have none.
-        """
-        raise NotImplementedError
-
-    def layout(self, source: Source) -> list[LineLayout] | None:
-        """Return the indentation of each line of a text.
-
-        The result is None for a language without blocks.
-        """
-        return None
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
         """Return the spellings of a keyword, with a for an axis and n for a number.
@@ -180,19 +134,6 @@ class Dialect:
         """True if a name is that of a controller of the dialect, in any spelling."""
         return name in self.models()
 
-    def written_for(self, source: Source) -> Target:
-        """Return the controller model that a program is written for."""
-        return Target("", [], [])
-
-    def port_differences(
-        self, before: Source, source: Source, settings: Mapping[str, object]
-    ) -> list[Diagnostic]:
-        """Return what a program does differently on the model of the settings, with fixes where they are certain.
-
-        `before` is the program as it was written, for another model; `source` is in the notation of this one.
-        """
-        return []
-
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """Return message and hint for a key of the dialect's own section, None if valid."""
         return None
@@ -200,14 +141,6 @@ class Dialect:
     def switches(self) -> Mapping[str, Switch]:
         """Return the assumptions that the machine file may set, by name."""
         return {}
-
-    def input_reads(self, source: Source) -> list[InputRead]:
-        """Return the lines where a program depends on digital inputs and keys."""
-        return []
-
-    def remarks(self, source: Source, settings: Mapping[str, object]) -> list[str]:
-        """Return the chosen defaults that the result of a program depends on, a line each."""
-        return []
 
     def driven_by(self, why: str) -> list[str]:
         """Return the tables and keys of the machine file that could end a wait.
@@ -232,23 +165,12 @@ class Dialect:
         """Return line, column and length for each of many source positions."""
         return [self.locate(source, at) for at in offsets]
 
-    def blocks(self, source: Source) -> list[tuple[str, int, int]]:
-        """Return name, first and last line of each sub, task and handler of a program."""
-        return []
-
     def has_code(self, line: str) -> bool:
         """True if a line has more than blanks and a comment.
 
         The test is cheap, because a profile calls it after every run.
         """
         return bool(line.strip())
-
-    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        """Return a function that maps an offset to the readings of its loop or wait.
-
-        The function returns None if the readings are not known.
-        """
-        return lambda offset: None
 
     def interactive(self, machine: Machine) -> Interactive:
         """Return an interpreter for lines that are typed one after another."""

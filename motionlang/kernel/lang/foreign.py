@@ -36,7 +36,7 @@ def one_sentence(
         other = dialect(name)
         if other is language:
             continue
-        if len(_wrong_lines(other.errors(begin, {}))) * _TIMES <= min(len(wrong), _MAX_CHECKED):
+        if len(_wrong_lines(other.program(begin).errors)) * _TIMES <= min(len(wrong), _MAX_CHECKED):
             message = f"this is {other.title}, not {language.title}"
             if hint != AT_PROMPT:
                 message += f": {len(wrong)} of its first {lines} lines are not {language.title}"

@@ -1,6 +1,6 @@
 """The names of a program, for an editor: definitions, uses and blocks.
 
-`Dialect.names` returns them, in one vocabulary for all languages. Positions are character offsets in the text
+`Program.names` returns them, in one vocabulary for all languages. Positions are character offsets in the text
 of the source, so they are valid for one text only. `Names.shifted` returns those that still hold after changes of the
 text. All of it is plain data, so that a worker process can make it.
 """

@@ -1,21 +1,102 @@
-"""A checked program: a dialect's result for a source, ready to be started."""
+"""A program: a text in a language, for a machine with some settings, and what it says."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.names import LineLayout, Names
+    from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
+    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+
+
+@dataclass(eq=False, slots=True)
+class Target:
+    """The controller model that a program is written for, with the reasons; "" if nothing decides it.
+
+    `others` are models that fit the program as well.
+    """
+
+    model: str
+    reasons: list[str]
+    others: list[str]
 
 
 class Program:
-    """A program that can be started; each dialect has its own class."""
+    """A text, made once by `Dialect.program`; what it says is worked out once, when it is asked for.
 
-    __slots__ = ()
+    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks`, `reads` and `polls` raise ProgramError
+    for a text with syntax errors; `structure`, `step_list` and `start` for a program with any error.
+    """
+
+    # The name of its language.
+    language: str
+
+    def __init__(self, source: Source, settings: Mapping[str, object] | None = None) -> None:
+        self.source, self.settings = source, dict(settings or {})
+
+    @property
+    def tree(self) -> object:
+        """The syntax tree."""
+        raise NotImplementedError
+
+    @property
+    def errors(self) -> Sequence[Diagnostic]:
+        """All errors, in text order."""
+        raise NotImplementedError
+
+    def require(self) -> None:
+        """Raise ProgramError if errors prevent a run."""
+        if self.errors:
+            raise ProgramError(self.errors)
+
+    @property
+    def names(self) -> Names:
+        """The definitions, uses and blocks; lines with syntax errors have none."""
+        raise NotImplementedError
+
+    @property
+    def layout(self) -> list[LineLayout] | None:
+        """The indentation of each line; None for a language without blocks."""
+        return None
+
+    @property
+    def target(self) -> Target:
+        """The controller model that the program is written for."""
+        return Target("", [], [])
+
+    @property
+    def blocks(self) -> Sequence[tuple[str, int, int]]:
+        """Name, first and last line of each sub, task and handler."""
+        return ()
+
+    @property
+    def reads(self) -> list[InputRead]:
+        """The lines where the program depends on digital inputs and keys."""
+        return []
+
+    @property
+    def polls(self) -> Callable[[int], LoopDependencies | None]:
+        """A function that maps an offset to the readings of its loop or wait; None if they are not known."""
+        return lambda offset: None
+
+    @property
+    def structure(self) -> Structure:
+        """The statements, units and graph on a machine with the settings."""
+        raise NotImplementedError
+
+    @property
+    def step_list(self) -> list[ListedUnit]:
+        """The steps on a machine with the settings, for people to read."""
+        raise NotImplementedError
 
     @property
     def is_doubtful(self) -> bool:
@@ -39,7 +120,7 @@ class Program:
 
     @property
     def remarks(self) -> Sequence[str]:
-        """Chosen defaults that the motion depends on, a line each."""
+        """Chosen defaults that the motion depends on, a line each; none if the text has syntax errors."""
         return ()
 
     def start(self, machine: Machine) -> Task:

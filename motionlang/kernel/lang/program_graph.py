@@ -1,6 +1,6 @@
 """The structure of a program, described alike for both languages: statements, units, and the graph of its steps.
 
-A language fills a `Structure` from a program that it has checked (`Dialect.structure`). The map of a program
+A language fills a `Structure` from a program that it has checked (`Program.structure`). The map of a program
 (`commands/map`) reads nothing else of the text.
 
     statements   by source offset: text, what they read and write, what a task waits for at them

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.machine import Machine
@@ -25,7 +25,12 @@ MAX_NAMED = 3
 
 
 def what_ends(
-    dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait, at_prompt: bool = False
+    dialect: Dialect,
+    program: Program | None,
+    machine: Machine,
+    task: Task,
+    wait: Wait,
+    at_prompt: bool = False,
 ) -> str:
     """Return a hint with the option to type, or "" if no option ends the wait.
 
@@ -35,7 +40,7 @@ def what_ends(
     dash, now = (".", 0.0) if at_prompt else ("--", machine.clock.now)
     at = f"{round(now + SOON, 1):.10g}"
     driven = dialect.driven_by(wait.why)
-    leaves = _reads(dialect, source, task, wait)
+    leaves = _reads(program, task, wait)
     latches = [number for kind, number in leaves if kind == "latch" and number is not None]
     unarmed = ""
     if latches:
@@ -44,7 +49,7 @@ def what_ends(
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
     levels = machine.controller.inputs
     if not channels and driven == ["input"]:
-        channels = _channels_of_bank(dialect, source, machine, task)
+        channels = _channels_of_bank(program, machine, task)
     options = []
     if channels:
         options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
@@ -73,42 +78,42 @@ def what_ends(
     return f"{entries} of the machine file says when it comes" if entries else ""
 
 
-def _channels_of_bank(dialect: Dialect, source: Source, machine: Machine, task: Task) -> list[int]:
+def _channels_of_bank(program: Program | None, machine: Machine, task: Task) -> list[int]:
     """Return the inputs that have to change for a value of a bank; empty if they are unknown or too many to name."""
-    if not source.text.strip():
+    if program is None:
         return []
-    line, _, _ = dialect.locate(source, task.at)
+    line, _ = program.source.location(task.at)
     levels = machine.controller.inputs
     found = {
         each.channel
-        for each in dialect.input_reads(source)
+        for each in program.reads
         if each.kind in ("wait", "either", "poll") and each.line == line and each.channel is not None
         if each.level is not None and each.level != levels[each.channel]
     }
     return sorted(found) if len(found) <= MAX_NAMED else []
 
 
-def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait) -> str:
+def what_frees(dialect: Dialect, program: Program | None, machine: Machine, task: Task, wait: Wait) -> str:
     """Return a hint about what a wait lacks, such as a GO; "" if there is none."""
     if wait.cause == "axis":
         axes = [("axis", number) for number in wait.what]
     else:
-        leaves = _reads(dialect, source, task, wait)
-        if not leaves and _is_of_program(dialect, source, task):
+        leaves = _reads(program, task, wait)
+        if not leaves and _is_of_program(program, task):
             return f"let {dialect.others} change it: this task does nothing while it waits"
         axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
-    found = next(filter(None, (_frees(dialect, source, machine.controller, *each) for each in axes)), "")
-    return found or _raises(dialect, source, machine)
+    found = next(filter(None, (_frees(program, machine.controller, *each) for each in axes)), "")
+    return found or _raises(program, machine)
 
 
-def _is_of_program(dialect: Dialect, source: Source, task: Task) -> bool:
+def _is_of_program(program: Program | None, task: Task) -> bool:
     """Return True if a task waits for a condition that the program states."""
-    return bool(source.text.strip()) and dialect.loop_dependencies(source)(task.at) is not None
+    return program is not None and program.polls(task.at) is not None
 
 
-def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
+def _raises(program: Program | None, machine: Machine) -> str:
     """Return the option that calls a handler of an input; "" if there is none."""
-    reads = dialect.input_reads(source) if source.text.strip() else []
+    reads = [] if program is None else program.reads
     handler = next((each for each in reads if each.kind == "event" and each.channel is not None), None)
     if handler is None or handler.channel is None:
         return ""
@@ -117,7 +122,7 @@ def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
     return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
 
 
-def _frees(dialect: Dialect, source: Source, controller: Controller, kind: str, axis: int) -> str:
+def _frees(program: Program | None, controller: Controller, kind: str, axis: int) -> str:
     a = controller.axes[axis]
     if a.suspended and (a.move is not None or a.buffer):
         return f"resume axis {axis} first: it is suspended"
@@ -125,7 +130,7 @@ def _frees(dialect: Dialect, source: Source, controller: Controller, kind: str, 
         return f"write GO({axis}) first: it starts the buffered moves"
     if a.move is not None and not a.speed_and_rates(a.move)[0]:
         at = controller.zeroed.get(axis, -1)
-        since = f" since line {dialect.locate(source, at)[0]}" if at >= 0 and source.text.strip() else ""
+        since = f" since line {program.source.location(at)[0]}" if at >= 0 and program is not None else ""
         return f"set the speed of axis {axis} above 0 first: it is 0{since}, and the move holds"
     end = a.scale.position_to_user(a.target)
     if kind == "axis":
@@ -135,11 +140,9 @@ def _frees(dialect: Dialect, source: Source, controller: Controller, kind: str, 
     return f"axis {axis} stops at {end:.10g}" if len(a.starts) > 1 else ""
 
 
-def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
+def _reads(program: Program | None, task: Task, wait: Wait) -> frozenset[Read]:
     """Return the values that the condition of a wait reads."""
     if wait.cause == "input" and wait.what:
         return frozenset(("input", channel) for channel in wait.what)
-    if not source.text.strip():
-        return frozenset()
-    found = dialect.loop_dependencies(source)(task.at)
+    found = None if program is None else program.polls(task.at)
     return frozenset() if found is None else found.leaves

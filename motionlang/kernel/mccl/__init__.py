@@ -6,24 +6,18 @@ use.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.lang.dialect import Dialect, Interactive, Target
+from motionlang.kernel.lang.dialect import Dialect, Interactive
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.machine.switch import Switch
-from motionlang.kernel.lang.names import Names
-from motionlang.kernel.lang.program import Program
-from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.lazy import lazy_names
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.program_graph import Structure
     from motionlang.kernel.mccl.axis.axis import AxisState as AxisState
     from motionlang.kernel.mccl.axis.launch import aim as aim
     from motionlang.kernel.mccl.axis.motion_phase import at_target_time as at_target_time
@@ -61,7 +55,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.syntax.comments import COMMENT as COMMENT
     from motionlang.kernel.mccl.syntax.comments import without_comment as without_comment
     from motionlang.kernel.mccl.syntax.parser import MAX_LINE as MAX_LINE
-    from motionlang.kernel.mccl.syntax.tree import Module
+
 
 PUBLIC = {
     "codes": "Fault MEANINGS",
@@ -99,62 +93,17 @@ class Mccl(Dialect):
     comment = ";"
     jumps = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 
-    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        """Compile a file; this never fails.
-
-        A command that the board would answer with `?` runs and gets that answer.
-        """
+    def program(
+        self, source: Source, settings: Mapping[str, object] | None = None, *, is_debug: bool = False
+    ) -> MacroFile:
         from motionlang.kernel.mccl.runtime.program import MacroFile
 
-        return MacroFile(source)
-
-    def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        from motionlang.kernel.mccl.runtime.program import MacroFile
-
-        return MacroFile(source, debug=True)
-
-    def step_list(self, source: Source, settings: Mapping[str, object]) -> list[ListedUnit]:
-        from motionlang.kernel.mccl.runtime.listing import step_list
-
-        return step_list(source, settings)
-
-    def structure(self, source: Source, settings: Mapping[str, object]) -> Structure:
-        from motionlang.kernel.mccl.runtime.program_graph import structure
-
-        return structure(source, settings)
-
-    def parse(self, source: Source) -> Module:
-        """Return the lines of a text and their commands.
-
-        Raises ProgramError with all syntax errors.
-        """
-        from motionlang.kernel.errors import ProgramError
-        from motionlang.kernel.mccl.syntax.parser import parse
-        from motionlang.kernel.mccl.syntax.tree import Wrong
-
-        module = parse(source.text)
-        commands = [each for line in module.lines for each in line.commands]
-        positions = {source.location(each.start) for each in commands if isinstance(each, Wrong)}
-        if positions:
-            mistakes = self.errors(source, {})
-            syntax = [each for each in mistakes if (each.line, each.column) in positions]
-            raise ProgramError(syntax or mistakes)  # the line may be too long, too
-        return module
-
-    def errors(self, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
-        from motionlang.kernel.mccl.resolve.errors import errors
-
-        return errors(source, settings)
+        return MacroFile(source, settings, is_debug)
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
         from motionlang.kernel.mccl.keywords.row import forms
 
         return forms(row)
-
-    def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
-        from motionlang.kernel.mccl.resolve.definitions import names
-
-        return names(source, settings)
 
     def models(self) -> tuple[str, ...]:
         from motionlang.kernel.mccl.models import MODELS
@@ -165,11 +114,6 @@ class Mccl(Dialect):
         from motionlang.kernel.mccl.models import named
 
         return named(name) is not None
-
-    def written_for(self, source: Source) -> Target:
-        from motionlang.kernel.mccl.resolve.board import written_for
-
-        return written_for(source)
 
     def switches(self) -> Mapping[str, Switch]:
         from motionlang.kernel.mccl.keywords.switchable import SWITCHES
@@ -185,16 +129,6 @@ class Mccl(Dialect):
         from motionlang.kernel.mccl.resolve.line import locate
 
         return locate(source, at)
-
-    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.kernel.mccl.resolve.wait_causes import asked
-
-        return asked(source)
-
-    def input_reads(self, source: Source) -> list[InputRead]:
-        from motionlang.kernel.mccl.resolve.wait_causes import input_reads
-
-        return input_reads(source)
 
     def driven_by(self, why: str) -> list[str]:
         import re

@@ -12,7 +12,7 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import check_line
 from motionlang.kernel.mint.check.error_recovery import parsed
-from motionlang.kernel.mint.check.model import written_for
+from motionlang.kernel.mint.program import MintProgram
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import Session
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -72,7 +72,7 @@ class MintInteractive(Interactive):
         also if `--set` names an unknown name.
         """
         module = parse(source)
-        self.machine.model = self.machine.model or written_for(source).model
+        self.machine.model = self.machine.model or MintProgram(source).target.model
         (override if strict else override_if_there)(module, self.machine.overrides)
         self.environment.timer = [self.environment.clock.now]
         return self._task_of(module, source, of_program=True)

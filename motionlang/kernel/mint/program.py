@@ -1,75 +1,217 @@
-"""A checked Mint program, whose steps are written when it starts on a machine."""
+"""A Mint program: its text is read and checked once, its steps are written when it starts on a machine."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.names import NO_NAMES, LineLayout, Names
+from motionlang.kernel.lang.program import Program, Target
+from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mint.check.check import Checked, check_module
-from motionlang.kernel.mint.check.error_recovery import parsed
-from motionlang.kernel.mint.check.model import written_for
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+from motionlang.kernel.mint.check.body import Program as Declared
+from motionlang.kernel.mint.check.check import Checked, declared, examined
+from motionlang.kernel.mint.check.error_recovery import unrelated
+from motionlang.kernel.mint.check.model import check_model, written_for
+from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.overrides import override
+from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
 from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
+from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.mint.syntax.recovery import readable
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.program_graph import Structure
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64
 
 
 class MintProgram(Program):
-    """A program without errors, with its source.
+    """A Mint program, parsed and checked once, with values in place of its own.
 
     The values of the names in `given` are set when it starts. It maps each to True if its value is a text.
     """
 
+    language = "mint"
+
     def __init__(
         self,
         source: Source,
-        settings: Mapping[str, object] | None,
-        checked: Checked,
-        remarks: Sequence[str],
+        settings: Mapping[str, object] | None = None,
+        overrides: Mapping[str, float | str] | None = None,
         given: Mapping[str, bool] | None = None,
         is_debug: bool = False,
     ) -> None:
-        self.source, self.settings, self.checked = source, dict(settings or {}), checked
+        super().__init__(source, settings)
         self.given, self.is_debug = given or {}, is_debug
-        self._remarks = remarks
+        self._overrides = overrides or {}
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
+
+    # ------------------------------------------------------------------------------------- the text and its names
+
+    @cached_property
+    def _parsed(self) -> Module | ProgramError:
+        with StackSpace():
+            try:
+                return parse(self.source)
+            except ProgramError as error:
+                return error
+
+    @cached_property
+    def _read(self) -> tuple[Module | None, set[int], ProgramError | None]:
+        """The tree, the lines left out of it, and the syntax errors; no tree if too little can be read."""
+        if isinstance(self._parsed, Module):
+            return self._parsed, set(), None
+        with StackSpace():
+            return *readable(self.source, self._parsed), self._parsed
+
+    @cached_property
+    def tree(self) -> Module:
+        if isinstance(self._parsed, ProgramError):
+            raise self._parsed
+        with StackSpace():
+            override(self._parsed, self._overrides, self.given)
+        return self._parsed
+
+    @property
+    def _readable(self) -> Module:
+        """The tree, without unreadable lines."""
+        module, _, unreadable = self._read
+        assert module is not None
+        return self.tree if unreadable is None else module
+
+    @cached_property
+    def _declared(self) -> Declared:
+        with StackSpace():
+            return declared(self._readable, self.settings)
+
+    @cached_property
+    def checked(self) -> Checked:
+        """The names and the problems of the readable lines."""
+        with StackSpace():
+            return examined(self._readable, self._declared)
+
+    @cached_property
+    def mistakes(self) -> list[Diagnostic]:
+        """All errors, with the warnings of the check beside them; empty if there is no error."""
+        module, taken, unreadable = self._read
+        found = [] if module is None else list(self.checked.problems.found.values())
+        if not any(each.severity == "error" for each in found):
+            found = []
+        if unreadable is not None:
+            found = [*unreadable.diagnostics, *unrelated(found, self.source, taken)]
+        return ProgramError(found).diagnostics
+
+    @property
+    def errors(self) -> list[Diagnostic]:
+        found = [each for each in self.mistakes if each.severity == "error"]
+        return sorted(found, key=lambda each: (each.line, each.column, each.code, each.message))
+
+    @cached_property
+    def notes_on_model(self) -> list[Diagnostic]:
+        """Notation and keywords that the configured controller model does not accept."""
+        model = str(self.settings.get("controller.model", ""))
+        if isinstance(self._parsed, ProgramError) or not model:
+            return []
+        problems = Problems(self.tree)
+        check_model(self.tree, self.source, model, table(), problems.add)
+        return list(problems.found.values())
+
+    def require(self) -> None:
+        if self.mistakes:
+            raise ProgramError(self.mistakes)
+
+    # ---------------------------------------------------------------------------------------- what it says
+
+    @cached_property
+    def names(self) -> Names:
+        from motionlang.kernel.mint.resolve import definitions
+
+        module, _, unreadable = self._read
+        if module is None:
+            return NO_NAMES
+        with StackSpace():
+            return definitions.names(module, self._declared.names, unreadable is None)
+
+    @property
+    def layout(self) -> list[LineLayout]:
+        from motionlang.kernel.mint.syntax.layout import layout
+
+        return layout(self.source.text)
+
+    @cached_property
+    def target(self) -> Target:
+        module = self.tree
+        self._declared  # noqa: B018
+        return written_for(module)
+
+    @cached_property
+    def blocks(self) -> list[tuple[str, int, int]]:
+        from motionlang.kernel.mint.syntax.extent import blocks_of
+
+        return blocks_of(self.tree)
+
+    @cached_property
+    def reads(self) -> list[InputRead]:
+        from motionlang.kernel.mint.resolve.wait_causes import input_reads
+
+        return input_reads(self.tree, self._declared.names)
+
+    @cached_property
+    def polls(self) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.kernel.mint.resolve.wait_causes import finder
+
+        return finder(self.tree, self._declared.names)
+
+    @cached_property
+    def structure(self) -> Structure:
+        from motionlang.kernel.mint.steps.program_graph import structure
+
+        self.require()
+        return structure(self.source, self.checked.names, self.polls, self.settings)
+
+    @cached_property
+    def step_list(self) -> list[ListedUnit]:
+        from motionlang.kernel.mint.steps.listing import step_list
+
+        self.require()
+        return step_list(self.source, self.checked.names, self.settings)
 
     @property
     def warnings(self) -> list[Diagnostic]:
         """Warnings about keywords that are not simulated and may end the run early."""
         return self.checked.problems.of_the_run()
 
-    @property
+    @cached_property
     def remarks(self) -> Sequence[str]:
-        """Chosen defaults that the motion depends on, a line each."""
-        return self._remarks
+        return chosen_rates(self.tree, self.settings) if isinstance(self._parsed, Module) else []
 
     @property
     def offsets(self) -> Sequence[int]:
         return stops(self.checked.names) if self.is_debug else ()
 
-    @cached_property
-    def _model(self) -> str:
-        return written_for(self.source).model
+    # --------------------------------------------------------------------------------------------- its run
 
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`, which has the model of the program if it has none.
 
         Raises ProgramError if an override names no name of the program.
         """
-        machine.model = machine.model or self._model
+        machine.model = machine.model or self.target.model
         overrides = machine.overrides
         values = {
             name: overrides[name]
@@ -78,7 +220,7 @@ class MintProgram(Program):
         }
         others = {name: value for name, value in overrides.items() if name not in values}
         if len(values) < len(self.given):
-            return checked_program(self.source, self.settings, overrides, is_debug=self.is_debug).run(machine)
+            return self._made(overrides).run(machine)
         return self._with(others).run(machine, values) if others else self.run(machine, values)
 
     def _with(self, values: Mapping[str, float | str]) -> MintProgram:
@@ -88,8 +230,7 @@ class MintProgram(Program):
         if found is None:
             if len(self._others) >= MAX_KEPT:
                 self._others.clear()
-            found = checked_program(self.source, self.settings, values, self.given, self.is_debug)
-            self._others[key] = found
+            found = self._others[key] = self._made(values, self.given)
         return found
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
@@ -111,26 +252,13 @@ class MintProgram(Program):
         environment.by_name[PARENT] = environment.task = task
         return task
 
-
-def checked_program(
-    source: Source,
-    settings: Mapping[str, object] | None = None,
-    overrides: Mapping[str, float | str] | None = None,
-    given: Mapping[str, bool] | None = None,
-    is_debug: bool = False,
-) -> MintProgram:
-    """Parse and check a program, with `overrides` in place of its own values; raise ProgramError with all errors.
-
-    The values of the names in `given` are set when it starts; see `override`. With `is_debug` a debugger can stop it.
-    """
-    with StackSpace():
-        module = parsed(source, lambda readable: check_module(readable, settings))
-        if overrides or given:
-            override(module, overrides or {}, given)
-        checked = check_module(module, settings)
-        return MintProgram(
-            source, settings, checked, chosen_rates(module, dict(settings or {})), given, is_debug
-        )
+    def _made(
+        self, values: Mapping[str, float | str], given: Mapping[str, bool] | None = None
+    ) -> MintProgram:
+        """Return the program with other values; raise ProgramError with all errors."""
+        made = MintProgram(self.source, self.settings, values, given, self.is_debug)
+        made.require()
+        return made
 
 
 def program_with(
@@ -141,19 +269,45 @@ def program_with(
     Names whose value the check needs, such as the size of an array, are not part of `given`: the text is checked again
     for each of their values. Raises ProgramError with all errors of the text with `values`.
     """
-    checked_program(source, settings, values)
+
+    def checked(overrides: Mapping[str, float | str], given: Mapping[str, bool] | None) -> MintProgram:
+        made = MintProgram(source, settings, overrides, given)
+        made.require()
+        return made
+
+    checked(values, None)
     given = {name: isinstance(value, str) for name, value in values.items()}
     try:
-        return checked_program(source, settings, {}, given)
+        return checked({}, given)
     except ProgramError:
         given = {}
     for name, value in values.items():
         one = {name: isinstance(value, str)}
         others = {n: v for n, v in values.items() if n != name and n not in given}
         try:
-            checked_program(source, settings, others, given | one)
+            checked(others, given | one)
         except ProgramError:
             continue
         given |= one
     others = {n: v for n, v in values.items() if n not in given} if given else {}
-    return checked_program(source, settings, others, given)
+    return checked(others, given)
+
+
+def port_differences(before: Program, program: Program) -> list[Diagnostic]:
+    """Return what a program that was written for v4 does differently on MintMT.
+
+    There are none if the model of the settings is no MintMT, or if the text has errors.
+    """
+    assert isinstance(before, MintProgram)
+    assert isinstance(program, MintProgram)
+    if age(str(program.settings.get("controller.model", ""))) != MINTMT:
+        return []
+    try:
+        if age(before.target.model) != V4:
+            return []
+        program.require()
+    except ProgramError:
+        return []
+    from motionlang.kernel.mint.check import port
+
+    return port.port_differences(program.tree, program.checked.names)

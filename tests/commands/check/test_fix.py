@@ -119,8 +119,12 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     assert language is not None
     machine = settings_next_to(path)
     if path.parent.name == "old":
-        machine = guessed(Worlds(before, language), SECONDS, {})[0].settings(SECONDS)
-    old = language.written_for(before).model or "mintmt"  # the notation of both: it stays MintMT
+        machine = guessed(
+            Worlds(language.program(before, is_debug=True), language),
+            SECONDS,
+            {},
+        )[0].settings(SECONDS)
+    old = language.program(before).target.model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())
     ran = cell("check", path.name, "--model", "mintmt", "--fix")

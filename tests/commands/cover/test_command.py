@@ -190,9 +190,9 @@ def test_what_nothing_leads_to_does_not_count(cell: Cell) -> None:
 def test_the_map_has_every_statement_that_begins_as_reached(path: Path) -> None:
     source = Source.read(path)
     language = dialect_for(source, None)
-    worlds = Worlds(source, language)
+    worlds = Worlds(language.program(source, is_debug=True), language)
     events = worlds.run(guessed(worlds, 20.0, {})[0].settings(20.0), 20.0).events
-    assert {at for at, _, _ in events} <= Reachability(language.structure(source, {})).reached
+    assert {at for at, _, _ in events} <= Reachability(language.program(source, {}).structure).reached
 
 
 def test_conditions_and_macros_of_mccl(cell: Cell) -> None:

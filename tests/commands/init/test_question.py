@@ -29,7 +29,7 @@ PROGRAMS: dict[str, tuple[str, list[dict[str, object]], float]] = {
 def test_an_input_changes_after_the_program_waits_for_it(name: str) -> None:
     text, inputs, time = PROGRAMS[name]
     source, mint = Source("wait.mnt", text + "\nPRINT 7\n"), dialect("mint")
-    guesses, result = guessed(Worlds(source, mint), 5.0, {})
+    guesses, result = guessed(Worlds(mint.program(source, is_debug=True), mint), 5.0, {})
     assert (result.status, result.output) == ("ended", ["7"])
     assert guesses.settings(5.0).get("input", []) == inputs
     assert result.time == pytest.approx(time, abs=1e-3)
@@ -211,7 +211,10 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
 @pytest.mark.parametrize("name", DRAFTS)
 def test_the_draft_of_a_machine_file(name: str) -> None:
     text, fixed, settings, count, runs = DRAFTS[name]
-    worlds = Worlds(Source("old.prg", text), dialect("mint"))
+    worlds = Worlds(
+        dialect("mint").program(Source("old.prg", text), is_debug=True),
+        dialect("mint"),
+    )
     guesses, result = guessed(worlds, 20.0, fixed)
     assert guesses.settings(20.0) == {"run.until": 20.0, **settings}
     assert (guesses.count, worlds.count) == (count, runs)

@@ -27,7 +27,7 @@ def problems(source: Source, settings: Mapping[str, object], until: float = UNTI
     """Return what a run does that is not in the map, as sentences."""
     language = dialect_for(source, None)
     try:
-        made = program_map(source, language, settings)
+        made = program_map(language.program(source, settings), language)
     except ProgramError:
         return []
     observed = Observed(made.diagrams)

@@ -37,7 +37,7 @@ def test_runs_of_the_gallery_are_in_their_maps() -> None:
 def test_cycles_of_the_old_programs_are_in_their_maps(path: Path) -> None:
     """With the machine that `init` guesses each program runs its cycle."""
     source, language = Source.read(path), dialect("mccl" if path.suffix == ".mccl" else "mint")
-    guesses, _ = guessed(Worlds(source, language), 30.0, {})
+    guesses, _ = guessed(Worlds(language.program(source, is_debug=True), language), 30.0, {})
     settings = guesses.settings(30.0)
     assert problems(source, settings, 30.0) == []
     made = motionlang.map(source, machine=settings, run=True, until=30.0)

@@ -236,7 +236,7 @@ def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
 
 
 def test_the_name_of_an_unknown_command_is_reported_in_capitals() -> None:
-    (found,) = check(Source("zz.mcl", "1zz\n"), MCCL, {})
+    (found,) = check(MCCL.program(Source("zz.mcl", "1zz\n"), {}))
     assert found.message.startswith("there is no command ZZ ")
 
 

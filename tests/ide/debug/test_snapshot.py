@@ -41,7 +41,7 @@ class Observed:
         language = dialect_for(source, None)
         self.hook = Hook(lambda task, time, offset: None, between=self._between)
         self.machine = Machine(settings, first_axis=language.first_axis, hook=self.hook)
-        parent = language.debug(source, dict(settings)).start(self.machine)
+        parent = language.program(source, dict(settings), is_debug=True).start(self.machine)
         self.scheduler = self.machine.scheduler = Scheduler(self.machine, parent)
         self._left = at
         self.taken: list[tuple[int, Snapshot]] = []

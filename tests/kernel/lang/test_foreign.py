@@ -25,7 +25,7 @@ WRONG = sorted([*ROOT.glob("tests/errors/*/*.m*"), *ROOT.glob("tests/lint/*/*.m*
 def test_the_other_language_is_one_sentence(path: Path) -> None:
     language = dialect("mccl" if path.suffix == ".mnt" else "mint")
     source = Source.read(path)
-    (found,) = one_sentence(language, source, check(source, language))
+    (found,) = one_sentence(language, source, check(language.program(source)))
     assert found.code == "language"
     assert found.message.startswith(
         f"this is {'Mint, not MCCL' if path.suffix == '.mnt' else 'MCCL, not Mint'}"
@@ -37,7 +37,7 @@ def test_mistakes_are_reported_unchanged(path: Path) -> None:
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
     source = Source.read(path)
     try:
-        found = check(source, language)
+        found = check(language.program(source))
     except ProgramError as error:
         found = error.diagnostics
     assert [each.code for each in one_sentence(language, source, found)] == [each.code for each in found]
@@ -46,7 +46,7 @@ def test_mistakes_are_reported_unchanged(path: Path) -> None:
 def test_text_of_no_language_is_reported_unchanged() -> None:
     language = dialect("mccl")
     source = Source("a.mcl", "\n".join(f"1ZZ3,1TP,{number}QQ" for number in range(500)))
-    found = check(source, language)
+    found = check(language.program(source))
     assert len(found) == 1000
     assert one_sentence(language, source, found) == found
 

@@ -85,16 +85,16 @@ USES = (
 @cases("kind, name, wanted", USES)
 def test_a_name_of_mint_has_every_use(kind: str, name: str, wanted: list[int]) -> None:
     source = Source("a.mnt", PROGRAM)
-    assert lines(source, named(dialect("mint").names(source), name, kind)) == wanted
+    assert lines(source, named(dialect("mint").program(source).names, name, kind)) == wanted
 
 
 def test_nothing_else_is_a_name() -> None:
-    found = dialect("mint").names(Source("a.mnt", PROGRAM))
+    found = dialect("mint").program(Source("a.mnt", PROGRAM)).names
     assert {(each.kind, each.name) for each in found.definitions} == {use[:2] for use in USES}
 
 
 def test_declarations_are_shown_with_type_and_value() -> None:
-    found = dialect("mint").names(Source("a.mnt", PROGRAM))
+    found = dialect("mint").program(Source("a.mnt", PROGRAM)).names
     assert named(found, "n", "constant").text == "Const n = 3"
     assert named(found, "twice", "define").value == "2 * x"
     assert named(found, "size", "variable").text == "Dim size(3) As Integer"
@@ -104,7 +104,7 @@ def test_declarations_are_shown_with_type_and_value() -> None:
 
 def test_a_line_that_is_half_typed_hides_no_other_name() -> None:
     broken = PROGRAM.replace("Fill(x, size)", "Fill(x, ")
-    found = dialect("mint").names(Source("a.mnt", broken))
+    found = dialect("mint").program(Source("a.mnt", broken)).names
     assert not found.complete
     assert lines(Source("a.mnt", broken), named(found, "i", "variable")) == [11, 12]
     assert lines(Source("a.mnt", broken), named(found, "x", "variable")) == [2, 8, 19, 25]
@@ -112,12 +112,12 @@ def test_a_line_that_is_half_typed_hides_no_other_name() -> None:
 
 def test_a_keyword_may_be_a_name_where_it_can_be_no_keyword() -> None:
     source = Source("a.mnt", "Dim step As Integer\nstep = 2\nFor i = 1 To 9 Step 2\nNext\nPrint step\n")
-    assert lines(source, named(dialect("mint").names(source), "step", "variable")) == [1, 2, 5]
+    assert lines(source, named(dialect("mint").program(source).names, "step", "variable")) == [1, 2, 5]
 
 
 def test_a_terminal_is_no_label() -> None:
     source = Source("a.mnt", "Dim n\nInput #2, n\nPrint #n, 3\n")
-    found = dialect("mint").names(source)
+    found = dialect("mint").program(source).names
     assert [each.kind for each in found.definitions] == ["variable"]
     assert lines(source, found.definitions[0]) == [1, 2, 3]
 
@@ -126,7 +126,7 @@ def test_blocks_are_found_with_their_names_and_lines() -> None:
     source = Source("a.mnt", PROGRAM)
     found = [
         (each.kind, each.name, source.location(each.span[0])[0], source.location(each.span[1])[0])
-        for each in dialect("mint").names(source).blocks
+        for each in dialect("mint").program(source).names.blocks
     ]
     assert found == [
         ("type", "Job", 4, 6),
@@ -143,13 +143,13 @@ def test_one_line_ifs_and_else_ifs_open_no_block() -> None:
     source = Source("a.mnt", text)
     assert [
         (each.kind, source.location(each.span[0])[0], source.location(each.span[1])[0])
-        for each in dialect("mint").names(source).blocks
+        for each in dialect("mint").program(source).names.blocks
     ] == [("if", 2, 6)]
 
 
 def test_macros_and_registers_of_mccl_have_every_use() -> None:
     source = Source("a.mcl", MACROS)
-    found = dialect("mccl").names(source)
+    found = dialect("mccl").program(source).names
     written = {
         (each.kind, each.name): [MACROS[a - 2 : b] for a, b in each.uses] for each in found.definitions
     }
@@ -196,7 +196,7 @@ def test_a_name_that_would_change_the_program_is_refused(
     language: str, kind: str, name: str, new: str, reason: str
 ) -> None:
     text = PROGRAM if language == "mint" else MACROS
-    found = dialect(language).names(Source("a", text))
+    found = dialect(language).program(Source("a", text)).names
     assert found.problem(named(found, name, kind), new) == reason
 
 
@@ -211,21 +211,21 @@ def test_a_name_that_would_change_the_program_is_refused(
 )
 def test_the_last_macro_is_that_of_the_board(name: str, settings: dict[str, object], last: int) -> None:
     """The model of the machine file counts before the suffix of the program."""
-    found = dialect("mccl").names(Source(name, MACROS), settings)
+    found = dialect("mccl").program(Source(name, MACROS), settings).names
     macro = named(found, "1", "macro")
     assert found.problem(macro, str(last)) == ""
     assert found.problem(macro, str(last + 1)) == f"macros are numbered 0 to {last}, not {last + 1}"
 
 
 def test_a_macro_that_a_register_may_call_keeps_its_number() -> None:
-    found = dialect("mccl").names(Source("a.mcl", MACROS + "MC@10\n"))
+    found = dialect("mccl").program(Source("a.mcl", MACROS + "MC@10\n")).names
     reason = "line 4 calls a macro by a register, so MD1 must keep its number"
     assert found.problem(named(found, "1", "macro"), "7") == reason
 
 
 def test_local_names_of_two_subs_are_apart() -> None:
     text = "Sub a\n  Dim n\n  n = 1\nEnd Sub\nSub b\n  Dim m\n  m = 1\nEnd Sub\n"
-    found = dialect("mint").names(Source("a.mnt", text))
+    found = dialect("mint").program(Source("a.mnt", text)).names
     assert found.problem(named(found, "n", "variable"), "m") == ""
     assert [each.name for each in found.visible(text.index("m = 1"))] == ["m", "a", "b"]
 
@@ -239,7 +239,7 @@ def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> N
     """
     source = Source.read(path)
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
-    found = pickle.loads(pickle.dumps(language.names(source)))
+    found = pickle.loads(pickle.dumps(language.program(source).names))
     assert found.complete
     edits = []
     for number, each in enumerate(found.definitions):
@@ -249,7 +249,10 @@ def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> N
     text = source.text
     for start, end, new in sorted(edits, reverse=True):
         text = text[:start] + new + text[end:]
-    before, after = check(source, language), check(Source(source.name, text), language)
+    before, after = (
+        check(language.program(source)),
+        check(language.program(Source(source.name, text))),
+    )
     assert [(each.code, each.line) for each in after] == [(each.code, each.line) for each in before]
 
 
@@ -263,7 +266,7 @@ def test_a_name_that_no_change_touches_is_found_at_its_place(edits: list[tuple[f
 
     Each character of the text is followed by its old offset; -1 and the length are the ends.
     """
-    found = dialect("mint").names(Source("a.mnt", PROGRAM))
+    found = dialect("mint").program(Source("a.mnt", PROGRAM)).names
     offsets: list[int | None] = [*range(-1, len(PROGRAM) + 1)]
     changes = Changes(len(PROGRAM))
     for where, removed, added in edits:
@@ -299,6 +302,6 @@ def test_a_scope_grows_with_what_is_typed_in_it() -> None:
     changes.add(text.index("  n"), 0, 6)  # a line more
     changes.add(text.index("Sub"), 0, 3)  # a line above
     changes.add(len(text) + 9, 0, 5)  # a line below
-    shifted = dialect("mint").names(Source("a.mnt", text)).shifted(changes)
+    shifted = dialect("mint").program(Source("a.mnt", text)).names.shifted(changes)
     scopes = {each.name: each.scope for each in shifted.definitions}
     assert scopes == {"Work": (0, len(text) + 14), "n": (0, len(text) + 8)}

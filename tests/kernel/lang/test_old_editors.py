@@ -46,5 +46,5 @@ def test_a_client_downloads_such_a_file() -> None:
 def test_typographic_characters_of_windows_are_named(name: str, data: bytes, message: str) -> None:
     """An editor that writes UTF-8 could not replace them."""
     source = Source.from_bytes(name, data)
-    found = check(source, dialect_for(source, None))
+    found = check(dialect_for(source, None).program(source))
     assert (1, message, "") in [(each.line, each.message, each.fix) for each in found]

@@ -49,7 +49,7 @@ def test_the_option_that_ends_a_wait(
     """Half a second from now is 0.64 s, about 0.6; a prompt counts from now."""
     task = Task("parent")
     wait = Wait(0.0, bool, float, why, cause, what)
-    found = what_ends(DIALECT, Source("a.mnt", ""), machine, task, wait)
+    found = what_ends(DIALECT, None, machine, task, wait)
     assert found == hint
-    prompt = what_ends(DIALECT, Source("a.mnt", ""), machine, task, wait, at_prompt=True)
+    prompt = what_ends(DIALECT, None, machine, task, wait, at_prompt=True)
     assert prompt == hint.replace("--", ".").replace("@0.6", "@0.5")

@@ -24,6 +24,8 @@ HEAD = "Dim x As Float = 0.5, n As Integer, t As Time\nConst half = 0.5, three =
 )  # fmt: skip
 def test_a_value_with_decimals_is_printed_differently(expression: str, has_decimals: bool) -> None:
     ported = Source("new.mnt", f"{HEAD}PRINT {expression}\n")
-    found = DIALECT.port_differences(OLD, ported, {"controller.model": "NextMove e100"})
+    found = DIALECT.port_differences(
+        DIALECT.program(OLD), DIALECT.program(ported, {"controller.model": "NextMove e100"})
+    )
     message = f"MintMT prints {expression} with four decimals, Mint v4 with as many as it needs"
     assert [each.message for each in found] == [message] * has_decimals

@@ -9,20 +9,20 @@ from motionlang.commands.check.mccl.checks import CALLS, lint
 from motionlang.commands.check.mccl.numbers import check_numbers
 from motionlang.commands.check.silence import silence
 from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.mccl import COMMENT, Fault, Line, lines_of, table
+from motionlang.kernel.mccl import COMMENT, Fault, Line, MacroFile, table
 from motionlang.kernel.mccl.resolve.decode import problem
-from motionlang.kernel.mccl.resolve.errors import DEFINES, defines, diagnostic, errors_of, model_of
+from motionlang.kernel.mccl.resolve.errors import DEFINES, defines, diagnostic, model_of
 from motionlang.kernel.mccl.resolve.flow import flow_of
 
 
-def check(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+def check(program: MacroFile) -> list[Diagnostic]:
     """Return the diagnostics of a file in text order.
 
     A file without errors also gets the warnings of the linter.
     """
-    lines = list(lines_of(source))
-    whole = [each for each in lines if isinstance(each, Line)]
-    found = list(errors_of(source, lines, settings))
+    source, settings = program.source, program.settings
+    whole = [each for each in program.lines if isinstance(each, Line)]
+    found = list(program.errors)
     wrong = {(each.line, each.column) for each in found}
     further = [] if found else _lint(source, whole, settings)
     found += (each for each in _without_effect(source, whole) if (each.line, each.column) not in wrong)

@@ -17,20 +17,28 @@ from motionlang.commands.check.mint.functions import check_functions
 from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
-from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.mint import table
-from motionlang.kernel.mint.check.text import diagnostics
+from motionlang.kernel import Diagnostic
+from motionlang.kernel.mint import MintProgram, table
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.tools import StackSpace
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
 
 
-def check(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
+def check(program: MintProgram) -> list[Diagnostic]:
     """Return all errors of a program and, if it has none, all warnings."""
-    found = diagnostics(source, settings, lambda module, names: lint(module, names, settings))
-    return sorted(silence(source, found, COMMENT), key=_place)
+    with StackSpace():
+        found = list(program.mistakes)
+        if not found:
+            checked = program.checked
+            found = list(checked.problems.found.values())
+            reported = {(each.code, each.line, each.column) for each in found}
+            warnings = lint(program.tree, checked.names, program.settings)
+            found += [each for each in warnings if (each.code, each.line, each.column) not in reported]
+        found += program.notes_on_model
+    return sorted(silence(program.source, sorted(found, key=_place), COMMENT), key=_place)
 
 
 def _place(found: Diagnostic) -> tuple[int, int, str, str]:

@@ -19,7 +19,7 @@ from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.file import first_mistake
 from motionlang.kernel.lang.machine.keys import SHORTEST_PERIOD
 from motionlang.kernel.lang.machine.layers import layered
-from motionlang.kernel.source import Source
+from motionlang.kernel.lang.program import Program
 from motionlang.kernel.tools import clipped, nearest
 
 Entry = dict[str, object]
@@ -60,17 +60,17 @@ def with_entries(
 
 
 def check_inputs_are_read(
-    source: Source, language: Dialect, settings: Mapping[str, object], given: Mapping[str, object]
+    program: Program, language: Dialect, settings: Mapping[str, object], given: Mapping[str, object]
 ) -> None:
     """Raise WrongEntry for an input in `given` that the program never reads.
 
     A program that computes the number of an input, or reads a bank, may read any, and the machine file may connect an
     input to a switch.
     """
-    tokens = [(kind, text) for kind, text, _ in language.tokens(source.text)]
+    tokens = [(kind, text) for kind, text, _ in language.tokens(program.source.text)]
     words = {text.lower().partition(".")[0] for _, text in tokens}
     banks = {row.name.lower() for row in language.table() if row.driven == "input" and row.index == "bank"}
-    reads = language.input_reads(source)
+    reads = program.reads
     if banks & words or any("@" in text for _, text in tokens) or any(each.channel is None for each in reads):
         return
     numbers = {number for _, text in tokens for number in text.split(".")}

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.lang.dialect import Target
+from collections.abc import Sequence
+
+from motionlang.kernel.lang.program import Target
 from motionlang.kernel.mccl.models import DEFAULT, MODELS
 from motionlang.kernel.mccl.models import written_for as by_suffix
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.source import Source
 
 _SWITCHES = frozenset({"channel_on", "channel_off"})
 
 
-def written_for(source: Source) -> Target:
+def written_for(source: Source, lines: Sequence[Line]) -> Target:
     """Return the first model that has all commands, axes and outputs of a program; the others that do follow.
 
     There is none if the program switches no outputs, or if no model has them all.
@@ -19,7 +21,6 @@ def written_for(source: Source) -> Target:
     suffixed = by_suffix(source.name)
     if suffixed != DEFAULT:
         return Target(suffixed, [f"the extension .{source.name.rpartition('.')[2]}"], [])
-    lines = [each for each in lines_of(source) if isinstance(each, Line)]
     commands = [command for line in lines for command in line.commands]
     families = {each.row.family for each in commands if each.row is not None}
     made = {each.number for each in commands if each.verb == "channel_output"}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from motionlang.kernel.lang.names import Block, Definition, Names
+from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, named, written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
+from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.source import Source
 
 _DEFINES = "define_macro"
@@ -19,9 +20,11 @@ _REGISTERS = frozenset(("store", "recall", "tell_register"))
 _LOCAL = 10
 
 
-def names(source: Source, settings: Mapping[str, object] | None = None) -> Names:
-    """Return the macros and registers of a file; invalid commands are skipped."""
-    return _Finder(source, settings or {}).found()
+def names(
+    source: Source, lines: Iterable[Line | tuple[Fault, int, int]], settings: Mapping[str, object]
+) -> Names:
+    """Return the macros and registers of the lines of a file; invalid commands are skipped."""
+    return _Finder(source, settings).found(lines)
 
 
 class _Finder:
@@ -39,9 +42,9 @@ class _Finder:
         # The first line with a macro number that is known only when the program runs.
         self.computed = 0
 
-    def found(self) -> Names:
+    def found(self, lines: Iterable[Line | tuple[Fault, int, int]]) -> Names:
         """Return the names."""
-        for line in lines_of(self.source):
+        for line in lines:
             if isinstance(line, Line):
                 for command, at in zip(line.commands, line.offsets, strict=True):
                     self._command(line, command, at)

@@ -14,7 +14,7 @@ from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.flow import Flow, flow_of
-from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
+from motionlang.kernel.mccl.resolve.line import Line, locate
 from motionlang.kernel.mccl.syntax.parser import mistake
 from motionlang.kernel.source import Source
 
@@ -22,12 +22,6 @@ from motionlang.kernel.source import Source
 _JUMPS = frozenset({"jump", "jump_by"})
 DEFINES = "define_macro"
 _WORD = re.compile("[A-Za-z]+")
-
-
-def errors(source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
-    """Return the errors of a file in text order."""
-    found = errors_of(source, lines_of(source), settings)
-    return sorted(found, key=lambda each: (each.line, each.column))
 
 
 def errors_of(

@@ -57,8 +57,8 @@ def line_of(text: str) -> Line | None:
     return _line(lines[0], text, 1) if lines else None
 
 
-def lines_of(source: Source) -> Iterator[Line | tuple[Fault, int, int]]:
-    """Yield the lines of a file.
+def lines_of(source: Source, module: tree.Module | None = None) -> Iterator[Line | tuple[Fault, int, int]]:
+    """Yield the lines of a file, whose tree is `module` if that has been made.
 
     A line that is too long yields its fault, offset and number instead.
     """
@@ -69,7 +69,7 @@ def lines_of(source: Source) -> Iterator[Line | tuple[Fault, int, int]]:
         except Fault as fault:
             lengths[number] = fault, start, number
         start += len(raw) + 1
-    for line in parse(source.text).lines:
+    for line in (module or parse(source.text)).lines:
         number = source.before + line.number
         yield lengths.get(number) or _line(line, source.text, number)
 

@@ -5,12 +5,11 @@ A loop is the commands between the target of a jump back and the jump.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
-from motionlang.kernel.source import Source
+from motionlang.kernel.mccl.resolve.line import Line
 
 _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
 
@@ -25,9 +24,8 @@ _KINDS = {
 }
 
 
-def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
+def asked(lines: Sequence[Line]) -> Callable[[int], LoopDependencies | None]:
     """Return a function that maps the offset of a jump back to the reads of its loop."""
-    lines = [line for line in lines_of(source) if isinstance(line, Line)]
     macros: dict[int, Line] = {}
     for line in lines:
         first = line.commands[0]
@@ -72,12 +70,10 @@ def _read(command: Command) -> Iterator[Read]:
         yield kind, None
 
 
-def input_reads(source: Source) -> list[InputRead]:
+def input_reads(lines: Sequence[Line]) -> list[InputRead]:
     """Return where a program depends on inputs, in line order."""
     found = []
-    for line in lines_of(source):
-        if not isinstance(line, Line):
-            continue
+    for line in lines:
         verbs = [command.verb for command in line.commands]
         macro = line.commands[0].number if verbs[0] == "define_macro" else None
         for here, command in enumerate(line.commands):

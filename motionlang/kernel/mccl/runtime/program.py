@@ -5,10 +5,17 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.errors import Diagnostic, Rejected
+from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.program import Program
+from motionlang.kernel.lang.names import Names
+from motionlang.kernel.lang.program import Program, Target
+from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
@@ -16,17 +23,89 @@ from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
 from motionlang.kernel.mccl.runtime.task import CommandTask
+from motionlang.kernel.mccl.syntax import tree
+from motionlang.kernel.mccl.syntax.parser import parse
 from motionlang.kernel.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.program_graph import Structure
 
 
 class MacroFile(Program):
-    """The lines of a file, as a program."""
+    """The lines of a file, as a program.
 
-    __slots__ = ("debug", "lines", "source")
+    A command that the board would answer with `?` runs and gets that answer.
+    """
 
-    def __init__(self, source: Source, debug: bool = False) -> None:
-        self.source, self.debug = source, debug
-        self.lines = list(lines_of(source))
+    language = "mccl"
+
+    def __init__(
+        self, source: Source, settings: Mapping[str, object] | None = None, debug: bool = False
+    ) -> None:
+        super().__init__(source, settings)
+        self.debug = debug
+        self._module = parse(source.text)
+        self.lines = list(lines_of(source, self._module))
+
+    @property
+    def _whole(self) -> list[Line]:
+        """The lines that are not too long."""
+        return [line for line in self.lines if isinstance(line, Line)]
+
+    @property
+    def tree(self) -> tree.Module:
+        commands = [each for line in self._module.lines for each in line.commands]
+        positions = {self.source.location(each.start) for each in commands if isinstance(each, tree.Wrong)}
+        if positions:
+            syntax = [each for each in self.errors if (each.line, each.column) in positions]
+            raise ProgramError(syntax or self.errors)  # the line may be too long, too
+        return self._module
+
+    @cached_property
+    def errors(self) -> list[Diagnostic]:
+        from motionlang.kernel.mccl.resolve.errors import errors_of
+
+        found = errors_of(self.source, self.lines, self.settings)
+        return sorted(found, key=lambda each: (each.line, each.column))
+
+    def require(self) -> None:
+        """Do nothing: the board answers wrong commands."""
+
+    @cached_property
+    def names(self) -> Names:
+        from motionlang.kernel.mccl.resolve.definitions import names
+
+        return names(self.source, self.lines, self.settings)
+
+    @cached_property
+    def target(self) -> Target:
+        from motionlang.kernel.mccl.resolve.board import written_for as target_of
+
+        return target_of(self.source, self._whole)
+
+    @cached_property
+    def reads(self) -> list[InputRead]:
+        from motionlang.kernel.mccl.resolve.wait_causes import input_reads
+
+        return input_reads(self._whole)
+
+    @cached_property
+    def polls(self) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.kernel.mccl.resolve.wait_causes import asked
+
+        return asked(self._whole)
+
+    @cached_property
+    def structure(self) -> Structure:
+        from motionlang.kernel.mccl.runtime.program_graph import structure
+
+        return structure(self.source, self._whole, self.polls, self.settings)
+
+    @cached_property
+    def step_list(self) -> list[ListedUnit]:
+        from motionlang.kernel.mccl.runtime.listing import step_list
+
+        return step_list(self.source, self._whole, self.settings)
 
     @property
     def offsets(self) -> list[int]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -19,10 +19,10 @@ from motionlang.kernel.lang.program_graph import (
     Unit,
 )
 from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
+from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
-from motionlang.kernel.mccl.resolve.line import Line, lines_of
-from motionlang.kernel.mccl.resolve.wait_causes import asked
+from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source
@@ -31,12 +31,16 @@ from motionlang.kernel.source import Source
 _SILENT = frozenset(("define_macro", "jump", "jump_by", "repeat", "leave", "nothing"))
 
 
-def structure(source: Source, settings: Mapping[str, object]) -> Structure:
+def structure(
+    source: Source,
+    lines: Sequence[Line],
+    polls: Callable[[int], LoopDependencies | None],
+    settings: Mapping[str, object],
+) -> Structure:
     """Return the structure of a file on a board with these settings; invalid commands do nothing."""
     machine = Machine(dict(settings), first_axis=1)
     machine.model = machine.model or written_for(source.name)
     board, graph = Board(machine), Graph()
-    lines = [line for line in lines_of(source) if isinstance(line, Line)]
     units, foreground, macros = [], list[LineSteps](), dict[int, list[LineSteps]]()
     for line in lines:
         foreground.append(LineWriter(line, board).steps)
@@ -70,7 +74,7 @@ def structure(source: Source, settings: Mapping[str, object]) -> Structure:
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.verb == "store"
     )
-    return Structure(source, statements, points, units, writes, asked(source), has_one_series=True)
+    return Structure(source, statements, points, units, writes, polls, has_one_series=True)
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:

@@ -47,7 +47,7 @@ DEFAULT_AXES = 8
 
 
 class Checked:
-    """A program without errors: its names and its warnings."""
+    """The names and the problems of a module that has been checked."""
 
     __slots__ = ("names", "problems")
 
@@ -57,17 +57,26 @@ class Checked:
 
 def check_module(module: Module, settings: Mapping[str, object] | None = None) -> Checked:
     """Check a program; raise ProgramError with all errors."""
-    settings = settings or {}
+    checked = examined(module, declared(module, settings or {}))
+    checked.problems.raise_errors()
+    return checked
+
+
+def declared(module: Module, settings: Mapping[str, object]) -> Program:
+    """Declare the names of a module, the first half of a check; its mistakes are in `problems`."""
     rename_old_words(module, settings)
     problems = Problems(module)
     mark(module, settings, problems)
-    program = _declared(module, settings, problems, None)
+    return _declared(module, settings, problems, None)
+
+
+def examined(module: Module, program: Program) -> Checked:
+    """Check the functions of a module whose names are declared; its mistakes are in `problems`."""
     for function in program.names.functions:
         _check_function(program, function)
     warn_of_misspellings(program)
-    warn_of_short_ramps(module, problems)
-    problems.raise_errors()
-    return Checked(program.names, problems)
+    warn_of_short_ramps(module, program.problems)
+    return Checked(program.names, program.problems)
 
 
 def check_line(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
@@ -43,21 +43,24 @@ def parsed(source: Source, check: Callable[[Module], object]) -> Module:
 def with_other_lines(
     source: Source, check: Callable[[Module], object], unreadable: ProgramError
 ) -> ProgramError:
-    """Return the syntax errors of a text and those that `check` raises for its readable lines.
-
-    The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
-    it are not reported.
-    """
+    """Return the syntax errors of a text and those that `check` raises for its readable lines."""
     module, taken = readable(source, unreadable)
     if module is None:
         return unreadable
-    names = {name for number in taken for name in _names(source.line(number))}
     try:
         check(module)
     except ProgramError as error:
-        more = [each for each in error.diagnostics if _is_unrelated(each, source, names)]
-        return ProgramError([*unreadable.diagnostics, *more])
+        return ProgramError([*unreadable.diagnostics, *unrelated(error.diagnostics, source, taken)])
     return unreadable
+
+
+def unrelated(found: Iterable[Diagnostic], source: Source, taken: Iterable[int]) -> list[Diagnostic]:
+    """Return those of the errors of the readable lines that would remain if the removed lines were correct.
+
+    A name in a removed line may have been declared there, so lines that use it are not reported.
+    """
+    names = {name for number in taken for name in _names(source.line(number))}
+    return [each for each in found if _is_unrelated(each, source, names)]
 
 
 _WORDS = ("NAME", "DOTTED")

@@ -10,17 +10,14 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from motionlang.kernel.controller.io.host_memory import named_product
-from motionlang.kernel.lang.dialect import Target
+from motionlang.kernel.lang.program import Target
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.comms import EVENTS
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.models import ABSENT, LARGEST, MINTMT, NAMES, V4, V4_SUFFIX, age, named
-from motionlang.kernel.mint.resolve.names import Names
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.tokens import Tokens, token_at
 from motionlang.kernel.mint.syntax.traversal import names_of, walk
 from motionlang.kernel.source import Source
@@ -90,15 +87,13 @@ def check_model(
             add("model", what, at, hint, "warning")
 
 
-def written_for(source: Source) -> Target:
-    """Return the generation that a program is written for.
+def written_for(module: Module) -> Target:
+    """Return the generation that a program with declared names is written for.
 
     There is none if the program uses the notation of both. If it uses that of neither, then labels, AUTO and the
     extension speak for v4, although MintMT accepts them.
     """
-    module = parse(source)
-    names = Names(table(), Problems(module), None)
-    names.declare_module(module)
+    source = module.source
     found = [list(find(module, source, table())) for find in (_not_mintmt, _not_v4)]
     if found[0] and found[1]:
         return Target("", [], [])

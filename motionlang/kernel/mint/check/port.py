@@ -7,18 +7,15 @@ PRINT MODE(0)           AXISMODE in MintMT
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
-from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.mint.check.check import check_module
-from motionlang.kernel.mint.check.model import written_for
-from motionlang.kernel.mint.models import MINTMT, V4, age
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.mint.resolve.handlers import handled
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import FLOAT, Symbol
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.parser import parse
+from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 from motionlang.kernel.source import Source
@@ -30,25 +27,12 @@ _WHOLE = " USING 1, 0"
 _KEEPS_WHOLE = frozenset(("+", "-", "*", "\\", "mod", "%"))
 
 
-def port_differences(before: Source, source: Source, settings: Mapping[str, object]) -> list[Diagnostic]:
-    """Return a warning for each difference, with its fix if that is certain.
-
-    There are none if the program `before` was not written for v4, if the model of the settings is no MintMT, or if the
-    text has errors.
-    """
-    if age(str(settings.get("controller.model", ""))) != MINTMT:
-        return []
-    try:
-        if age(written_for(before).model) != V4:
-            return []
-        module = parse(source)
-        names = check_module(module, settings).names
-    except ProgramError:
-        return []
+def port_differences(module: Module, names: Names) -> list[Diagnostic]:
+    """Return a warning for each difference of a checked program, with its fix if that is certain."""
     problems = Problems(module)
     everything = list(walk(statement for each in names.functions for statement in each.body))
-    _prints(source, everything, problems)
-    _words(source, names, everything, problems)
+    _prints(module.source, everything, problems)
+    _words(module.source, names, everything, problems)
     return sorted(problems.found.values(), key=lambda each: (each.line, each.column))
 
 

@@ -10,13 +10,11 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from operator import itemgetter
 
-from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.names import NO_NAMES, Block, Definition, Names, Span
+from motionlang.kernel.lang.names import Block, Definition, Names, Span
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.resolve.names import Names as Resolver
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import (
     FLOAT,
     RECORD,
@@ -30,12 +28,8 @@ from motionlang.kernel.mint.resolve.symbols import (
 from motionlang.kernel.mint.syntax import nodes, outline
 from motionlang.kernel.mint.syntax.blocks import OPENERS
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.mint.syntax.recovery import readable
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
-from motionlang.kernel.source import Source
-from motionlang.kernel.tools import StackSpace
 
 # A name, and what records it.
 Use = tuple[Word, Callable[[], None]]
@@ -46,25 +40,16 @@ _NAMED = (nodes.Name, nodes.Variable, nodes.Const, nodes.Define, nodes.Parameter
 _NOT_RENAMED = "an event handler has the name of its event"
 
 
-def names(source: Source) -> Names:
-    """Return the names of a program; unreadable lines contribute none."""
-    with StackSpace():
-        complete = True
-        try:
-            module = parse(source)
-        except ProgramError as error:
-            found, _ = readable(source, error)
-            if found is None:
-                return NO_NAMES
-            module, complete = found, False
-        return _Finder(module).found(complete)
+def names(module: Module, resolver: Resolver, complete: bool) -> Names:
+    """Return the names of a module that are declared; `complete` is as in `Names`."""
+    return _Finder(module, resolver).found(complete)
 
 
 class _Finder:
     """One pass over the names of a program whose names are declared."""
 
-    def __init__(self, module: Module) -> None:
-        self.module = module
+    def __init__(self, module: Module, resolver: Resolver) -> None:
+        self.module, self.resolver = module, resolver
         self.text = module.source.text
         self.defines: dict[int, nodes.Define] = {}
         tops: list[nodes.Sub | nodes.Task | nodes.Event] = [
@@ -76,8 +61,6 @@ class _Finder:
         main = [*module.body, *module.startup]
         self.words: dict[int, list[Use]] = {id(each): [*self._of_block(each)] for each in tops}
         self.words[id(None)] = [*self._words(main)]
-        self.resolver = Resolver(table(), Problems(module))
-        self.resolver.declare(module)
         self.whole = 0, len(self.text)
         self.definitions: dict[object, Definition] = {}
         self.function = self.resolver.main

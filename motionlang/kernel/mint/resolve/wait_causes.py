@@ -21,19 +21,15 @@ from math import inf
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
-from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import label_event
 from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
 from motionlang.kernel.mint.resolve.handlers import handled, raised_by
 from motionlang.kernel.mint.resolve.names import Names
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 from motionlang.kernel.mint.syntax.unparse import shown
-from motionlang.kernel.source import Source
 
 # A node of a condition, an input that it reads, and a level.
 Levels = Iterator[tuple[nodes.Node, int | None, int | None]]
@@ -62,11 +58,8 @@ COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
 FIRST_KEY, LAST_KEY = 32, 126
 
 
-def finder(source: Source) -> Callable[[int], LoopDependencies | None]:
+def finder(module: Module, names: Names) -> Callable[[int], LoopDependencies | None]:
     """Return a function that maps an offset to the dependencies of its loop or PAUSE."""
-    module = parse(source)
-    names = Names(table(), Problems(module), None)
-    names.declare_module(module)
     return _Survey(module, names.functions).at
 
 
@@ -287,11 +280,8 @@ def _numbers(node: nodes.Name) -> Iterator[int | None]:
         yield int(value) if isinstance(value, (int, float)) else None
 
 
-def input_reads(source: Source) -> list[InputRead]:
+def input_reads(module: Module, names: Names) -> list[InputRead]:
     """Return the reads of inputs and keys in a program, in the order of its lines."""
-    module = parse(source)
-    names = Names(table(), Problems(module), None)
-    names.declare_module(module)
     found: list[InputRead] = []
     bodies = [(function, list(walk(function.body))) for function in names.functions]
     banks = _Banks(node for _, body in bodies for node in body)

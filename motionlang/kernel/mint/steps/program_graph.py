@@ -23,7 +23,7 @@ from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
-from motionlang.kernel.mint.resolve.wait_causes import finder, keys
+from motionlang.kernel.mint.resolve.wait_causes import keys
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter
@@ -38,7 +38,12 @@ _UNKNOWN = "?"
 _JUMPS = (nodes.Exit, nodes.Return)
 
 
-def structure(source: Source, names: Names, settings: Mapping[str, object]) -> Structure:
+def structure(
+    source: Source,
+    names: Names,
+    polls: Callable[[int], LoopDependencies | None],
+    settings: Mapping[str, object],
+) -> Structure:
     """Return the structure of a checked program on a machine with these settings."""
     environment = Environment(Machine(dict(settings)), Places())
     environment.prepare()
@@ -51,7 +56,6 @@ def structure(source: Source, names: Names, settings: Mapping[str, object]) -> S
     graph = Graph()
     for steps in writer.steps.values():
         graph.add(steps)
-    polls = finder(source)
     reader = _Reader(source, names, polls)
     for function in names.functions:
         reader.read(function)

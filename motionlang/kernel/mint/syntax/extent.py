@@ -6,14 +6,7 @@ from collections.abc import Sequence
 
 from motionlang.kernel.mint.syntax.node import Node
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import children
-from motionlang.kernel.source import Source
-
-
-def blocks(source: Source) -> list[tuple[str, int, int]]:
-    """Return name, first and last line of every block, including subs inside tasks."""
-    return blocks_of(parse(source))
 
 
 def blocks_of(module: Module) -> list[tuple[str, int, int]]:

@@ -27,7 +27,7 @@ def survives(source: Source) -> None:
     result = run(source, dialect="mccl", until=0.02)
     assert result.status in ("ended", "until", "fault")
     assert isinstance(result.report, dict)
-    for diagnostic in [*check(source, DIALECT), *result.diagnostics]:
+    for diagnostic in [*check(DIALECT.program(source)), *result.diagnostics]:
         assert diagnostic.message
     assert "".join(text for _, text, _ in DIALECT.tokens(source.text)) == source.text
 

@@ -24,7 +24,7 @@ def rendered(found: list[object], source: Source) -> str:
 @pytest.mark.parametrize("path", CHECKED, ids=lambda path: path.stem)
 def test_what_check_says(path: Path, update: bool) -> None:
     source = Source.read(path)
-    compare(path, rendered(list(check(source, DIALECT)), source), update)
+    compare(path, rendered(list(check(DIALECT.program(source))), source), update)
 
 
 @pytest.mark.parametrize("path", RUN, ids=lambda path: path.stem)

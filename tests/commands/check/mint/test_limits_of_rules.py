@@ -10,7 +10,7 @@ from tests.cases import cases
 
 def on(model: str, text: str) -> list[tuple[int, str, str]]:
     """Return line, message and hint of what does not fit the controller model."""
-    found = check(Source("limits.mnt", text), MINT, {"controller.model": model})
+    found = check(MINT.program(Source("limits.mnt", text), {"controller.model": model}))
     return [(each.line, each.message, each.hint) for each in found if each.code == "model"]
 
 
@@ -60,7 +60,7 @@ def test_tokens_that_mint_v4_lacks(text: str, expected: list[tuple[int, str]]) -
 )
 def test_the_fixes_of_a_program_for_mint_v4(text: str, fixes: list[str]) -> None:
     """Then begins a block at the end of a line only; behind Else If it needs none."""
-    found = check(Source("limits.mnt", text), MINT, {"controller.model": "mintmt"})
+    found = check(MINT.program(Source("limits.mnt", text), {"controller.model": "mintmt"}))
     assert [each.fix for each in found if each.code == "model"] == fixes
 
 
@@ -91,7 +91,7 @@ def test_handlers_of_host_writes_that_a_product_never_reports(model: str, comms:
 
 def test_of_two_conditions_that_never_hold_the_first_is_explained() -> None:
     text = "MOVEA(0) = 5\nGO(0)\nJOG(1) = 5\nPAUSE POS(0) > 10 Or IDLE(1)"
-    (wait,) = check(Source("limits.mnt", text), MINT, {})
+    (wait,) = check(MINT.program(Source("limits.mnt", text), {}))
     why = "this waits for a condition that cannot change: axis 0 moves between 0 and 5"
     assert (wait.message, wait.hint) == (why, "compare POS(0) with a position that a move reaches")
 
@@ -112,7 +112,7 @@ def test_of_two_conditions_that_never_hold_the_first_is_explained() -> None:
     ],
 )
 def test_hints_for_a_moving_position_that_is_compared_for_equality(text: str, hint: str) -> None:
-    every = check(Source("limits.mnt", text), MINT, {})
+    every = check(MINT.program(Source("limits.mnt", text), {}))
     assert [each.hint for each in every if each.code == "exact-position"] == ([hint] if hint else [])
 
 
@@ -133,7 +133,9 @@ def test_hints_for_a_moving_position_that_is_compared_for_equality(text: str, hi
 )
 def test_a_wait_for_a_condition_becomes_a_pause(text: str, fix: str, length: int) -> None:
     """The fix replaces `WAIT =` up to the condition, in the spelling of the program."""
-    every = [each for each in check(Source("limits.mnt", text), MINT, {}) if each.code == "wait-condition"]
+    every = [
+        each for each in check(MINT.program(Source("limits.mnt", text), {})) if each.code == "wait-condition"
+    ]
     assert [(each.fix, each.length) for each in every] == ([(fix, length)] if fix else [])
 
 
@@ -154,5 +156,7 @@ def test_a_wait_for_a_condition_becomes_a_pause(text: str, fix: str, length: int
 )
 def test_brackets_end_behind_a_member(line: str, hint: str) -> None:
     text = f"Type pair\nDim n As Integer\nEnd Type\nDim a As Integer, f(3) As pair, r As pair\n{line}"
-    every = [each for each in check(Source("limits.mnt", text), MINT, {}) if each.code == "mixed-operators"]
+    every = [
+        each for each in check(MINT.program(Source("limits.mnt", text), {})) if each.code == "mixed-operators"
+    ]
     assert [each.hint for each in every] == [f"add brackets: {hint}"]

@@ -34,7 +34,7 @@ from tests.cases import cases
 def test_the_reads_of_a_loop(
     text: str, jump: str, reads: set[tuple[str, int | None]], lines: set[int], why: str
 ) -> None:
-    found = MCCL.loop_dependencies(Source("loops.mcl", text))(text.rindex(jump))
+    found = MCCL.program(Source("loops.mcl", text)).polls(text.rindex(jump))
     assert found is not None
     assert found.leaves == found.within == reads
     assert found.lines == lines
@@ -44,15 +44,15 @@ def test_the_reads_of_a_loop(
 
 def test_other_commands_are_no_loop() -> None:
     text = "MD1,IN5,NO\nMC1,BK"
-    reads = MCCL.loop_dependencies(Source("loops.mcl", text))
+    reads = MCCL.program(Source("loops.mcl", text)).polls
     assert [reads(at) for at in range(len(text))] == [None] * len(text)
 
 
 def test_where_a_program_depends_on_inputs() -> None:
     """WN and WF wait, the others test, each for a level."""
-    found = MCCL.input_reads(
+    found = MCCL.program(
         Source("inputs.mcl", "WN5\nCN33,WF6,IN7\nIF8,DN9,DF10,1WE0\nIN11,BK,NO,WA1,RP\nIN12,BK,NO\n")
-    )
+    ).reads
     assert [(each.kind, each.channel, each.level, each.line) for each in found] == [
         ("wait", 5, 1, 1), ("wait", 6, 0, 2), ("test", 7, 1, 2), ("test", 8, 0, 3), ("test", 9, 1, 3),
         ("test", 10, 0, 3), ("poll", 11, 1, 4), ("test", 12, 1, 5),

@@ -98,7 +98,7 @@ def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: s
     helped = {line.split()[0] for line in mccl("HE", machine=settings).output}
     assert helped == {row.name for row in table()} - lacks
     for name in sorted(lacks):
-        (found, *_) = check(Source("a.mcl", f"1{name}1"), DIALECT, settings)
+        (found, *_) = check(DIALECT.program(Source("a.mcl", f"1{name}1"), settings))
         assert found.code == "model"
         assert "multiflex" in found.hint
 
@@ -150,7 +150,7 @@ def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) 
     text = "VE\n1OB1"
     result = run(Source(name, text), dialect="mccl")
     assert result.output[0].startswith(MODELS[model].title)
-    assert bool(check(Source(name, text), DIALECT)) is ("output control" in MODELS[model].lacks)
+    assert bool(check(DIALECT.program(Source(name, text)))) is ("output control" in MODELS[model].lacks)
     other = run(Source(name, text), dialect="mccl", machine={"controller.model": "dcx-at200"})
     assert other.output[0].startswith(MODELS["dcx-at200"].title)
 

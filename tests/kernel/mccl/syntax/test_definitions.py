@@ -21,7 +21,7 @@ DEFINITIONS = [
 
 
 def test_the_macros_and_registers_of_a_file_with_all_their_uses() -> None:
-    found = DIALECT.names(Source("a.mcl", PROGRAM))
+    found = DIALECT.program(Source("a.mcl", PROGRAM)).names
     assert found.complete
     rows = [
         (
@@ -53,7 +53,7 @@ def test_the_macros_and_registers_of_a_file_with_all_their_uses() -> None:
     [("1MR5", True), ("1XX5", False), ("1TP," * 64, False), ("NO ; 1XX", True), ("AL@5", True)],
 )
 def test_the_names_of_a_file_with_an_invalid_command_are_not_complete(line: str, complete: bool) -> None:
-    assert DIALECT.names(Source("a.mcl", f"MD1,NO\n{line}\n")).complete is complete
+    assert DIALECT.program(Source("a.mcl", f"MD1,NO\n{line}\n")).names.complete is complete
 
 
 SHARED = "each task has its own registers below 10; the others are shared"
@@ -87,13 +87,13 @@ CHANGES: list[tuple[str, int, str, str]] = [
 
 @cases("kind, old, new, problem", CHANGES)
 def test_a_number_may_be_changed_if_its_meaning_stays(kind: str, old: int, new: str, problem: str) -> None:
-    found = DIALECT.names(Source("a.mcl", PROGRAM))
+    found = DIALECT.program(Source("a.mcl", PROGRAM)).names
     definition = next(each for each in found.definitions if (each.kind, each.name) == (kind, str(old)))
     assert found.problem(definition, new) == problem
 
 
 def test_a_macro_that_a_register_may_call_keeps_its_number() -> None:
-    found = DIALECT.names(Source("a.mcl", "MD1,NO\nMC@20\nMJ@21\n"))
+    found = DIALECT.program(Source("a.mcl", "MD1,NO\nMC@20\nMJ@21\n")).names
     definition = next(each for each in found.definitions if (each.kind, each.name) == ("macro", "1"))
     assert found.problem(definition, "1") == ""
     assert found.problem(definition, "2") == "line 2 calls a macro by a register, so MD1 must keep its number"
@@ -110,7 +110,7 @@ def test_a_macro_that_a_register_may_call_keeps_its_number() -> None:
     ],
 )
 def test_the_board_limits_the_numbers_of_macros(file: str, settings: dict[str, object], most: int) -> None:
-    found = DIALECT.names(Source(file, "MD1,NO\n"), settings)
+    found = DIALECT.program(Source(file, "MD1,NO\n"), settings).names
     (definition,) = found.definitions
     assert found.problem(definition, str(most)) == ""
     assert found.problem(definition, str(most + 1)) == f"macros are numbered 0 to {most}, not {most + 1}"

@@ -112,6 +112,6 @@ def used(row: Keyword) -> str:
 
 def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
     for row in OTHERS:
-        codes = {each.code for each in check(Source("a.mnt", used(row)), DIALECT)}
+        codes = {each.code for each in check(DIALECT.program(Source("a.mnt", used(row))))}
         assert "not-simulated" in codes, row.name
         assert "unknown-word" not in codes, row.name

@@ -137,7 +137,7 @@ def test_each_name_has_its_declaration_and_its_uses(text: str, expected: list[st
         return ":".join(map(str, source.location(offset)))
 
     shown = []
-    for each in MINT.names(source).definitions:
+    for each in MINT.program(source).names.definitions:
         assert all(text[first:last].lower() == each.name.lower() for first, last in each.uses)
         first, last = each.scope
         lines = f"{source.location(first)[0]}-{source.location(last - 1)[0]}"
@@ -157,7 +157,9 @@ def test_each_name_has_its_declaration_and_its_uses(text: str, expected: list[st
     ],
 )
 def test_only_a_handler_has_the_name_of_its_event(text: str, expected: dict[str, bool]) -> None:
-    assert {each.name: bool(each.fixed) for each in MINT.names(Source("a.mnt", text)).definitions} == expected
+    assert {
+        each.name: bool(each.fixed) for each in MINT.program(Source("a.mnt", text)).names.definitions
+    } == expected
 
 
 @cases(
@@ -178,7 +180,7 @@ def test_a_block_has_its_name_or_its_first_keyword(
     source = Source("a.mnt", text)
     shown = [
         (each.kind, each.name, text[slice(*each.at)], tuple(source.location(at)[0] for at in each.span))
-        for each in MINT.names(source).blocks
+        for each in MINT.program(source).names.blocks
     ]
     assert shown == expected
 
@@ -245,6 +247,6 @@ def test_a_new_name_must_be_free_where_the_name_is_visible(
 
     A Define is resolved where it is used.
     """
-    found = MINT.names(Source("a.mnt", RENAMED))
+    found = MINT.program(Source("a.mnt", RENAMED)).names
     definition = next(each for each in found.definitions if (each.kind, each.name) == (kind, name))
     assert found.problem(definition, new) == problem

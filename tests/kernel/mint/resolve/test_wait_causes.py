@@ -50,7 +50,7 @@ End Task
 @cases("condition, reads", PAUSES)
 def test_the_reads_of_a_pause(condition: str, reads: set[Read]) -> None:
     text = AROUND.format(condition)
-    find = MINT.loop_dependencies(Source("a.mnt", text))
+    find = MINT.program(Source("a.mnt", text)).polls
     found = [each for at in range(len(text)) if (each := find(at))]
     assert [({*each.leaves}, each.why[:6], each.counts) for each in found] == [(reads, "until ", False)]
 
@@ -86,14 +86,14 @@ LOOPS: list[tuple[str, set[Read], set[Read], set[int], str]] = [
 def test_the_reads_of_a_loop(
     text: str, leaves: set[Read], within: set[Read], lines: set[int], why: str
 ) -> None:
-    found = MINT.loop_dependencies(Source("a.mnt", text))(0)
+    found = MINT.program(Source("a.mnt", text)).polls(0)
     assert found is not None
     assert ({*found.leaves}, {*found.within}, {*found.lines}, found.why) == (leaves, within, lines, why)
     assert not found.counts
 
 
 def test_a_for_also_counts() -> None:
-    found = MINT.loop_dependencies(Source("a.mnt", "For i = 1 To 5\nIf INX(3) Then Exit For\nNext"))(0)
+    found = MINT.program(Source("a.mnt", "For i = 1 To 5\nIf INX(3) Then Exit For\nNext")).polls(0)
     assert found is not None
     assert found.counts
     assert found.leaves == {("input", 3)}
@@ -183,5 +183,5 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
 def test_where_a_program_depends_on_inputs(
     text: str, expected: list[tuple[str, int | None, int | None, int, int]]
 ) -> None:
-    found = MINT.input_reads(Source("a.mnt", text))
+    found = MINT.program(Source("a.mnt", text)).reads
     assert [(each.kind, each.channel, each.level, each.line, each.last) for each in found] == expected

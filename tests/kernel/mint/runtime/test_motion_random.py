@@ -22,7 +22,7 @@ def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
     result = ran(text)
     for each in result.diagnostics:  # a full buffer that is never started is the program's own error
         assert each.code in ("never", "never-started", "short-ramp"), each.message
-    check(Source("a.mnt", text), DIALECT)
+    check(DIALECT.program(Source("a.mnt", text)))
 
 
 def test_the_programs_move_something() -> None:

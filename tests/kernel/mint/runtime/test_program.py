@@ -23,7 +23,7 @@ PRINT POS(0)
 
 
 def execute(text: str, machine: Machine) -> None:
-    task = DIALECT.compile(Source("a.mnt", text)).start(machine)
+    task = DIALECT.program(Source("a.mnt", text)).start(machine)
     scheduler = machine.scheduler = Scheduler(machine, task)
     scheduler.run()
 
@@ -51,11 +51,32 @@ def test_machine_file_sets_the_statement_time() -> None:
 
 
 def test_a_program_can_be_started_again() -> None:
-    program = DIALECT.compile(Source("a.mnt", "n = n + 1\nPRINT n"))
+    program = DIALECT.program(Source("a.mnt", "n = n + 1\nPRINT n"))
     for _ in range(2):
         machine = Machine()
         Scheduler(machine, program.start(machine)).run()
         assert machine.terminal.lines == ["1.0000"]
+
+
+@pytest.mark.parametrize(
+    ("overrides", "printed"),
+    [
+        ({"t": "c", "n": 5.0}, "c5.0000 1"),
+        ({"t": "c", "n": 1e300}, "c1.000000e+300 1"),
+        ({"t": "c"}, "c2.0000 1"),
+        ({"n": 5.0}, "a5.0000 1"),
+        ({"t": "c", "n": 5.0, "k": 7}, "c5.0000 7"),
+    ],
+)
+def test_a_program_that_is_made_for_values_of_some_names_takes_fewer_and_more(
+    overrides: dict[str, float | str], printed: str
+) -> None:
+    source = Source("a.mnt", 'Dim t As String = "a", n As Float = 2\nConst k = 1\nPRINT t; n; " "; k')
+    program = DIALECT.program_with(source, {}, {"t": "b", "n": 3.0})
+    machine = Machine()
+    machine.overrides = overrides
+    Scheduler(machine, program.start(machine)).run()
+    assert machine.terminal.lines == [printed]
 
 
 @pytest.mark.parametrize(

@@ -202,8 +202,10 @@ def test_a_nested_text_is_read_from_anywhere(name: str) -> None:
     first = outcome(text)
     assert below(800, lambda: outcome(text)) == first
     assert [each[0] for each in first[2]] == (["syntax"] if name == "too many Defines" else [])  # type: ignore[attr-defined]
-    checked = [each.message for each in check(Source("a.mnt", text), MINT)]
-    assert below(800, lambda: [each.message for each in check(Source("a.mnt", text), MINT)]) == checked
+    checked = [each.message for each in check(MINT.program(Source("a.mnt", text)))]
+    assert (
+        below(800, lambda: [each.message for each in check(MINT.program(Source("a.mnt", text)))]) == checked
+    )
 
 
 def test_macros_that_call_each_other() -> None:

@@ -61,7 +61,7 @@ def test_a_chain_of_thousands(name: str) -> None:
     text, shown = CHAINS[name]
     made = ran(text)
     assert (made.status, made.output, made.diagnostics) == ("ended", [shown], [])
-    found = check(Source("chain.mnt", f"{HEAD}{text}\n"), dialect("mint"), {})
+    found = check(dialect("mint").program(Source("chain.mnt", f"{HEAD}{text}\n"), {}))
     assert [each for each in found if each.severity == "error"] == []
 
 

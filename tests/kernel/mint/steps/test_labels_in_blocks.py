@@ -35,7 +35,7 @@ def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
 
 def test_a_label_at_the_end_of_a_loop_is_not_warned_of() -> None:
     text = "LOOP\n n = n + 1\n IF n = 3 THEN EXIT\n IF n = 2 THEN GOTO next\n PRINT n\n#next\nENDL\nPRINT n"
-    assert check(Source("a.mnt", f"Dim n As Integer\n{text}"), DIALECT) == []
+    assert check(DIALECT.program(Source("a.mnt", f"Dim n As Integer\n{text}"))) == []
 
 
 def test_a_loop_that_polls_is_skipped_all_the_same() -> None:

@@ -89,7 +89,7 @@ def source() -> Source:
 def test_the_layout_of_each_line() -> None:
     """A `Return` ends the routine of a label, unless an If or a loop contains it."""
     found = []
-    for line in MINT.layout(source()):
+    for line in MINT.program(source()).layout:
         mark = " c" if line.continues else " u" if line.unreadable else ""
         found.append(f"{line.back} {line.change:+d}{mark}")
     assert found == [expected for expected, _ in rows()]
@@ -102,7 +102,7 @@ def test_a_label_within_a_v4_routine_does_not_end_it() -> None:
         "\n#next\nx = 2\nRETURN\nstart:\nGOTO start\n#third\nx = 3\nRETURN\n#fault\nEND\n"
     )
     lines = text.split("\n")
-    made = enumerate(MINT.layout(Source("a.mnt", text)))
+    made = enumerate(MINT.program(Source("a.mnt", text)).layout)
     found = [(lines[number], line.change) for number, line in made if line.change]
     assert [name for name, change in found if change > 0] == ["#drill", "#next", "#third"]
     assert [name for name, change in found if change < 0] == ["x = 0 : RETURN", "RETURN", "RETURN"]
