@@ -37,9 +37,10 @@ class Region:
         """Move the region, and notify of a change that this causes."""
         self.remove()
         self.low, self.high = low, high
-        for end in (low, high):
+        for end, inwards in ((low, 1), (high, -1)):
             if abs(end) < INFINITY:
                 watch = self._controller.watch(self.axis, end, self._pass, physical=True)
+                watch.side = watch.side or inwards  # at an end is inside: to leave it is a pass
                 self._watches.append(watch)
         self._set(low <= self._here() <= high)
 
