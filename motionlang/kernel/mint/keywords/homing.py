@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.kernel.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.kernel.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
@@ -55,7 +56,7 @@ class Homes(Settings):
             raise Rejected("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
-        provided = self._provided(axis, switch, index, line)
+        provided = self._provided(axis, direction, switch, index, line)
         speed = self.setting("HOMESPEED", axis)
         self._active[axis] = Homing(
             self.controller,
@@ -80,7 +81,7 @@ class Homes(Settings):
         if homing.found:
             self._before[homing.axis] = homing.before
 
-    def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
+    def _provided(self, axis: int, direction: int, switch: str, index: bool, line: int) -> bool:
         """True if the machine has all switches and marks that HOME searches for.
 
         Warns of those that are missing.
@@ -89,7 +90,8 @@ class Homes(Settings):
         missing = []
         if switch == HOME and not self._has_switch(axis):
             missing.append(f"a home switch on axis {axis}")
-        if switch == LIMIT and not a.limits:
+        end = LIMIT_FORWARD if direction > 0 else LIMIT_REVERSE
+        if switch == LIMIT and all(limit.bit != end for limit in a.limits):
             missing.append(f"a limit switch on axis {axis}")
         if index and not a.index_every > 0:
             missing.append(f"index marks on axis {axis}")
