@@ -93,8 +93,8 @@ LONG, DIGITS, DECIMALS, SMALL, OFF = 11, 9, 11, 1e-9, 1.0 + 3e-12
 UNSTABLE = (
     "motion-2.compare", "motion-32.table", "words-41.certify", "pictures-24.picture",
     "tasks-15.init",
-    # An eigenvalue whose last digits differ between versions of numpy.
-    "commands-13.output",
+    # An eigenvalue, and the decay of simulated motors, whose last digits differ between versions of numpy.
+    "commands-13.output", "pictures-15.picture",
 )  # fmt: skip
 
 

@@ -100,6 +100,7 @@ def living_moves() -> list[Move]:
     return [each for each in gc.get_objects() if type(each) is Move]
 
 
+@pytest.mark.slow
 def test_a_move_takes_at_most_450_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log_module, "MAX_PROFILES", 500)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)

@@ -7,6 +7,7 @@ import pytest
 from motionlang.kernel import Machine, Source, run
 
 
+@pytest.mark.slow
 def test_warn_is_called_once_for_each_warning(monkeypatch: pytest.MonkeyPatch) -> None:
     """The log is checked at 1024 profiles, and whenever it is full.
 
