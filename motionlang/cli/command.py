@@ -92,6 +92,8 @@ class Command:
     commands: ClassVar[Mapping[str, tuple[type[Command], str]]] = {}
     # The words of the command line, for a crash report.
     given: Sequence[str] = field(default=(), init=False, repr=False)
+    # The fields that the command line sets, also to their defaults.
+    typed: frozenset[str] = field(default=frozenset(), init=False, repr=False)
     # What reports a wrong option that is only found while the command runs.
     _parser: Parser | None = field(default=None, init=False, repr=False)
 
@@ -159,8 +161,9 @@ class Command:
 
     @classmethod
     def _of(cls, given: argparse.Namespace, parser: Parser) -> Self:
-        made = cls(**{each.name: getattr(given, each.name) for each in fields(cls) if each.init})
-        made.given, made._parser = given.given, parser
+        names = [each.name for each in fields(cls) if each.init and hasattr(given, each.name)]
+        made = cls(**{name: getattr(given, name) for name in names})
+        made.given, made.typed, made._parser = given.given, frozenset(names), parser
         try:
             made.check()
             for each in fields(cls):
@@ -181,7 +184,7 @@ class Command:
         }
 
     def take(self, tree: Mapping[str, object], keys: Mapping[str, Field[Any]]) -> Iterator[tuple[str, str]]:
-        """Set the options that the command line left at their defaults; yield wrong keys with the reason.
+        """Set the options that the command line does not set; yield wrong keys with the reason.
 
         Each value is read as on the command line: a list is joined by commas, a table is repeated NAME=VALUE.
         """
@@ -196,7 +199,7 @@ class Command:
             except ValueError as error:
                 yield key, f"{key}: {error}"
             else:
-                if getattr(self, keys[key].name) == _default(keys[key]):
+                if keys[key].name not in self.typed:
                     setattr(self, keys[key].name, read)
 
 
@@ -219,11 +222,11 @@ def _names(of: Field[Any]) -> list[str]:
 
 
 def _settings(of: Field[Any]) -> dict[str, Any]:
-    """Return the arguments of `add_argument`."""
+    """Return the arguments of `add_argument`; an option that is not typed leaves no value."""
     meta, found = of.metadata, {"help": of.metadata["help"]}
     if meta.get("flag"):
         action = argparse.BooleanOptionalAction if of.default is None else "store_true"
-        return found | {"action": action, "dest": of.name, "default": of.default}
+        return found | {"action": action, "dest": of.name, "default": argparse.SUPPRESS}
     found |= {"metavar": meta["metavar"] or None, "type": _reader(meta["read"])}
     if meta.get("choices"):
         found["choices"] = meta["choices"]
@@ -234,7 +237,7 @@ def _settings(of: Field[Any]) -> dict[str, Any]:
         if meta.get("many"):
             return found | {"nargs": "*" if is_optional else "+", "default": _default(of)}
         return found | ({"nargs": "?", "default": _default(of)} if is_optional else {})
-    found |= {"dest": of.name, "default": _default(of)}
+    found |= {"dest": of.name, "default": argparse.SUPPRESS}
     if meta.get("many"):
         found["action"] = "append"
     if "const" in meta:

@@ -80,7 +80,7 @@ examples:
             raise WrongOption(
                 f"--suggest writes scenarios; run cover again for --{given[0].replace('_', '-')}"
             )
-        if not self.suggest and self.seconds != SECONDS:
+        if not self.suggest and "seconds" in self.typed:
             raise WrongOption("--seconds limits the search of --suggest")
         if self.suggest and STDIN in self.files:
             raise WrongOption("--suggest writes scenarios next to a program, not next to -")

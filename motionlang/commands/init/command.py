@@ -87,7 +87,7 @@ examples:
 
     def check(self) -> None:
         super().check()
-        if self.new and (self.until != UNTIL or self.seconds != SECONDS or self.format != "text"):
+        if self.new and (self.typed & {"until", "seconds"} or self.format != "text"):
             raise WrongOption("--new runs nothing: it takes no --until, --seconds or --format")
 
     def run(self) -> int:

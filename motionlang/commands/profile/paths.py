@@ -1,7 +1,7 @@
 """The paths of a run in order: length, speed along the path, and transitions.
 
 A path is a move of several axes that begin and end together on one line. Its figures are measured on the
-motion itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points in between.
+motion itself, not taken from its plan: at `SAMPLES` points from the beginning to the end, and at the knots of the axes.
 """
 
 from __future__ import annotations
@@ -83,11 +83,10 @@ def _following(path: _Path, later: Sequence[_Path]) -> _Path | None:
 
 
 def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
-    times = np.linspace(path.begin, path.end, SAMPLES)
-    positions = np.stack([trace.at(axis, "position", times) for axis in path.axes])
-    inside = np.linspace(path.begin, path.end, SAMPLES)
+    times = _times(trace, path)
+    inside = times.copy()
     inside[0], inside[-1] = np.nextafter(path.begin, path.end), np.nextafter(path.end, path.begin)
-    speeds = np.linalg.norm(np.stack([trace.at(axis, "velocity", inside) for axis in path.axes]), axis=0)
+    speeds = _speeds(trace, path, inside)
     peak = float(speeds.max())
     still = _STILL * peak
     entry, leaving = (0.0 if speed <= still else float(speed) for speed in (speeds[0], speeds[-1]))
@@ -98,7 +97,7 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
         path.axes,
         path.begin,
         path.end - path.begin,
-        _length(positions, speeds, path.end - path.begin),
+        _length(trace, path, times),
         entry,
         peak,
         leaving,
@@ -107,20 +106,36 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
     )
 
 
-def _length(positions: Array, speeds: Array, duration: float) -> float:
+def _times(trace: Trace, path: _Path) -> Array:
+    """Return the times at which a path is measured, in order: between two of them its speed is smooth."""
+    times = np.linspace(path.begin, path.end, SAMPLES)
+    for axis in path.axes:
+        knots = trace.table(axis).origins
+        first, last = np.searchsorted(knots, path.begin, "right"), np.searchsorted(knots, path.end)
+        times = np.union1d(times, knots[first:last])
+    return times
+
+
+def _speeds(trace: Trace, path: _Path, times: Array) -> Array:
+    velocities = np.stack([trace.at(axis, "velocity", times) for axis in path.axes])
+    speeds: Array = np.linalg.norm(velocities, axis=0)
+    return speeds
+
+
+def _length(trace: Trace, path: _Path, times: Array) -> float:
     """Return the length of a path, uu.
 
-    For a line it is the distance between the ends, for any other path the integral of the speed by Simpson's
-    rule.
+    For a line it is the distance between the ends, for any other path the integral of the speed by Gauss's rule of two
+    points between all times.
     """
-    travel = positions[:, -1] - positions[:, 0]
-    chord = float(np.linalg.norm(travel))
+    positions = np.stack([trace.at(axis, "position", times) for axis in path.axes])
+    chord = float(np.linalg.norm(positions[:, -1] - positions[:, 0]))
     steps = float(np.linalg.norm(np.diff(positions, axis=1), axis=0).sum())
     if steps - chord <= 1e-9 * steps:
         return chord
-    weights = np.ones(len(speeds))
-    weights[1:-1:2], weights[2:-1:2] = 4.0, 2.0
-    return float(weights @ speeds) * duration / (3.0 * (len(speeds) - 1))
+    middles, halves = 0.5 * (times[1:] + times[:-1]), 0.5 * np.diff(times)
+    speeds = sum(_speeds(trace, path, middles + sign * 3.0**-0.5 * halves) for sign in (-1.0, 1.0))
+    return float(halves @ speeds)
 
 
 def _tangent(trace: Trace, path: _Path, side: int) -> Array:

@@ -79,9 +79,9 @@ class Variants(Command):
         """Take the options that were not given from a file; its errors are those of `of_file`."""
         source = Source.read(path)
         tree = read_toml(source)
-        plain, keys = Variants(), Variants.keys(Variants.title)
+        keys = Variants.keys(Variants.title)
         for group in TOGETHER:
-            if any(getattr(self, name) != getattr(plain, name) for name in group):
+            if not self.typed.isdisjoint(group):
                 tree = {key: value for key, value in tree.items() if key not in group}
         before = {name: getattr(self, name) for name in ("machines", "scenarios")}
         wrong = [

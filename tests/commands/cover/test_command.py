@@ -319,7 +319,7 @@ def test_suggestions_take_no_option_of_the_table(words: str, table: Cell) -> Non
 
 
 def test_a_limit_of_the_search_needs_a_search(table: Cell) -> None:
-    ran = table("cover", "table.mnt", "--seconds", "5")
+    ran = table("cover", "table.mnt", "--seconds", "20")
     assert (ran.status, "--seconds limits the search of --suggest" in ran.err) == (2, True)
 
 
