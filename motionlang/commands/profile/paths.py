@@ -134,8 +134,8 @@ def _length(trace: Trace, path: _Path, times: Array) -> float:
     if steps - chord <= 1e-9 * steps:
         return chord
     middles, halves = 0.5 * (times[1:] + times[:-1]), 0.5 * np.diff(times)
-    speeds = sum(_speeds(trace, path, middles + sign * 3.0**-0.5 * halves) for sign in (-1.0, 1.0))
-    return float(halves @ speeds)
+    off = 3.0**-0.5 * halves
+    return float(halves @ (_speeds(trace, path, middles - off) + _speeds(trace, path, middles + off)))
 
 
 def _tangent(trace: Trace, path: _Path, side: int) -> Array:
