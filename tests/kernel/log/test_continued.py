@@ -23,6 +23,7 @@ End While
 """
 
 
+@pytest.mark.slow
 def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: pytest.MonkeyPatch) -> None:
     """Entries of 500 changes are packed; the last one is read before it is continued.
 
