@@ -142,7 +142,7 @@ class Sweep:
         language.program(source, settings).require()
         try:
             source, overrides, _ = edited(source, language, given)
-            language.program_with(source, settings, overrides)
+            language.program(source, settings).for_values(overrides)
         except ProgramError as error:
             if not any(each.line for each in error.diagnostics):
                 raise ValueError(

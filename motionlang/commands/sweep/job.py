@@ -175,7 +175,7 @@ class Worker:
         if found is None:
             if len(self._programs) >= MAX_PROGRAMS:
                 self._programs.clear()
-            found = self._programs[key] = self._dialect.program_with(source, settings, overrides)
+            found = self._programs[key] = self._dialect.program(source, settings).for_values(overrides)
         return found
 
     @staticmethod

@@ -26,7 +26,8 @@ class Page:
         names: Names | None = None,
     ) -> None:
         self.source, self.language, self.settings = source, language, dict(settings or {})
-        self._names = names
+        if names is not None:
+            self.names = names
         self._starts: list[int] | None = None
 
     @property
@@ -37,12 +38,10 @@ class Page:
     def program(self) -> Program:
         return self.language.program(self.source, self.settings)
 
-    @property
+    @cached_property
     def names(self) -> Names:
         """The names of the text."""
-        if self._names is None:
-            self._names = self.program.names
-        return self._names
+        return self.program.names
 
     def offset(self, line: int, column: int) -> int:
         """Return the character offset of a line and a column, both counted from 1."""

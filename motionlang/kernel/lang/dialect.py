@@ -100,14 +100,6 @@ class Dialect:
         """
         raise NotImplementedError
 
-    def program_with(
-        self, source: Source, settings: Mapping[str, object], values: Mapping[str, float | str]
-    ) -> Program:
-        """Return a program for runs with many `values` of names; ProgramError with all errors of the text with them."""
-        program = self.program(source, settings)
-        program.require()
-        return program
-
     def port_differences(self, before: Program, program: Program) -> list[Diagnostic]:
         """Return what a program does differently on the model of its settings, with fixes where they are certain.
 

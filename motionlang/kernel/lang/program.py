@@ -123,6 +123,14 @@ class Program:
         """Chosen defaults that the motion depends on, a line each; none if the text has syntax errors."""
         return ()
 
+    def for_values(self, values: Mapping[str, float | str]) -> Program:
+        """Return the program for runs with many values of some names, such as `values`.
+
+        Raises ProgramError with all errors of the text with `values`.
+        """
+        self.require()
+        return self
+
     def start(self, machine: Machine) -> Task:
         """Return the program's parent task, bound to `machine` but not yet run."""
         raise NotImplementedError

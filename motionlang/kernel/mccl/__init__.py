@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.decode import checked as checked
     from motionlang.kernel.mccl.resolve.line import Line as Line
     from motionlang.kernel.mccl.resolve.line import line_of as line_of
-    from motionlang.kernel.mccl.resolve.line import lines_of as lines_of
     from motionlang.kernel.mccl.resolve.line import locate as locate
     from motionlang.kernel.mccl.resolve.line import too_long as too_long
     from motionlang.kernel.mccl.runtime.board import Board as Board
@@ -62,7 +61,7 @@ PUBLIC = {
     "models": "Model MODELS models_with written_for",
     "keywords": "table",
     "resolve.command": "Command NONE NUMBER",
-    "resolve.line": "Line line_of lines_of locate too_long",
+    "resolve.line": "Line line_of locate too_long",
     "syntax.parser": "MAX_LINE",
     "syntax.comments": "COMMENT without_comment",
     "runtime.board": "Board",

@@ -68,14 +68,6 @@ class Mint(Dialect):
 
         return MintProgram(source, settings, is_debug=is_debug)
 
-    def program_with(
-        self, source: Source, settings: Mapping[str, object], values: Mapping[str, float | str]
-    ) -> MintProgram:
-        """Check once, to run with many values of the program's own names."""
-        from motionlang.kernel.mint.program import program_with
-
-        return program_with(source, settings, values)
-
     def port_differences(self, before: Program, program: Program) -> list[Diagnostic]:
         from motionlang.kernel.mint.program import port_differences
 

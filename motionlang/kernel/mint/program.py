@@ -156,7 +156,7 @@ class MintProgram(Program):
     @cached_property
     def target(self) -> Target:
         module = self.tree
-        self._declared  # noqa: B018
+        self._declared  # noqa: B018 - it binds the names in the tree
         return written_for(module)
 
     @cached_property
@@ -205,6 +205,29 @@ class MintProgram(Program):
         return stops(self.checked.names) if self.is_debug else ()
 
     # --------------------------------------------------------------------------------------------- its run
+
+    def for_values(self, values: Mapping[str, float | str]) -> MintProgram:
+        """Return the program for runs with many values of some names, such as `values`.
+
+        Names whose value the check needs, such as the size of an array, are not part of `given`: the text is checked
+        again for each of their values. Raises ProgramError with all errors of the text with `values`.
+        """
+        self._made(values)
+        given = {name: isinstance(value, str) for name, value in values.items()}
+        try:
+            return self._made({}, given)
+        except ProgramError:
+            given = {}
+        for name, value in values.items():
+            one = {name: isinstance(value, str)}
+            others = {n: v for n, v in values.items() if n != name and n not in given}
+            try:
+                self._made(others, given | one)
+            except ProgramError:
+                continue
+            given |= one
+        others = {n: v for n, v in values.items() if n not in given} if given else {}
+        return self._made(others, given)
 
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`, which has the model of the program if it has none.
@@ -259,38 +282,6 @@ class MintProgram(Program):
         made = MintProgram(self.source, self.settings, values, given, self.is_debug)
         made.require()
         return made
-
-
-def program_with(
-    source: Source, settings: Mapping[str, object] | None, values: Mapping[str, float | str]
-) -> MintProgram:
-    """Check a text that will run with many values of some names, such as `values`.
-
-    Names whose value the check needs, such as the size of an array, are not part of `given`: the text is checked again
-    for each of their values. Raises ProgramError with all errors of the text with `values`.
-    """
-
-    def checked(overrides: Mapping[str, float | str], given: Mapping[str, bool] | None) -> MintProgram:
-        made = MintProgram(source, settings, overrides, given)
-        made.require()
-        return made
-
-    checked(values, None)
-    given = {name: isinstance(value, str) for name, value in values.items()}
-    try:
-        return checked({}, given)
-    except ProgramError:
-        given = {}
-    for name, value in values.items():
-        one = {name: isinstance(value, str)}
-        others = {n: v for n, v in values.items() if n != name and n not in given}
-        try:
-            checked(others, given | one)
-        except ProgramError:
-            continue
-        given |= one
-    others = {n: v for n, v in values.items() if n not in given} if given else {}
-    return checked(others, given)
 
 
 def port_differences(before: Program, program: Program) -> list[Diagnostic]:

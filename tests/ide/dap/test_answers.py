@@ -15,6 +15,7 @@ import pytest
 from tests.ide.dap.client import COMMANDS, PATIENCE, Client
 from tests.ide.dap.test_requests import PROGRAM
 from tests.ide.debug.test_debugger import CALLS
+from tests.ide.debug.test_state import READINGS
 
 # The requests that a client may send because of a capability.
 REQUESTS = {
@@ -60,22 +61,6 @@ def scope(name: str, reference: int, **more: str) -> dict[str, object]:
     return {"name": name, "variablesReference": reference, "expensive": False, **more}
 
 
-# What an expression can read, in the order of the completions.
-READINGS = [
-    "position",
-    "pos",
-    "velocity",
-    "vel",
-    "target",
-    "idle",
-    "input",
-    "in",
-    "inx",
-    "output",
-    "out",
-    "outx",
-    "time",
-]
 SKIPPED = "iterations of a polling loop that are skipped do not count"
 
 

@@ -40,10 +40,10 @@ class MacroFile(Program):
     language = "mccl"
 
     def __init__(
-        self, source: Source, settings: Mapping[str, object] | None = None, debug: bool = False
+        self, source: Source, settings: Mapping[str, object] | None = None, is_debug: bool = False
     ) -> None:
         super().__init__(source, settings)
-        self.debug = debug
+        self.is_debug = is_debug
         self._module = parse(source.text)
         self.lines = list(lines_of(source, self._module))
 
@@ -109,16 +109,15 @@ class MacroFile(Program):
 
     @property
     def offsets(self) -> list[int]:
-        return [at for line in self.lines if isinstance(line, Line) for at in line.offsets]
+        return [at for line in self._whole for at in line.offsets]
 
     @property
     def entries(self) -> list[int]:
         """The first command of each macro that is defined within a line."""
         found = []
-        for line in self.lines:
-            if isinstance(line, Line):
-                defining = [each.verb == "define_macro" for each in line.commands]
-                found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
+        for line in self._whole:
+            defining = [each.verb == "define_macro" for each in line.commands]
+            found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
         return found
 
     @property
@@ -139,7 +138,7 @@ class MacroFile(Program):
 
         machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)
-        if self.debug:
+        if self.is_debug:
             board.hook = machine.hook
             assert board.hook is not None, "a debug build needs a machine with a hook"
         task = FileTask(self, board)

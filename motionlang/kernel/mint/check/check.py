@@ -55,13 +55,6 @@ class Checked:
         self.names, self.problems = names, problems
 
 
-def check_module(module: Module, settings: Mapping[str, object] | None = None) -> Checked:
-    """Check a program; raise ProgramError with all errors."""
-    checked = examined(module, declared(module, settings or {}))
-    checked.problems.raise_errors()
-    return checked
-
-
 def declared(module: Module, settings: Mapping[str, object]) -> Program:
     """Declare the names of a module, the first half of a check; its mistakes are in `problems`."""
     rename_old_words(module, settings)

@@ -72,7 +72,7 @@ def test_a_program_that_is_made_for_values_of_some_names_takes_fewer_and_more(
     overrides: dict[str, float | str], printed: str
 ) -> None:
     source = Source("a.mnt", 'Dim t As String = "a", n As Float = 2\nConst k = 1\nPRINT t; n; " "; k')
-    program = DIALECT.program_with(source, {}, {"t": "b", "n": 3.0})
+    program = DIALECT.program(source).for_values({"t": "b", "n": 3.0})
     machine = Machine()
     machine.overrides = overrides
     Scheduler(machine, program.start(machine)).run()
