@@ -9,7 +9,6 @@ from there counts.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from motionlang.kernel import Run
 from motionlang.kernel.lang import READ, WRITE, Structure, Unit
@@ -125,24 +124,16 @@ def lines_beside(structure: Structure) -> dict[int, str]:
     found: dict[int, str] = {}
     for task in tasks:
         rest = work.union(*(_reached(structure, each) for each in tasks if each is not task))
-        own = set(_reached(structure, task))
+        own = _reached(structure, task)
         if own and not own & rest and _is_beside(structure, own, set(structure.statements) - own):
             found |= dict.fromkeys(map(structure.line, own), task.title)
     return found
 
 
-def _reached(structure: Structure, unit: Unit) -> Iterator[int]:
-    """Yield the offsets of the statements that a unit reaches, also through calls."""
-    left, seen = [unit.entry], set[int]()
-    while left:
-        point = left.pop()
-        if point < 0 or point in seen:
-            continue
-        seen.add(point)
-        each = structure.points[point]
-        if each.at >= 0:
-            yield each.at
-        left += [*each.next, each.calls]
+def _reached(structure: Structure, unit: Unit) -> set[int]:
+    """Return the offsets of the statements that a unit reaches, also through calls."""
+    points = structure.points
+    return {points[p].at for p in structure.graph.reached(unit.entry)} - {-1}
 
 
 def _is_beside(structure: Structure, own: set[int], rest: set[int]) -> bool:

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure as Structure
     from motionlang.kernel.lang.program_graph import Unit as Unit
     from motionlang.kernel.lang.run_errors import explain as explain
+    from motionlang.kernel.lang.step_graph import StepGraph as StepGraph
     from motionlang.kernel.lang.step_list import ListedStep as ListedStep
     from motionlang.kernel.lang.step_list import ListedUnit as ListedUnit
     from motionlang.kernel.lang.step_task import StepTask as StepTask
@@ -57,9 +58,15 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import BRANCH as BRANCH
     from motionlang.kernel.lang.steps import CALL as CALL
     from motionlang.kernel.lang.steps import END as END
+    from motionlang.kernel.lang.steps import ENDLESS as ENDLESS
     from motionlang.kernel.lang.steps import ENTER as ENTER
     from motionlang.kernel.lang.steps import GO as GO
+    from motionlang.kernel.lang.steps import HEAD as HEAD
+    from motionlang.kernel.lang.steps import NEXT as NEXT
     from motionlang.kernel.lang.steps import RETURN as RETURN
+    from motionlang.kernel.lang.steps import STOP as STOP
+    from motionlang.kernel.lang.steps import TEST as TEST
+    from motionlang.kernel.lang.steps import UNTIL as UNTIL
     from motionlang.kernel.lang.steps import Step as Step
     from motionlang.kernel.lang.steps import Values as Values
     from motionlang.kernel.lang.vocabulary import Vocabulary as Vocabulary
@@ -87,7 +94,8 @@ PUBLIC = {
     "program_graph": "Structure Unit Statement AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep",
     "wait_causes": "InputRead Read LoopDependencies KINDS MOVING",
-    "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN",
+    "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
+    "step_graph": "StepGraph",
     "step_task": "StepTask",
     "debugging": "Frame",
     "waits": "ROUNDING wait_idle wait_until",

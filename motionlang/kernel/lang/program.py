@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
     from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
@@ -33,8 +34,8 @@ class Target:
 class Program:
     """A text, made once by `Dialect.program`; what it says is worked out once, when it is asked for.
 
-    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks`, `reads` and `polls` raise ProgramError
-    for a text with syntax errors; `structure`, `step_list` and `start` for a program with any error.
+    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks` and `reads` raise ProgramError for a
+    text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program with any error.
     """
 
     # The name of its language.
@@ -87,6 +88,11 @@ class Program:
     def polls(self) -> Callable[[int], LoopDependencies | None]:
         """A function that maps an offset to the readings of its loop or wait; None if they are not known."""
         return lambda offset: None
+
+    @property
+    def graph(self) -> StepGraph:
+        """All steps on a machine with the settings, and which may follow each."""
+        raise NotImplementedError
 
     @property
     def structure(self) -> Structure:

@@ -63,6 +63,14 @@ NAMES = {
     BEGIN: "begin",
 }
 
+# The roles of steps that a reader of the flow has to know; any other step has none.
+TEST = "test"  # the condition of an If or of a loop: it goes on if that is true,
+UNTIL = "until"  # or if it is false
+ENDLESS = "endless"  # the condition of a loop that is written to run forever, such as While 1
+HEAD = "head"  # the limit of a counting loop,
+NEXT = "next"  # and where it counts
+STOP = "stop"  # the end of the program, where it is a statement
+
 
 class Step(NamedTuple):
     """One step.
@@ -102,6 +110,8 @@ class Steps(list[Step]):
         self.uses: list[Uses | None] = []
         # What loops do with variables, by their first and last step; worked out on demand.
         self.bodies: dict[tuple[int, int], Any] = {}
+        # The roles of steps that have one.
+        self.roles: dict[int, str] = {}
         # The names of labels, by their steps.
         self.labels: dict[int, str] = {}
         # The statements of loops, by their last step.
@@ -123,11 +133,31 @@ class Steps(list[Step]):
         at: int = -1,
         uses: Uses | None = NOTHING,
         cost: float = 0.0,
+        role: str = "",
     ) -> int:
         """Append a step and return its index."""
         self.append(Step(kind, do, to, at, cost))
         self.uses.append(uses)
+        if role:
+            self.roles[len(self) - 1] = role
         return len(self) - 1
+
+    def following(self, pc: int) -> list[int]:
+        """Return the steps of the list that may follow a step, that of a true condition first.
+
+        A call is passed over, and the step after a return and that of a computed jump are unknown.
+        """
+        kind, do, to, _, _ = self[pc]
+        is_endless = self.roles.get(pc) == ENDLESS
+        if kind in (RETURN, END, ENTER):
+            return []
+        if kind in (JUMP, GO):
+            return [to] if to >= 0 else []
+        if kind == BACK:
+            return [to] if do is None or is_endless else [to, pc + 1]
+        if kind == BRANCH and not is_endless:
+            return [pc + 1, to]
+        return [pc + 1]
 
     def set_target(self, index: int, to: int) -> None:
         """Set the step to which a step jumps."""

@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, GO, JUMP, RETURN, Steps, Uses
+from motionlang.kernel.lang.steps import BACK, CALL, ENTER, GO, Steps, Uses
 
 NONE: frozenset[int] = frozenset()
 
@@ -94,9 +94,9 @@ def _backward(
     """
     found = [NONE] * (last - first + 1)
     following = [
-        [each - first for each in _following(steps, pc, first, last, goes_on) if first <= each <= last]
-        for pc in range(first, last + 1)
+        [each - first for each in steps.following(pc) if first <= each <= last] for pc in range(first, last)
     ]
+    following.append([0] if goes_on else [])
     changed = True
     while changed:
         changed = False
@@ -107,14 +107,3 @@ def _backward(
             changed |= new != found[k]
             found[k] = new
     return found
-
-
-def _following(steps: Steps, pc: int, first: int, last: int, goes_on: bool) -> list[int]:
-    kind, to = steps[pc].kind, steps[pc].to
-    if pc == last:
-        return [first] if goes_on else []
-    if kind in (RETURN, END):
-        return []
-    if kind in (JUMP, GO):
-        return [to]
-    return [pc + 1, to] if kind in (BRANCH, BACK) else [pc + 1]

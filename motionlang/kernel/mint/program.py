@@ -35,6 +35,9 @@ from motionlang.kernel.tools import StackSpace
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.step_graph import StepGraph
+    from motionlang.kernel.lang.steps import Steps
+    from motionlang.kernel.mint.resolve.symbols import Function
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64
@@ -175,21 +178,32 @@ class MintProgram(Program):
     def polls(self) -> Callable[[int], LoopDependencies | None]:
         from motionlang.kernel.mint.resolve.wait_causes import finder
 
-        return finder(self.tree, self._declared.names)
+        return finder(self.tree, self.checked.names, self.graph)
+
+    @cached_property
+    def _steps(self) -> dict[Function, Steps]:
+        from motionlang.kernel.mint.steps.program_graph import written
+
+        self.require()
+        return written(self.source, self.checked.names, self.settings)
+
+    @cached_property
+    def graph(self) -> StepGraph:
+        from motionlang.kernel.mint.steps.program_graph import graph_of
+
+        return graph_of(self.checked.names, self._steps)
 
     @cached_property
     def structure(self) -> Structure:
         from motionlang.kernel.mint.steps.program_graph import structure
 
-        self.require()
-        return structure(self.source, self.checked.names, self.polls, self.settings)
+        return structure(self.source, self.checked.names, self._steps, self.graph, self.polls)
 
     @cached_property
     def step_list(self) -> list[ListedUnit]:
         from motionlang.kernel.mint.steps.listing import step_list
 
-        self.require()
-        return step_list(self.source, self.checked.names, self.settings)
+        return step_list(self.source, self.checked.names, self._steps)
 
     @property
     def warnings(self) -> list[Diagnostic]:
@@ -296,9 +310,9 @@ def port_differences(before: Program, program: Program) -> list[Diagnostic]:
     try:
         if age(before.target.model) != V4:
             return []
-        program.require()
+        graph = program.graph
     except ProgramError:
         return []
     from motionlang.kernel.mint.check import port
 
-    return port.port_differences(program.tree, program.checked.names)
+    return port.port_differences(program.tree, program.checked.names, graph)

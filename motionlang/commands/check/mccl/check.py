@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from motionlang.commands.check.mccl.channels import check_channels
 from motionlang.commands.check.mccl.checks import CALLS, lint
@@ -20,24 +20,25 @@ def check(program: MacroFile) -> list[Diagnostic]:
 
     A file without errors also gets the warnings of the linter.
     """
-    source, settings = program.source, program.settings
+    source = program.source
     whole = [each for each in program.lines if isinstance(each, Line)]
     found = list(program.errors)
     wrong = {(each.line, each.column) for each in found}
-    further = [] if found else _lint(source, whole, settings)
+    further = [] if found else _lint(program, whole)
     found += (each for each in _without_effect(source, whole) if (each.line, each.column) not in wrong)
     found += [*_macros(source, whole), *further]
     return sorted(silence(source, found, COMMENT), key=lambda each: (each.line, each.column))
 
 
-def _lint(source: Source, lines: list[Line], settings: Mapping[str, object]) -> list[Diagnostic]:
+def _lint(program: MacroFile, lines: list[Line]) -> list[Diagnostic]:
+    source, settings = program.source, program.settings
     found: list[Diagnostic] = []
     model = model_of(source, settings)
 
     def add(at: int, fault: Fault) -> None:
         found.append(diagnostic(source, at, fault, "warning"))
 
-    lint(lines, flow_of(settings), add)
+    lint(lines, program.structure, flow_of(settings), add)
     check_channels(lines, settings, model, add)
     check_numbers(lines, model, add)
     return found

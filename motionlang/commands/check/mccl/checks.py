@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from motionlang.commands.check.mccl.equalities import exact_positions
 from motionlang.commands.check.mccl.loops import endless_lines
 from motionlang.commands.check.mccl.running import running_axes
+from motionlang.kernel.lang import Structure
 from motionlang.kernel.mccl import Command, Fault, Line
 from motionlang.kernel.mccl.resolve.flow import Flow
 
@@ -23,10 +24,6 @@ _MOVES = frozenset(
 # Commands that select a mode whose motion GO starts.
 _STARTED = frozenset({"velocity_mode", "contour_mode"})
 _WAITS = frozenset({"wait_stop", "wait_target"})
-_SKIPS = frozenset(
-    {"if_below", "if_equal", "if_greater", "if_unequal", "if_set", "if_clear", "if_on", "if_off"}
-)
-_DO_REST = frozenset({"do_if_on", "do_if_off"})
 # Commands after which a line does not continue, and those that jump within it.
 _LEAVES = frozenset({"jump_macro", "leave"})
 _REPEATS = frozenset({"repeat", "jump", "jump_by"})
@@ -34,20 +31,12 @@ _REPEATS = frozenset({"repeat", "jump", "jump_by"})
 CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 
 
-def lint(lines: list[Line], flow: Flow, add: Add) -> None:
+def lint(lines: list[Line], structure: Structure, flow: Flow, add: Add) -> None:
     """Call `add` with the offset and warning of each suspicious construct.
 
     The file must have no errors.
     """
-    ended = False
-    for line in lines:
-        reached = _reached(line, flow)
-        if ended and not _is_macro(line):
-            ended = False
-            add(line.offsets[0], _unreachable("the line before repeats forever", "line"))
-        _unreached_commands(line, reached, add)
-        if not _is_macro(line) and len(line.commands) not in reached:
-            ended = True
+    _unreached(lines, structure, add)
     _motors(lines, add)
     _waits(lines, add)
     running_axes(lines, add)
@@ -67,47 +56,25 @@ def _unreachable(why: str, what: str = "command") -> Fault:
 # ---------------------------------------------------------------------------------------- unreachable commands
 
 
-def _reached(line: Line, flow: Flow) -> set[int]:
-    """Return the indices of the commands that can run.
-
-    The number of commands means the end of the line.
-    """
-    found: set[int] = set()
-    stack = [0]
-    count = len(line.commands)
-    while stack:
-        k = stack.pop()
-        if k not in found:
-            found.add(k)
-            if k < count:
-                stack.extend(min(max(each, 0), count) for each in _next(line, k, flow))
-    return found
-
-
-def _next(line: Line, k: int, flow: Flow) -> list[int]:
-    """Return the commands that may follow command k."""
-    command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
-    verb, number = command.verb, command.number
-    if verb in _SKIPS:
-        return [k + 1, k + 1 + flow.skipped]
-    if verb in _DO_REST:
-        return [k + 1, count]
-    if verb in _LEAVES:  # the line after it runs, too, when a macro has ended
-        return [count]
-    if verb == "repeat":
-        return [first] if number == 0 and flow.endless else [first, k + 1]
-    if verb in ("jump", "jump_by"):
-        if number is None:
-            return list(range(count + 1))
-        return [first + flow.target(verb, number, k - first)]
-    return [k + 1]
+def _unreached(lines: list[Line], structure: Structure, add: Add) -> None:
+    """Warn of the first line, or the first command of a line, of each stretch that nothing leads to."""
+    graph = structure.graph
+    reached = {graph.points[p].at for p in graph.reached(*(unit.entry for unit in structure.units))}
+    is_reported = False
+    for line in lines:
+        if line.offsets[0] in reached:
+            is_reported = is_reported and _is_macro(line)
+            _unreached_commands(line, reached, add)
+        elif not is_reported:
+            is_reported = True
+            add(line.offsets[0], _unreachable("the line before repeats forever", "line"))
 
 
 def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
     is_reported = False
     for k, (command, at) in enumerate(zip(line.commands, line.offsets, strict=True)):
-        if k in reached or command.verb == "nothing":
-            is_reported = is_reported and k not in reached
+        if at in reached or command.verb == "nothing":
+            is_reported = is_reported and at not in reached
         elif not is_reported:
             is_reported = True
             add(at, _unreachable(_reason(line, k)))

@@ -7,7 +7,6 @@ of the checks in this package. A comment in the program can silence a warning.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 
 from motionlang.commands.check.mint.blends import check_blends
 from motionlang.commands.check.mint.busy_loops import check_busy_loops
@@ -19,8 +18,6 @@ from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.mint import MintProgram, table
-from motionlang.kernel.mint.resolve.names import Names
-from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.tools import StackSpace
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
@@ -35,7 +32,7 @@ def check(program: MintProgram) -> list[Diagnostic]:
             checked = program.checked
             found = list(checked.problems.found.values())
             reported = {(each.code, each.line, each.column) for each in found}
-            warnings = lint(program.tree, checked.names, program.settings)
+            warnings = lint(program)
             found += [each for each in warnings if (each.code, each.line, each.column) not in reported]
         found += program.notes_on_model
     return sorted(silence(program.source, sorted(found, key=_place), COMMENT), key=_place)
@@ -45,9 +42,10 @@ def _place(found: Diagnostic) -> tuple[int, int, str, str]:
     return found.line, found.column, found.code, found.message
 
 
-def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[Diagnostic]:
+def lint(program: MintProgram) -> list[Diagnostic]:
     """Return the warnings of a program without errors, in no particular order."""
-    facts = Facts(names, table(), has_host(module.source, COMMENT))
+    module, settings = program.tree, program.settings
+    facts = Facts(program.checked.names, program.graph, table(), has_host(module.source, COMMENT))
     found = Findings(module)
     check_functions(facts, settings, module, found.add)
     add = found.add

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import reduce
+from operator import itemgetter
 from typing import NamedTuple
 
 from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key
-from motionlang.kernel.mint.resolve.flowgraph import TEST, Step
+from motionlang.kernel.lang import TEST, UNTIL
 from motionlang.kernel.mint.resolve.folding import binary
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 
-Report = Callable[[str, Step, Act, Key, "Axis"], None]
+Report = Callable[[str, Act, Key, "Axis"], None]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # No buffer holds more entries, so larger counts are not distinguished.
@@ -137,18 +139,22 @@ class Follower:
     """Tracks the facts about the axes through every function.
 
     `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
-    states before the steps of a function, and `after`, the facts on return about the axes that the function changes.
-    `report_problems` passes findings to `report(problem, step, act, key, axis)`.
+    states before the points of a function, and `after`, the facts on return about the axes that the function changes.
+    `report_problems` passes findings to `report(problem, act, key, axis)`.
     """
 
     def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
         self.facts, self.is_out_of_reach = facts, is_out_of_reach
-        self.before: dict[Function, dict[Step, State]] = {}
+        self.before: dict[Function, dict[int, State]] = {}
         self.after: dict[Function, After] = {}
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
         self.led = self._led()
         self.before_act = ANYTHING
+        # The PAUSEs and the conditions of While loops, which read again and again; True while one is followed.
+        self._polling = {id(each) for each in facts.of_kind(nodes.Pause)}
+        self._polling |= {id(each.condition) for each in facts.of_kind(nodes.While)}
+        self._polls = False
         self._at_work: set[Function] = set()
         self._report: Report | None = None
 
@@ -200,10 +206,8 @@ class Follower:
     def report_problems(self, function: Function, report: Report) -> None:
         """Process every step of a function again, and report the problems found there."""
         self._report = report
-        before = self.before[function]
-        for step in self.facts.graphs[function].steps:
-            if step in before:
-                self._follow(step, before[step])
+        for p, state in sorted(self.before[function].items(), key=itemgetter(0)):
+            self._follow(p, state)
         self._report = None
 
     # ---------------------------------------------------------------------------------------- following
@@ -219,39 +223,44 @@ class Follower:
         self.after[function] = self._states(function)
 
     def _states(self, function: Function) -> After:
-        graph = self.facts.graphs[function]
+        graph, own = self.facts.graph, self.facts.points[function]
         first = ANYTHING
         if function.kind == "main":
             first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.0, 0.0)), {})
-        found: dict[Step, State] = {}
+        found: dict[int, State] = {}
 
-        def follow(step: Step, state: State) -> tuple[State, State]:
-            found[step] = state
-            return self._follow(step, state)
+        def follow(p: int, state: State) -> tuple[State, State]:
+            found[p] = state
+            return self._follow(p, state)
 
-        def join(one: State, other: State, step: Step, back: bool) -> State:
-            joined = one.joined(other, step.is_loop_head)
+        def join(one: State, other: State, p: int) -> State:
+            joined = one.joined(other, p in graph.heads)
             return one if joined == one else joined
 
-        graph.forward(first, follow, join, ANYTHING, lambda state: state)
+        graph.forward({**dict.fromkeys(self.facts.handlers[function], ANYTHING), own[0]: first}, follow, join)
         self.before[function] = found
-        last = found.get(graph.leave, ANYTHING)
+        ends = [found[p] for p in own if p in found and self.facts.leaves(p)]
+        last = reduce(lambda one, other: one.joined(other, False), ends) if ends else ANYTHING
         return {key: _after_call(last[key]) for key in self.facts.touched(function, CHANGES)}
 
-    def _follow(self, step: Step, state: State) -> tuple[State, State]:
-        for act in self.facts.acts[step]:
-            state = self._act(step, act, state)
-        node = step.node
+    def _follow(self, p: int, state: State) -> tuple[State, State]:
+        node = self.facts.nodes_at.get(p)
+        if node is None:
+            return state, state
+        self._polls = id(node) in self._polling
+        for act in self.facts.acts[p]:
+            state = self._act(act, state)
         if type(node) in (nodes.Pause, nodes.Input, nodes.Run):
             state = state.passed()
         if type(node) is nodes.Pause:
             state = self._refined(node.condition, True, state)
-        elif step.kind == TEST:
-            yes = self._refined(node, True, state)  # type: ignore[arg-type]
-            return yes, self._refined(node, False, state)  # type: ignore[arg-type]
+        role = self.facts.graph.points[p].role
+        if role in (TEST, UNTIL):
+            yes = self._refined(node, role == TEST, state)  # type: ignore[arg-type]
+            return yes, self._refined(node, role == UNTIL, state)  # type: ignore[arg-type]
         return state, state
 
-    def _act(self, step: Step, act: Act, state: State) -> State:
+    def _act(self, act: Act, state: State) -> State:
         if act.role == "call":
             return self._call(act, state)
         if act.row is not None and act.row.verb == "wait":
@@ -262,7 +271,7 @@ class Follower:
         self.before_act = state
         for number, key in enumerate(act.axes):
             old = self.known(state, key)
-            new = follow(self, step, act, number, old)
+            new = follow(self, act, number, old)
             if key is None:
                 if act.role not in ("read", "slot"):
                     state = ANYTHING
@@ -287,24 +296,23 @@ class Follower:
                 return ANYTHING
         return state
 
-    def _report_problem(self, problem: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+    def _report_problem(self, problem: str, act: Act, key: Key, axis: Axis) -> None:
         if self._report is not None:
-            self._report(problem, step, act, key, axis)
+            self._report(problem, act, key, axis)
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
-    def _read(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        watched = type(step.node) is nodes.Pause or step.is_loop_head
-        if act.row is not None and act.row.verb == "position" and axis.fresh and not watched:
-            self._report_problem("in-motion", step, act, act.axes[number], axis)
+    def _read(self, act: Act, number: int, axis: Axis) -> Axis:
+        if act.row is not None and act.row.verb == "position" and axis.fresh and not self._polls:
+            self._report_problem("in-motion", act, act.axes[number], axis)
         return axis
 
-    def _move(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _move(self, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         target = self._target(act, number, axis, act.row.does("relative"))
-        loaded = self._loaded(self._entry(step, act, number, axis), act)
+        loaded = self._loaded(self._entry(act, number, axis), act)
         span = axis.reaching(target)
-        return self._checked(step, act, number, loaded._replace(target=target, span=span))
+        return self._checked(act, number, loaded._replace(target=target, span=span))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
         """Record the offset of the move if it is the first one in the buffer."""
@@ -319,23 +327,23 @@ class Follower:
         certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, Symbol)
         return axis.target + value if certain and axis.target is not None else None
 
-    def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _checked(self, act: Act, number: int, axis: Axis) -> Axis:
         """Report a target that is out of reach, and drop it from the facts."""
         key = act.axes[number]
         if axis.target is None or not self.is_out_of_reach(key, axis):
             return axis
-        self._report_problem("beyond-travel", step, act, key, axis)
+        self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)
 
-    def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _entry(self, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
-            self._report_problem("scale-after-speed", step, act, act.axes[number], axis)
+            self._report_problem("scale-after-speed", act, act.axes[number], axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
-    def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        return self._entry(step, act, number, axis)._replace(target=None, span=None)
+    def _course(self, act: Act, number: int, axis: Axis) -> Axis:
+        return self._entry(act, number, axis)._replace(target=None, span=None)
 
-    def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _path(self, act: Act, number: int, axis: Axis) -> Axis:
         """Load a path, which waits for the GO of its first axis.
 
         The target is known only for a line.
@@ -346,15 +354,15 @@ class Follower:
             target = self._target(act, number, axis, act.row.does("relative"))
         span = axis.reaching(target)
         if number == 0:
-            axis = self._loaded(self._entry(step, act, number, axis), act)
-        return self._checked(step, act, number, axis._replace(target=target, span=span, empty=False))
+            axis = self._loaded(self._entry(act, number, axis), act)
+        return self._checked(act, number, axis._replace(target=target, span=span, empty=False))
 
-    def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _go(self, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
-            self._report_problem("zeros", step, act, act.axes[number], axis)
+            self._report_problem("zeros", act, act.axes[number], axis)
         if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
-            self._report_problem("nothing-loaded", step, act, act.axes[number], axis)
+            self._report_problem("nothing-loaded", act, act.axes[number], axis)
         return axis._replace(
             motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
             fresh=sure,
@@ -364,7 +372,7 @@ class Follower:
             jogs=axis.jogs and axis.empty,
         )
 
-    def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _stop(self, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stops = axis.motion == IDLE or act.row.does("abrupt")
         target = axis.target if axis.motion == IDLE and not axis.waiting else None
@@ -379,7 +387,7 @@ class Follower:
         )
         return axis._replace(target=None, frame=None, span=None) if act.row.does("datum") else axis
 
-    def _at_once(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _at_once(self, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         jogs = act.row.does("endless") and self.facts.number(act.value(number)) not in (None, 0)
         return axis._replace(
@@ -393,12 +401,12 @@ class Follower:
             jogs=jogs,
         )
 
-    def _slot(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _slot(self, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         slot = act.row.gives
         if slot == "speed":
             if axis.timed is not None:
-                self._report_problem("time-before-speed", step, act, act.axes[number], axis)
+                self._report_problem("time-before-speed", act, act.axes[number], axis)
             axis = axis._replace(speeded=True, timed=None)
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
@@ -410,23 +418,23 @@ class Follower:
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
         )
 
-    def _scale(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _scale(self, act: Act, number: int, axis: Axis) -> Axis:
         if axis.motion == MOVES:
-            self._report_problem("scale-in-motion", step, act, act.axes[number], axis)
+            self._report_problem("scale-in-motion", act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
         return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
-    def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _zero(self, act: Act, number: int, axis: Axis) -> Axis:
         if axis.fresh:
-            self._report_problem("in-motion", step, act, act.axes[number], axis)
+            self._report_problem("in-motion", act, act.axes[number], axis)
         value = self.facts.number(act.value(number))
         if axis.motion != IDLE or axis.waiting or value is None:
             return axis._replace(target=None, frame=None, span=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
         return axis._replace(target=value, frame=moved, span=(value, value))
 
-    def _use(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _use(self, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
             return axis._replace(

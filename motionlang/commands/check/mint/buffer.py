@@ -7,7 +7,7 @@ from functools import partial
 
 from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
 from motionlang.commands.check.mint.effects import Act, Facts, Key, spelt
-from motionlang.kernel.mint.resolve.flowgraph import Step
+from motionlang.kernel.lang import HEAD, NEXT
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -33,18 +33,18 @@ class Buffers:
     def check(self, function: Function) -> None:
         """Run both checks on a function."""
         before = self.follower.before[function]
-        for step in self.facts.graphs[function].steps:
-            if step in before:
-                self._loads(step, before[step])
-                if type(step.node) is nodes.For:
-                    self._counted(function, step, step.node, before[step])
+        for p, node in self.facts.nodes_of(function):
+            if p in before:
+                self._loads(p, before[p])
+                if type(node) is nodes.For:
+                    self._counted(function, node, before[p])
         self._never_started(function)
 
     # ------------------------------------------------------------------------------------- too many entries
 
-    def _loads(self, step: Step, state: State) -> None:
+    def _loads(self, p: int, state: State) -> None:
         """Report a load into a full buffer if only a later GO could empty it."""
-        for act in self.facts.acts[step]:
+        for act in self.facts.acts[p]:
             if act.role in _LOADS:
                 for key in act.axes[:1] if act.role == "path" else act.axes:
                     size = self._size(key)
@@ -72,11 +72,11 @@ class Buffers:
         """True if moves of the axis may start without a GO."""
         return key in self.triggered or None in self.triggered
 
-    def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
+    def _counted(self, function: Function, node: nodes.For, state: State) -> None:
         iterations = self._iterations(node)
         if iterations is None or not self._counts_itself(node):
             return
-        acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
+        acts = [act for p in self._inside(function, node) for act in self.facts.acts.get(p, ())]
         if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
             return
         loads: dict[Key, list[Act]] = {}
@@ -108,29 +108,30 @@ class Buffers:
         step = 1.0 if node.step is None else self.facts.number(node.step)
         return None if start is None or stop is None or not step else int((stop - start) // step) + 1
 
-    def _inside(self, function: Function, head: Step) -> list[Step]:
-        """Return the steps of a loop's body, which come after its head."""
-        assert isinstance(head.node, nodes.For)
-        steps, first = self.facts.graphs[function].steps, head.number + 2
-        last = first
-        while steps[last].loop is not head.node:
-            last += 1
-        return steps[first:last]
+    def _inside(self, function: Function, node: nodes.For) -> range:
+        """Return the points of a loop's body."""
+        points = self.facts.graph.points
+        roles = {points[p].role: p for p in self.facts.points[function] if points[p].at == node.start}
+        return range(roles[HEAD] + 1, roles[NEXT])
 
     # -------------------------------------------------------------------------------------- moves without a GO
 
     def _never_started(self, function: Function) -> None:
-        graph, keys = self.facts.graphs[function], self._keys(function)
+        keys = self._keys(function)
         if not keys:
             return
         number = {key: 1 << n for n, key in enumerate(keys)}
         last = self._behind_the_end(function, number, set().union(*self.started.values()))
-        behind = graph.backward(last, 0, partial(self._goes, number))
-        for step in graph.steps:
-            for act in self.facts.acts[step]:
-                if act.role in _LOADS and step in self.follower.before[function]:
+        behind = self.facts.graph.backward(
+            self.facts.points[function],
+            lambda p: last if self.facts.leaves(p) else 0,
+            partial(self._goes, number),
+        )
+        for p, _ in self.facts.nodes_of(function):
+            for act in self.facts.acts[p]:
+                if act.role in _LOADS and p in self.follower.before[function]:
                     bits = sum(number[key] for key in set(act.axes))
-                    if not behind[step] & bits and not self._started_elsewhere(function, act):
+                    if not behind[p] & bits and not self._started_elsewhere(function, act):
                         self._not_started(act)
 
     def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
@@ -138,7 +139,7 @@ class Buffers:
 
         The caller of a sub may start them, or the code that a v4 handler has interrupted.
         """
-        if function.kind != "sub" and not self.facts.graphs[function].handlers:
+        if function.kind != "sub" and not self.facts.handlers[function]:
             return 0
         return sum(
             bit
@@ -165,8 +166,8 @@ class Buffers:
         any_axis = any(isinstance(key, Symbol) for key in act.axes)
         return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 
-    def _goes(self, number: dict[Key, int], step: Step, bits: int) -> int:
-        for act in reversed(self.facts.acts[step]):
+    def _goes(self, number: dict[Key, int], p: int, bits: int) -> int:
+        for act in reversed(self.facts.acts.get(p, ())):
             if act.role == "go":
                 bits = self._with(bits, act.axes, number)
             elif act.role == "stop" and None not in act.axes:

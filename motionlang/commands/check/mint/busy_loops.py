@@ -6,9 +6,10 @@ Such a loop takes all the time of its task, and nothing outside the program can 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mint.resolve.flowgraph import END, Graph, Step
+from motionlang.kernel.lang import STOP
 from motionlang.kernel.mint.resolve.symbols import TIME, Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -20,6 +21,7 @@ Add = Callable[..., None]
 
 # Statements that let time pass or start another task.
 _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
+_COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 
 
 def check_busy_loops(facts: Facts, add: Add) -> None:
@@ -30,57 +32,44 @@ def check_busy_loops(facts: Facts, add: Add) -> None:
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
     for function in facts.functions:
-        graph = facts.graphs[function]
-        if graph.handlers:
+        if facts.handlers[function]:
             return
-        for region in _endless(graph):
-            steps = _with_subs(facts, region)
-            if any(_computes(step) for step in steps) and all(_is_quiet(facts, step) for step in steps):
+        for region in _endless(facts, function):
+            inside = _with_subs(facts, region)
+            computes = any(isinstance(facts.nodes_at.get(p), _COMPUTES) for p in inside)
+            if computes and all(_is_quiet(facts, p) for p in inside):
                 message = "this loop computes forever: it never waits, and nothing can end it"
-                add("busy-loop", message, _first(function, region), "add a WAIT, a PAUSE or an Exit to it")
+                add("busy-loop", message, _first(facts, region), "add a WAIT, a PAUSE or an Exit to it")
 
 
-def _endless(graph: Graph) -> list[set[Step]]:
-    """Return the loops that are never left, each as the set of its steps."""
-    leaves = graph.backward(1, 1, lambda step, bits: bits)
-    found: list[set[Step]] = []
-    for step in graph.reached():
-        for after in step.next:
-            if after.number <= step.number and not leaves[after] and not any(after in each for each in found):
-                region = graph.reached(after)
-                if region == _leading(region, after):
+def _endless(facts: Facts, function: Function) -> list[set[int]]:
+    """Return the loops that are never left, each as the set of its points."""
+    graph = facts.graph
+    own = facts.points[function]
+    leaves = graph.backward(own, lambda p: 1, lambda p, bits: bits)
+    found: list[set[int]] = []
+    for p in sorted(facts.reached(function)):
+        for after in graph.within[p]:
+            if after <= p and not leaves[after] and not any(after in each for each in found):
+                region = graph.reached_within(after)
+                leading = graph.backward(own, lambda p: 0, partial(_with, after))
+                if all(leading[each] for each in region):
                     found.append(region)
     return found
 
 
-def _leading(region: set[Step], to: Step) -> set[Step]:
-    """Return the steps of a region from which a path leads to the step `to`."""
-    before: dict[Step, list[Step]] = {step: [] for step in region}
-    for step in region:
-        for after in step.next:
-            before[after].append(step)
-    found: set[Step] = set()
-    stack = [to]
-    while stack:
-        step = stack.pop()
-        if step not in found:
-            found.add(step)
-            stack.extend(before[step])
-    return found
+def _with(head: int, p: int, bits: int) -> int:
+    return bits | (p == head)
 
 
-def _computes(step: Step) -> bool:
-    return isinstance(step.node, nodes.Assign | nodes.Call | nodes.Print)
-
-
-def _is_quiet(facts: Facts, step: Step) -> bool:
-    """True if a step only computes or prints values that the program sets."""
-    node = step.node
-    if isinstance(node, _TAKES_TIME) or step.kind == END:
+def _is_quiet(facts: Facts, p: int) -> bool:
+    """True if only values that the program sets are computed or printed at a point."""
+    node = facts.nodes_at.get(p)
+    if isinstance(node, _TAKES_TIME) or facts.graph.points[p].role == STOP:
         return False
-    if any(act.callee is None for act in facts.acts[step]):
+    if any(act.callee is None for act in facts.acts.get(p, ())):
         return False
-    for each in walk([node] if node is not None else []):
+    for each in walk([node]):
         if type(each) is nodes.Name:
             if each.row is not None and each.row.changes == "always":
                 return False
@@ -89,17 +78,13 @@ def _is_quiet(facts: Facts, step: Step) -> bool:
     return True
 
 
-def _with_subs(facts: Facts, region: set[Step]) -> set[Step]:
-    """Return the steps of a loop and of all subs that it calls."""
-    callees = [act.callee for step in region for act in facts.acts[step] if act.callee is not None]
+def _with_subs(facts: Facts, region: set[int]) -> set[int]:
+    """Return the points of a loop and of all subs that it calls."""
+    callees = [act.callee for p in region for act in facts.acts.get(p, ()) if act.callee is not None]
     called = [each for callee in callees for each in facts.called(callee)]
-    return region.union(*(facts.graphs[each].steps for each in called))
+    return region.union(*(facts.points[each] for each in called))
 
 
-def _first(function: Function, region: set[Step]) -> int:
+def _first(facts: Facts, region: set[int]) -> int:
     """Return the first offset of a loop."""
-    inside = {id(step.node) for step in region}
-    whiles = [
-        each for each in walk(function.body) if type(each) is nodes.While and id(each.condition) in inside
-    ]
-    return min(each.start for each in [*whiles, *(step.node for step in region if step.node is not None)])
+    return min(facts.graph.points[p].at for p in region)

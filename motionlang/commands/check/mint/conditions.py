@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.commands.check.mint.axis_state import IDLE, MOVES, Axis, Follower, State
 from motionlang.commands.check.mint.effects import Facts, Key, spelt
-from motionlang.kernel.mint.resolve.flowgraph import TEST
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
@@ -55,18 +54,18 @@ class Conditions:
             for act in self.facts.acts_of[function]
             if act.role == "call" or (act.axes and act.role not in ("read", "slot"))
         }
-        for step in self.facts.graphs[function].steps:
-            node = step.node
-            if step not in before or node is None:
+        tests: dict[int, int] = {}
+        for p, node in self.facts.nodes_of(function):
+            if p not in before:
                 continue
             if type(node) is nodes.Assign or type(node) is nodes.Call:
                 self._wait_for_condition(node)
             elif type(node) is nodes.Pause:
                 self._pause_for_time(node)
-                self._waits(node.condition, True, before[step], node.start)
-            elif step.kind == TEST:
-                self._equalities(node, None, before[step])
-        tests = {id(step.node): step for step in before if step.kind == TEST}
+                self._waits(node.condition, True, before[p], node.start)
+            elif self.facts.is_test(p):
+                tests[id(node)] = p
+                self._equalities(node, None, before[p])
         for loop, truth in self._loops(function):
             test = tests.get(id(loop.condition))
             if test is None:

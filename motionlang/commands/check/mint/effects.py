@@ -9,10 +9,9 @@ from collections.abc import Callable, Iterator
 from typing import TypeVar
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.lang import Vocabulary
-from motionlang.kernel.mint.resolve.flowgraph import Graph, Step
+from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, StepGraph, Vocabulary
 from motionlang.kernel.mint.resolve.folding import Known, fold
-from motionlang.kernel.mint.resolve.handlers import handled
+from motionlang.kernel.mint.resolve.handlers import handled, label_handlers
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -73,11 +72,16 @@ class Facts:
     If it `has_host`, a host reads and writes the declared global variables of the module.
     """
 
-    def __init__(self, names: Names, table: Vocabulary, has_host: bool = False) -> None:
-        self.names, self.table = names, table
+    def __init__(self, names: Names, graph: StepGraph, table: Vocabulary, has_host: bool = False) -> None:
+        self.names, self.graph, self.table = names, graph, table
         self.functions = names.functions
-        self.graphs: dict[Function, Graph] = {}
-        self.acts: dict[Step, list[Act]] = {}
+        # The points of each function.
+        self.points = {function: graph.ranges[function.qualified_name] for function in names.functions}
+        # The statement, the Case or the condition that is carried out at a point, and what it does with keywords.
+        self.nodes_at: dict[int, nodes.Node] = {}
+        self.acts: dict[int, list[Act]] = {}
+        # The event handlers among the labels of each function, by their points.
+        self.handlers = {function: self._handlers(function) for function in names.functions}
         # The nodes of each function by their classes, its acts, and the acts of all functions by keyword.
         self.nodes = {function: by_kind(function.body) for function in self.functions}
         self.acts_of: dict[Function, list[Act]] = {}
@@ -90,7 +94,7 @@ class Facts:
         self.handled = {
             self.symbol(name)
             for function in self.functions
-            for node in handled(function)
+            for node in handled(function, graph)
             for name in self.written(node)
         }
         self.roots = self._roots()
@@ -101,17 +105,60 @@ class Facts:
         self.hosted = set(variables) if has_host else set()
         self.retained |= self.hosted
         for function in self.functions:
-            graph = self.graphs[function] = function.graph
             mine = self.acts_of[function] = []
-            for step in graph.steps:
-                acts = self.acts[step] = list(self._acts(function, step))
-                mine += acts
+            found = self._carried_out(function)
+            for p in sorted(found):
+                self.nodes_at[p] = found[p]
+                self.acts[p] = list(self._acts(function, found[p]))
+                mine += self.acts[p]
             self._resolve_parameters(function)
             for act in mine:
                 if act.row is not None:
                     self.used.setdefault(act.row, []).append(act)
 
     # ------------------------------------------------------------------------------------- who and where
+
+    def _handlers(self, function: Function) -> list[int]:
+        handlers, own = label_handlers(function), self.points[function]
+        return [p for p, name in self.graph.labels.items() if p in own and name.lower() in handlers]
+
+    def nodes_of(self, function: Function) -> Iterator[tuple[int, nodes.Node]]:
+        """Yield the points at which a function carries something out, with the statement or condition."""
+        return ((p, self.nodes_at[p]) for p in self.points[function] if p in self.nodes_at)
+
+    def reached(self, function: Function) -> set[int]:
+        """Return the points of a function that its beginning and the handlers among its labels lead to."""
+        return self.graph.reached_within(self.points[function][0], *self.handlers[function])
+
+    def is_test(self, p: int) -> bool:
+        """True if a condition is tested at a point."""
+        return self.graph.points[p].role in (TEST, UNTIL, ENDLESS)
+
+    def leaves(self, p: int) -> bool:
+        """True if a function is left at a point, by a return, an Exit or the end of its text."""
+        return not self.graph.within[p] and self.graph.points[p].role != STOP
+
+    def _carried_out(self, function: Function) -> dict[int, nodes.Node]:
+        """Return what is carried out at each point: a condition at its test, a statement at its first step."""
+        firsts: dict[int, int] = {}
+        tests: dict[int, int] = {}
+        for p in self.points[function]:
+            point = self.graph.points[p]
+            firsts.setdefault(point.at, p)
+            if self.is_test(p):
+                tests[point.at] = p
+        found: dict[int, nodes.Node] = {}
+        for node in walk(function.body):
+            where, at = firsts, node.start
+            if isinstance(node, nodes.If | nodes.While):
+                where, node = tests, node.condition
+            elif isinstance(node, nodes.Repeat):
+                found[tests[node.condition.start]] = node.condition
+            elif not isinstance(node, nodes.Stmt | nodes.Case):
+                continue
+            if at in where:
+                found[where[at]] = node
+        return found
 
     def written_by(self, wanted: Callable[[Keyword], object]) -> Iterator[Act]:
         """Yield the uses, other than reads, of the keywords that are `wanted`."""
@@ -209,8 +256,7 @@ class Facts:
 
     # ---------------------------------------------------------------------------------------------- acts
 
-    def _acts(self, function: Function, step: Step) -> Iterator[Act]:
-        node = step.node
+    def _acts(self, function: Function, node: nodes.Node) -> Iterator[Act]:
         written: nodes.Expr | None = None
         target: nodes.Expr | None = None
         if isinstance(node, nodes.Assign | nodes.Call):
@@ -361,10 +407,8 @@ class Facts:
         return None
 
 
-def own_expressions(node: nodes.Node | None) -> list[nodes.Node]:
+def own_expressions(node: nodes.Node) -> list[nodes.Node]:
     """Return the expressions that a step evaluates itself, without inner blocks."""
-    if node is None:
-        return []
     kind = type(node)
     if kind is nodes.For:
         return [each for each in (node.first, node.stop, node.step) if each is not None]  # type: ignore[attr-defined]

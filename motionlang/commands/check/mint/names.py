@@ -168,15 +168,14 @@ def _is_coordinated(facts: Facts, task: Function) -> bool:
 
 def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
     """Return the axes that the parent task may command after it has started a task."""
-    graph = facts.graphs[main]
     begin = [
-        step
-        for step in graph.steps
-        if type(step.node) is nodes.Run and step.node.name.lower() == task.name.lower()
+        p
+        for p, node in facts.nodes_of(main)
+        if type(node) is nodes.Run and node.name.lower() == task.name.lower()
     ]
     found: set[Key] = set()
-    for step in graph.reached(*begin) if begin else ():
-        for act in facts.acts[step]:
+    for p in facts.graph.reached_within(*begin):
+        for act in facts.acts.get(p, ()):
             if act.role in _COMMANDS:
                 found.update(act.axes)
             elif act.callee is not None:

@@ -8,7 +8,6 @@ from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
 from motionlang.commands.check.mint.effects import Facts
 from motionlang.commands.check.silence import driven_inputs
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
-from motionlang.kernel.mint.resolve.flowgraph import TEST, Step
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -34,13 +33,12 @@ class Reachability:
 
     def check(self, function: Function) -> None:
         """Run all checks of control flow on a function."""
-        graph = self.facts.graphs[function]
-        reached = graph.reached()
-        self._unreachable(graph.steps, reached)
-        self._labels(function, graph.labels)
-        for step in graph.steps:
-            if step in reached:
-                self._step(function, step)
+        reached = self.facts.reached(function)
+        self._unreachable(function, reached)
+        self._labels(function)
+        for p, node in self.facts.nodes_of(function):
+            if p in reached:
+                self._carried_out(function, p, node)
         for loop in self.facts.of_kind(nodes.While, function):
             self._endless_loop(function, loop)
         for repeat in self.facts.of_kind(nodes.Repeat, function):
@@ -48,38 +46,33 @@ class Reachability:
 
     # ------------------------------------------------------------------------------------------ never reached
 
-    def _unreachable(self, steps: list[Step], reached: set[Step]) -> None:
+    def _unreachable(self, function: Function, reached: set[int]) -> None:
         """Report the first statement of each unreachable run of statements."""
         is_reported = False
-        for step in steps:
-            if step.node is None:
-                continue
-            if step in reached:
+        for p, node in self.facts.nodes_of(function):
+            if p in reached:
                 is_reported = False
-            elif not is_reported and not isinstance(step.node, _SILENT):
+            elif not is_reported and not isinstance(node, _SILENT):
                 is_reported = True
-                self.add("unreachable", "this statement is unreachable", step.node.start,
+                self.add("unreachable", "this statement is unreachable", node.start,
                          "the code before it never ends")  # fmt: skip
 
-    def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
+    def _labels(self, function: Function) -> None:
         targets = {node.name.lower() for node in self.facts.of_kind(nodes.Jump, function)}
-        for name, step in labels.items():
-            handler = function.kind == "main" and label_event(name) is not None
-            if name not in targets and not handler and " " not in name:
-                assert type(step.node) is nodes.Label
-                event = function.kind == "main" and kind_and_number(name) is not None
-                hint = f"Mint v4 has no event {step.node.name} for programs; MintMT has one" if event else ""
-                self.add("unused-label", f"label {step.node.name} is never used", step.node.start, hint)
+        for label in self.facts.of_kind(nodes.Label, function):
+            handler = function.kind == "main" and label_event(label.name) is not None
+            if label.name.lower() not in targets and not handler and " " not in label.name:
+                event = function.kind == "main" and kind_and_number(label.name) is not None
+                hint = f"Mint v4 has no event {label.name} for programs; MintMT has one" if event else ""
+                self.add("unused-label", f"label {label.name} is never used", label.start, hint)
 
     # ---------------------------------------------------------------------------------------------- conditions
 
-    def _step(self, function: Function, step: Step) -> None:
-        node = step.node
+    def _carried_out(self, function: Function, p: int, node: nodes.Node) -> None:
         if type(node) is nodes.Pause:
-            self._wait(function, step, node)
+            self._wait(function, p, node)
             self._fixed(node.condition)
-        elif step.kind == TEST:
-            assert node is not None
+        elif self.facts.is_test(p):
             self._fixed(node)
 
     def _fixed(self, node: nodes.Node) -> None:
@@ -119,8 +112,8 @@ class Reachability:
 
     # --------------------------------------------------------------------------------- waits that nothing ends
 
-    def _wait(self, function: Function, step: Step, node: nodes.Pause) -> None:
-        state = self.follower.before[function].get(step)
+    def _wait(self, function: Function, p: int, node: nodes.Pause) -> None:
+        state = self.follower.before[function].get(p)
         names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
         if state is None or not names or self.facts.value(node.condition) is not None:
             return

@@ -10,7 +10,6 @@ from functools import partial
 
 from motionlang.commands.check.mint.axis_state import IDLE, Follower
 from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key, spelt
-from motionlang.kernel.mint.resolve.flowgraph import Step
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 
@@ -29,15 +28,16 @@ class Settings:
 
     def check(self, function: Function) -> None:
         """Report settings that are replaced, or left over, before a move can use them."""
-        graph, bits = self.facts.graphs[function], self._slot_bits(function)
+        bits = self._slot_bits(function)
         if not bits:
             return
         everything = (1 << len(bits)) - 1
         last = self._left_over(function, bits) if function.kind == "main" else everything
-        behind = graph.backward(last, last, partial(self._used, bits, everything))
-        for step in graph.steps:
-            if step in self.follower.before[function]:
-                self._useless(step, behind[step], bits)
+        own = self.facts.points[function]
+        behind = self.facts.graph.backward(own, lambda p: last, partial(self._used, bits, everything))
+        for p, _ in self.facts.nodes_of(function):
+            if p in self.follower.before[function]:
+                self._useless(p, behind[p], bits)
 
     def _slot_bits(self, function: Function) -> Bits:
         """Assign a bit to each property of each axis that only this function uses."""
@@ -72,17 +72,17 @@ class Settings:
         """
         found = 0
         before = self.follower.before[function]
-        for step, state in before.items():
-            if not step.next:
+        for p, state in before.items():
+            if not self.facts.graph.within[p]:
                 for (key, _), bit in bits.items():
                     if self.follower.known(state, key).motion != IDLE:
                         found |= bit
         return found
 
-    def _used(self, bits: Bits, everything: int, step: Step, found: int) -> int:
-        if type(step.node) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
+    def _used(self, bits: Bits, everything: int, p: int, found: int) -> int:
+        if type(self.facts.nodes_at.get(p)) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
             return everything
-        for act in reversed(self.facts.acts[step]):
+        for act in reversed(self.facts.acts.get(p, ())):
             assert act.row is not None or act.role == "call"
             if act.role == "slot" and act.row is not None:
                 if len(set(act.axes)) == len(act.axes):
@@ -96,8 +96,8 @@ class Settings:
                         found |= bit
         return found
 
-    def _useless(self, step: Step, behind: int, bits: Bits) -> None:
-        for act in self.facts.acts[step]:
+    def _useless(self, p: int, behind: int, bits: Bits) -> None:
+        for act in self.facts.acts[p]:
             if act.role != "slot":
                 continue
             assert act.row is not None
@@ -105,11 +105,11 @@ class Settings:
             dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
             # `SPEED(0, 1, 2) = 10;` followed by an exception for one of the axes is good style.
             if dead and len(dead) == len(act.axes):
-                self._report_useless(step, act, dead[0], slot)
+                self._report_useless(p, act, dead[0], slot)
 
-    def _report_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
+    def _report_useless(self, p: int, act: Act, key: Key, slot: str) -> None:
         assert act.row is not None
-        later = self._next_setting(step, key, slot)
+        later = self._next_setting(p, key, slot)
         if later is None:
             message = f"{act.row.name} of axis {spelt(key)} is set but no longer used"
             self.add("unused-setting", message, act.at, "remove it, or set it before the move that needs it")
@@ -119,17 +119,17 @@ class Settings:
         message = f"{act.row.name} of axis {spelt(key)} is replaced by {by} before any move"
         self.add("unused-setting", message, act.at, "remove one of the two", other=later.at)
 
-    def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
+    def _next_setting(self, p: int, key: Key, slot: str) -> Act | None:
         """Return the statement that replaces a setting."""
-        seen: set[Step] = set()
-        stack = list(reversed(step.next))
+        seen: set[int] = set()
+        stack = list(reversed(self.facts.graph.within[p]))
         while stack:
             each = stack.pop()
             if each in seen:
                 continue
             seen.add(each)
-            for act in self.facts.acts[each]:
+            for act in self.facts.acts.get(each, ()):
                 if act.role == "slot" and key in act.axes and act.row is not None and act.row.gives == slot:
                     return act
-            stack.extend(reversed(each.next))
+            stack.extend(reversed(self.facts.graph.within[each]))
         return None

@@ -29,6 +29,7 @@ from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.step_graph import StepGraph
 
 
 class MacroFile(Program):
@@ -94,6 +95,10 @@ class MacroFile(Program):
         from motionlang.kernel.mccl.resolve.wait_causes import asked
 
         return asked(self._whole)
+
+    @property
+    def graph(self) -> StepGraph:
+        return self.structure.graph
 
     @cached_property
     def structure(self) -> Structure:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import pairwise
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
@@ -13,11 +12,11 @@ from motionlang.kernel.lang.program_graph import (
     WRITE,
     AxisUse,
     ChannelUse,
-    Graph,
     Statement,
     Structure,
     Unit,
 )
+from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.mccl.models import written_for
@@ -40,8 +39,8 @@ def structure(
     """Return the structure of a file on a board with these settings; invalid commands do nothing."""
     machine = Machine(dict(settings), first_axis=1)
     machine.model = machine.model or written_for(source.name)
-    board, graph = Board(machine), Graph()
-    units, foreground, macros = [], list[LineSteps](), dict[int, list[LineSteps]]()
+    board = Board(machine)
+    foreground, macros = list[LineSteps](), dict[int, list[LineSteps]]()
     for line in lines:
         foreground.append(LineWriter(line, board).steps)
         first = line.commands[0]
@@ -54,27 +53,25 @@ def structure(
         for line in lines
         for command, at in zip(line.commands, line.offsets, strict=True)
     }
-    firsts = [graph.add(steps) for steps in foreground]
-    end = Steps()
-    end.name = "end"
-    end.add(END)
-    firsts.append(graph.add(end))
-    units.append(Unit("program", "program", 0, firsts[0]))
     bodies = [(number, body) for number, found in sorted(macros.items()) for body in found]
     for steps in [*foreground, *(body for _, body in bodies)]:
         _link(steps, macros)
+    end = Steps()
+    end.name = "end"
+    end.add(END)
+    in_sequence = [*foreground, end]
+    graph = StepGraph([*in_sequence, *(body for _, body in bodies)], in_sequence, _computed)
+    units = [Unit("program", "program", 0, 0)]
     for number, body in bodies:
-        entry = graph.add(body)
         again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
-        units.append(Unit(f"{number}{again}", "macro", body.line.number, entry))
-    points = graph.points(dict(pairwise(firsts)), _computed)
+        units.append(Unit(f"{number}{again}", "macro", body.line.number, graph.first(body)))
     writes = frozenset(
         at + len(command.text) - len(str(command.number))
         for line in lines
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.verb == "store"
     )
-    return Structure(source, statements, points, units, writes, polls, has_one_series=True)
+    return Structure(source, statements, graph, units, writes, polls, has_one_series=True)
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:

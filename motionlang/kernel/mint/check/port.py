@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.mint.resolve.handlers import handled
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
@@ -27,12 +28,12 @@ _WHOLE = " USING 1, 0"
 _KEEPS_WHOLE = frozenset(("+", "-", "*", "\\", "mod", "%"))
 
 
-def port_differences(module: Module, names: Names) -> list[Diagnostic]:
+def port_differences(module: Module, names: Names, graph: StepGraph) -> list[Diagnostic]:
     """Return a warning for each difference of a checked program, with its fix if that is certain."""
     problems = Problems(module)
     everything = list(walk(statement for each in names.functions for statement in each.body))
     _prints(module.source, everything, problems)
-    _words(module.source, names, everything, problems)
+    _words(module.source, set(map(id, _of_error_handlers(names, graph))), everything, problems)
     return sorted(problems.found.values(), key=lambda each: (each.line, each.column))
 
 
@@ -118,9 +119,10 @@ def _is_whole(node: nodes.Expr, variables: set[Symbol]) -> bool:
     return False
 
 
-def _words(source: Source, names: Names, everything: Iterable[nodes.Node], problems: Problems) -> None:
+def _words(
+    source: Source, in_handler: set[int], everything: Iterable[nodes.Node], problems: Problems
+) -> None:
     """Report keywords that have another name in MintMT, or none."""
-    in_handler = set(map(id, _of_error_handlers(names)))
     for node in everything:
         row = node.row if isinstance(node, nodes.Name) and node.symbol is None else None
         if row is None or not isinstance(node, nodes.Name) or not (row.renamed or row.group == "v4"):
@@ -139,9 +141,9 @@ def _words(source: Source, names: Names, everything: Iterable[nodes.Node], probl
             problems.add("model", message, node.start, f"write {fix}", "warning", fix, end=node.end)
 
 
-def _of_error_handlers(names: Names) -> Iterator[nodes.Node]:
+def _of_error_handlers(names: Names, graph: StepGraph) -> Iterator[nodes.Node]:
     """Yield the nodes that run after a statement has failed."""
     for each in names.functions:
         if each.kind == "event" and each.name.lower() == "onerror":
             yield from walk(each.body)
-    yield from handled(names.main, "onerror")
+    yield from handled(names.main, graph, "onerror")

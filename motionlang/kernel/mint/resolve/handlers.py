@@ -8,24 +8,43 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mint.keywords.event_kinds import RAISED_BY, kind_and_number
+from motionlang.kernel.mint.keywords.event_kinds import RAISED_BY, kind_and_number, label_event
 from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.mint.resolve.names import Names
 
 
-def label_handlers(function: Function) -> set[str]:
-    """Return the labels of the main program that handle events, in lower case."""
-    return set(function.graph.handlers) if function.jumps else set()
+def label_handlers(function: Function) -> list[str]:
+    """Return the labels of the main program that handle events, in lower case, in the order of the text."""
+    if function.kind != "main" or not function.jumps:
+        return []
+    parts = sorted(walk(function.body), key=lambda each: each.start)
+    targets = {each.name.lower() for each in parts if isinstance(each, nodes.Jump)}
+    labels = dict.fromkeys(each.name.lower() for each in parts if isinstance(each, nodes.Label))
+    return [each for each in labels if each not in targets and label_event(each) is not None]
 
 
-def handled(function: Function, *events: str) -> Iterator[nodes.Node]:
+def handled(function: Function, graph: StepGraph, *events: str) -> Iterator[nodes.Node]:
     """Yield the nodes of the statements that handlers among the labels execute, those of some events or all."""
-    return walk(function.graph.handled(*events)) if function.jumps else iter(())
+    handlers = [each for each in label_handlers(function) if not events or each in events]
+    if not handlers:
+        return iter(())
+    own = graph.ranges[function.qualified_name]
+    entries = [p for p, name in graph.labels.items() if p in own and name.lower() in handlers]
+    offsets = {graph.points[p].at for p in graph.reached(*entries) if p in own}
+    return walk(_executed(each) for each in walk(function.body) if each.start in offsets)
+
+
+def _executed(node: nodes.Node) -> nodes.Node | None:
+    """Return what a step of a statement executes: of a block, its condition."""
+    if isinstance(node, (nodes.If, nodes.While)):
+        return node.condition
+    return node if isinstance(node, nodes.Stmt) else None
 
 
 def raised_by(names: Names, event: str) -> list[tuple[str, int]]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from motionlang.kernel.mint.resolve.flowgraph import Graph
 from motionlang.kernel.mint.syntax import nodes
 
 INTEGER, FLOAT, STRING, TIME = "Integer", "Float", "String", "Time"
@@ -125,7 +124,6 @@ class Function:
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
         self.jumps = False
-        self._graph: Graph | None = None
 
     @property
     def qualified_name(self) -> str:
@@ -139,13 +137,6 @@ class Function:
         result = self.result
         named = result is not None and node.args is None and result.name.lower() == node.name.lower()
         return result if named else None
-
-    @property
-    def graph(self) -> Graph:
-        """The flow graph, built on first use, when the body is final."""
-        if self._graph is None:
-            self._graph = Graph(self.body, self.kind == "main")
-        return self._graph
 
 
 class Session:

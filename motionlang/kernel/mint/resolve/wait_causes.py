@@ -20,6 +20,7 @@ from dataclasses import replace
 from math import inf
 
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mint.keywords.event_kinds import label_event
 from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
@@ -58,15 +59,15 @@ COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
 FIRST_KEY, LAST_KEY = 32, 126
 
 
-def finder(module: Module, names: Names) -> Callable[[int], LoopDependencies | None]:
+def finder(module: Module, names: Names, graph: StepGraph) -> Callable[[int], LoopDependencies | None]:
     """Return a function that maps an offset to the dependencies of its loop or PAUSE."""
-    return _Survey(module, names.functions).at
+    return _Survey(module, names.functions, graph).at
 
 
 class _Survey:
     """The loops and PAUSEs of a program, each analysed on request."""
 
-    def __init__(self, module: Module, functions: Iterable[Function]) -> None:
+    def __init__(self, module: Module, functions: Iterable[Function], graph: StepGraph) -> None:
         self._module = module
         self._nodes: dict[int, nodes.Node] = {}
         self._by_labels: dict[int, list[nodes.Stmt]] = {}
@@ -79,7 +80,7 @@ class _Survey:
         # The variables that labels which handle events assign, as an Event does.
         self._handled: set[Symbol | None] = set()
         for function in functions:
-            found = list(self._reached(handled(function)))
+            found = list(self._reached(handled(function, graph)))
             if found:
                 self._roots.append(found)
                 assigned = (node.target for node in found if isinstance(node, nodes.Assign))

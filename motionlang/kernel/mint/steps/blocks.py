@@ -11,14 +11,20 @@ from motionlang.kernel.lang.steps import (
     CALL,
     DO,
     END,
+    ENDLESS,
+    HEAD,
     JUMP,
+    NEXT,
     NOTE,
     NOW,
     RETURN,
+    TEST,
+    UNTIL,
     Steps,
     Values,
     own,
 )
+from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.unit import UnitWriter, is_stop
 from motionlang.kernel.mint.steps.values import COMPARISONS, Get, Value, arithmetic, combined
@@ -35,7 +41,7 @@ def if_(w: UnitWriter, node: nodes.If, block: Block) -> None:
     while True:
         w.at = node.start
         w.settle(node.condition)
-        otherwise = w.add(BRANCH, expressions.condition(w, node.condition), cost=1.0)
+        otherwise = w.add(BRANCH, expressions.condition(w, node.condition), cost=1.0, role=TEST)
         block(w, node.body)
         if node.orelse:
             ends.append(w.add(JUMP))
@@ -105,7 +111,8 @@ def while_(w: UnitWriter, node: nodes.While, block: Block) -> None:
     noted = _begin(w)
     begin, leaving = len(w.steps), list[int]()
     w.settle(node.condition)
-    leaving.append(w.add(BRANCH, expressions.condition(w, node.condition)))
+    role = ENDLESS if _constant(node.condition) else TEST
+    leaving.append(w.add(BRANCH, expressions.condition(w, node.condition), role=role))
     _body(w, "while", node, leaving, block)
     w.add(BACK, to=begin, cost=1.0)
     _end(w, node, noted, begin, leaving)
@@ -119,9 +126,16 @@ def repeat(w: UnitWriter, node: nodes.Repeat, block: Block) -> None:
     w.at = node.condition.start
     w.settle(node.condition)
     ends = expressions.condition(w, node.condition)
-    leaving.append(w.add(BRANCH, lambda values: not ends(values), cost=1.0))
+    role = ENDLESS if _constant(node.condition) == 0 else UNTIL
+    leaving.append(w.add(BRANCH, lambda values: not ends(values), cost=1.0, role=role))
     w.add(BACK, to=begin)
     _end(w, node, noted, begin, leaving)
+
+
+def _constant(node: nodes.Expr) -> Known | None:
+    """Return the value of a number or of a constant of the language, such as _TRUE; None for anything else."""
+    is_name = isinstance(node, nodes.Name) and node.symbol is None
+    return fold(node) if is_name or isinstance(node, nodes.Number) else None
 
 
 def loop(w: UnitWriter, node: nodes.Loop, block: Block) -> None:
@@ -147,12 +161,12 @@ def for_(w: UnitWriter, node: nodes.For, block: Block) -> None:
     w.add(DO, expressions.storing(w, node.variable, where, which, begins), cost=1.0, sets=sets)
     noted = _begin(w)
     begin, leaving = len(w.steps), list[int]()
-    leaving.append(w.add(BRANCH, _goes_on(w, node, stop, by)))
+    leaving.append(w.add(BRANCH, _goes_on(w, node, stop, by), role=HEAD))
     _body(w, "for", node, leaving, block)
     counter = expressions.linear(w, node.variable)
     w.reads |= by.sum_of
     counts = expressions.converted(w, arithmetic("+", counter, by), kind)
-    w.add(DO, expressions.storing(w, node.variable, where, which, counts), cost=1.0, sets=sets)
+    w.add(DO, expressions.storing(w, node.variable, where, which, counts), cost=1.0, sets=sets, role=NEXT)
     w.add(BACK, to=begin)
     _end(w, node, noted, begin, leaving)
 

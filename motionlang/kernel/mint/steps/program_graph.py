@@ -12,12 +12,12 @@ from motionlang.kernel.lang.program_graph import (
     WRITE,
     AxisUse,
     ChannelUse,
-    Graph,
     Statement,
     Structure,
     Unit,
 )
-from motionlang.kernel.lang.steps import CALL
+from motionlang.kernel.lang.step_graph import StepGraph
+from motionlang.kernel.lang.steps import CALL, Steps
 from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
 from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
@@ -38,13 +38,8 @@ _UNKNOWN = "?"
 _JUMPS = (nodes.Exit, nodes.Return)
 
 
-def structure(
-    source: Source,
-    names: Names,
-    polls: Callable[[int], LoopDependencies | None],
-    settings: Mapping[str, object],
-) -> Structure:
-    """Return the structure of a checked program on a machine with these settings."""
+def written(source: Source, names: Names, settings: Mapping[str, object]) -> dict[Function, Steps]:
+    """Return the steps of the functions of a checked program on a machine with these settings."""
     environment = Environment(Machine(dict(settings)), Places())
     environment.prepare()
 
@@ -52,28 +47,40 @@ def structure(
         return source.location(offset)[0]
 
     environment.line_of = line_of
-    writer = ProgramWriter(names, environment, line_of, {})
-    graph = Graph()
-    for steps in writer.steps.values():
-        graph.add(steps)
+    return ProgramWriter(names, environment, line_of, {}).steps
+
+
+def graph_of(names: Names, steps: Mapping[Function, Steps]) -> StepGraph:
+    """Return the graph of the steps of the functions."""
+    graph = StepGraph(list(steps.values()))
+    last = graph.ranges[names.main.qualified_name][-1]
+    graph.points[last] = graph.points[last]._replace(at=-1)  # the end of the text is no statement
+    return graph
+
+
+def structure(
+    source: Source,
+    names: Names,
+    steps: Mapping[Function, Steps],
+    graph: StepGraph,
+    polls: Callable[[int], LoopDependencies | None],
+) -> Structure:
+    """Return the structure of a checked program."""
     reader = _Reader(source, names, polls)
     for function in names.functions:
         reader.read(function)
-    units = sorted(_units(names, writer, graph, reader), key=lambda each: each.line)
+    units = sorted(_units(steps, graph, reader), key=lambda each: each.line)
 
     def polled(at: int) -> LoopDependencies | None:
         return polls(reader.repeats.get(at, at))
 
-    points = graph.points()
-    last = graph.index(writer.steps[names.main], len(writer.steps[names.main]) - 1)
-    points[last] = points[last]._replace(at=-1)  # the end of the text is no statement
-    return Structure(source, reader.statements, points, units, frozenset(reader.writes), polled)
+    return Structure(source, reader.statements, graph, units, frozenset(reader.writes), polled)
 
 
-def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -> Iterator[Unit]:
+def _units(written: Mapping[Function, Steps], graph: StepGraph, reader: _Reader) -> Iterator[Unit]:
     """Yield the functions, and the labels that a Gosub calls or that handle an event."""
-    for function, steps in writer.steps.items():
-        entry = graph.index(steps, 0)
+    for function, steps in written.items():
+        entry = graph.first(steps)
         line = reader.line(function.at)
         if function.kind == "main":
             yield Unit("program", "program", 0, entry)
@@ -90,7 +97,7 @@ def _units(names: Names, writer: ProgramWriter, graph: Graph, reader: _Reader) -
                 at = reader.labels.get((function, label.lower()), function.at)
                 kind = "event" if is_handler else "subroutine"
                 triggers = _triggers(reader, label, at) if is_handler else ()
-                yield Unit(label, kind, reader.line(at), graph.index(steps, index), triggers)
+                yield Unit(label, kind, reader.line(at), entry + index, triggers)
 
 
 def _triggers(reader: _Reader, name: str, at: int) -> Sequence[ChannelUse]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, TURN, Values
+from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
@@ -196,7 +196,7 @@ def _end(w: UnitWriter, node: nodes.End) -> None:
         return
     if w.function.kind == "main" and w.program.is_guarded:
         w.add(NOW)
-    w.add(END, lambda values: environment.end_program())
+    w.add(END, lambda values: environment.end_program(), role=STOP)
 
 
 def _task(node: nodes.Run | nodes.End) -> Function:

@@ -52,7 +52,15 @@ class UnitWriter:
 
     # ------------------------------------------------------------------------------------------------- steps
 
-    def add(self, kind: int, do: Any = None, to: int = -1, cost: float = 0.0, sets: int | None = None) -> int:
+    def add(
+        self,
+        kind: int,
+        do: Any = None,
+        to: int = -1,
+        cost: float = 0.0,
+        sets: int | None = None,
+        role: str = "",
+    ) -> int:
         """Append a step, which sets a variable; return its index."""
         if kind in (NOW, NOTE):  # what has been written so far is used by the step after it
             return self.steps.add(kind, do, to, self.at, Uses(), cost)
@@ -61,7 +69,7 @@ class UnitWriter:
             is_set = frozenset() if sets is None else frozenset((sets,))
             uses = Uses(frozenset(self.reads), is_set, frozenset(self.nonlinear))
         self.forget_uses()
-        return self.steps.add(kind, do, to, self.at, uses, cost)
+        return self.steps.add(kind, do, to, self.at, uses, cost, role)
 
     def pay(self) -> None:
         """Append a step that only takes the time of a statement."""

@@ -12,7 +12,7 @@ Read = tuple[str, int | None]
 PAUSES: list[tuple[str, set[Read]]] = [
     ("INX(3) And POS(1) > 5", {("input", 3), ("position", 1)}),
     ("IDLE(0) Or AXISERROR(2)", {("axis", 0), ("axis", 2)}),
-    ("POS(0, 1) > 5", {("position", 0), ("position", 1)}),
+    ("POS(0) > POS(1)", {("position", 0), ("position", 1)}),
     ("POS(second) > VEL(n)", {("position", 1), ("position", None)}),
     ("VEL > 5", {("position", None)}),
     ("INX(n)", {("input", None)}),
@@ -64,7 +64,7 @@ LOOPS: list[tuple[str, set[Read], set[Read], set[int], str]] = [
     ("Loop\nIf INX(3) Then Exit Loop\nIf INX(4) Then PRINT 1\nEnd Loop",
      {("input", 3)}, {("input", 3), ("input", 4)}, {2, 3}, "INX(3)"),
     ("Loop\nIf INX(3) Then\nPRINT 1\nElse\nEnd\nEnd If\nEnd Loop", {("input", 3)}, {("input", 3)}, {2, 3, 5}, "INX(3)"),
-    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(3) Then End\nIf INX(4) Then Return\nEnd Loop",
+    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(3) Then End\nIf INX(4) Then Return\nEnd Loop\nGosub over\n#over\nReturn",
      {("input", 3), ("input", 4)}, {("input", 3), ("input", 4)}, {2, 3, 4}, "INX(3) or INX(4)"),
     ("Loop\nSelect Case INX(2)\nCase 1\nExit Loop\nEnd Select\nEnd Loop",
      {("input", 2)}, {("input", 2)}, {2, 3, 4}, "INX(2)"),
