@@ -3,7 +3,7 @@
 Problem. An engineer asks what the machine waits for now, and what happens next. The text answers in the order in which
 it was written; a list of all paths through it would be exponential.
 
-Idea. The graph of the steps of the program (`kernel/lang/program_graph.py`) has everything: a wait is a step, and
+Idea. The graph of the steps of the program (`kernel/lang/facts.py`) has everything: a wait is a step, and
 branches, jumps and calls link the steps. Each unit becomes one diagram. Its states are the statements at which a task
 waits, and the paths between them become transitions, with the conditions that hold and the actions on the way.
 

@@ -8,6 +8,15 @@ from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Frame as Frame
+    from motionlang.kernel.lang.facts import READ as READ
+    from motionlang.kernel.lang.facts import WRITE as WRITE
+    from motionlang.kernel.lang.facts import AxisKey as AxisKey
+    from motionlang.kernel.lang.facts import AxisUse as AxisUse
+    from motionlang.kernel.lang.facts import ChannelUse as ChannelUse
+    from motionlang.kernel.lang.facts import Statement as Statement
+    from motionlang.kernel.lang.facts import Structure as Structure
+    from motionlang.kernel.lang.facts import Unit as Unit
+    from motionlang.kernel.lang.facts import Use as Use
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
@@ -42,13 +51,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.names import Names as Names
     from motionlang.kernel.lang.names import Span as Span
     from motionlang.kernel.lang.program import Target as Target
-    from motionlang.kernel.lang.program_graph import READ as READ
-    from motionlang.kernel.lang.program_graph import WRITE as WRITE
-    from motionlang.kernel.lang.program_graph import AxisUse as AxisUse
-    from motionlang.kernel.lang.program_graph import ChannelUse as ChannelUse
-    from motionlang.kernel.lang.program_graph import Statement as Statement
-    from motionlang.kernel.lang.program_graph import Structure as Structure
-    from motionlang.kernel.lang.program_graph import Unit as Unit
     from motionlang.kernel.lang.run_errors import explain as explain
     from motionlang.kernel.lang.step_graph import StepGraph as StepGraph
     from motionlang.kernel.lang.step_list import ListedStep as ListedStep
@@ -91,7 +93,7 @@ PUBLIC = {
     "machine.layers": "layered",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "program_graph": "Structure Unit Statement AxisUse ChannelUse READ WRITE",
+    "facts": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep",
     "wait_causes": "InputRead Read LoopDependencies KINDS MOVING",
     "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",

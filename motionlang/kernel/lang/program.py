@@ -10,9 +10,9 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.facts import Structure
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
-    from motionlang.kernel.lang.program_graph import Structure
     from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task

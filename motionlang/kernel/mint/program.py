@@ -20,8 +20,10 @@ from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
+from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.overrides import override
 from motionlang.kernel.mint.resolve.problems import Problems
+from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
 from motionlang.kernel.mint.steps.inspection import Inspection
@@ -34,7 +36,7 @@ from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.facts import Structure
     from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.lang.steps import Steps
     from motionlang.kernel.mint.resolve.symbols import Function
@@ -106,15 +108,17 @@ class MintProgram(Program):
     def checked(self) -> Checked:
         """The names and the problems of the readable lines."""
         with StackSpace():
-            return examined(self._readable, self._declared)
+            found = examined(self._readable, self._declared)
+            if isinstance(self._parsed, Module) and not found.problems.has_errors:
+                warn_of_short_ramps(self._facts.statements.values(), found.problems)
+            return found
 
     @cached_property
     def mistakes(self) -> list[Diagnostic]:
         """All errors, with the warnings of the check beside them; empty if there is no error."""
         module, taken, unreadable = self._read
-        found = [] if module is None else list(self.checked.problems.found.values())
-        if not any(each.severity == "error" for each in found):
-            found = []
+        has_errors = module is not None and self.checked.problems.has_errors
+        found = list(self.checked.problems.found.values()) if has_errors else []
         if unreadable is not None:
             found = [*unreadable.diagnostics, *unrelated(found, self.source, taken)]
         return ProgramError(found).diagnostics
@@ -182,22 +186,26 @@ class MintProgram(Program):
 
     @cached_property
     def _steps(self) -> dict[Function, Steps]:
-        from motionlang.kernel.mint.steps.program_graph import written
+        from motionlang.kernel.mint.steps.structure import written
 
         self.require()
         return written(self.source, self.checked.names, self.settings)
 
     @cached_property
     def graph(self) -> StepGraph:
-        from motionlang.kernel.mint.steps.program_graph import graph_of
+        from motionlang.kernel.mint.steps.structure import graph_of
 
         return graph_of(self.checked.names, self._steps)
 
     @cached_property
-    def structure(self) -> Structure:
-        from motionlang.kernel.mint.steps.program_graph import structure
+    def _facts(self) -> FactsReader:
+        return FactsReader(self.source, self._declared.names)
 
-        return structure(self.source, self.checked.names, self._steps, self.graph, self.polls)
+    @cached_property
+    def structure(self) -> Structure:
+        from motionlang.kernel.mint.steps.structure import structure
+
+        return structure(self._facts, self._steps, self.graph, self.polls)
 
     @cached_property
     def step_list(self) -> list[ListedUnit]:
@@ -212,7 +220,7 @@ class MintProgram(Program):
 
     @cached_property
     def remarks(self) -> Sequence[str]:
-        return chosen_rates(self.tree, self.settings) if isinstance(self._parsed, Module) else []
+        return [] if self.mistakes else chosen_rates(self._facts.statements.values(), self.settings)
 
     @property
     def offsets(self) -> Sequence[int]:

@@ -45,7 +45,7 @@ def _place(found: Diagnostic) -> tuple[int, int, str, str]:
 def lint(program: MintProgram) -> list[Diagnostic]:
     """Return the warnings of a program without errors, in no particular order."""
     module, settings = program.tree, program.settings
-    facts = Facts(program.checked.names, program.graph, table(), has_host(module.source, COMMENT))
+    facts = Facts(program.checked.names, program.structure, table(), has_host(module.source, COMMENT))
     found = Findings(module)
     check_functions(facts, settings, module, found.add)
     add = found.add

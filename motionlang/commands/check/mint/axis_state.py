@@ -12,13 +12,14 @@ from functools import reduce
 from operator import itemgetter
 from typing import NamedTuple
 
-from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key
-from motionlang.kernel.lang import TEST, UNTIL
+from motionlang.commands.check.mint.effects import COMMANDS, Facts
+from motionlang.kernel.lang import TEST, UNTIL, Use
+from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mint.resolve.folding import binary
-from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 
-Report = Callable[[str, Act, Key, "Axis"], None]
+Report = Callable[[str, Use, Key, "Axis"], None]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # No buffer holds more entries, so larger counts are not distinguished.
@@ -185,11 +186,11 @@ class Follower:
 
     def known(self, state: State, key: Key) -> Axis:
         """Return the certain facts about an axis."""
-        unsure = isinstance(key, Symbol) and self.apart
+        unsure = isinstance(key, str) and self.apart
         if key is None or unsure or key in self.apart or None in self.apart:
             return ANY
         axis = state[key]
-        if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
+        if {key, None} & self.led or (isinstance(key, str) and self.led):
             return axis._replace(motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
         return axis
 
@@ -260,7 +261,7 @@ class Follower:
             return yes, self._refined(node, role == UNTIL, state)  # type: ignore[arg-type]
         return state, state
 
-    def _act(self, act: Act, state: State) -> State:
+    def _act(self, act: Use, state: State) -> State:
         if act.role == "call":
             return self._call(act, state)
         if act.row is not None and act.row.verb == "wait":
@@ -279,9 +280,8 @@ class Follower:
                 state = state.put(key, new)
         return state
 
-    def _call(self, call: Act, state: State) -> State:
-        callee = call.callee
-        assert callee is not None
+    def _call(self, call: Use, state: State) -> State:
+        callee = self.facts.callee(call)
         state = state.passed()
         after = self.after.get(callee, {})  # none while it is being analysed: it is recursive
         changed = self.facts.touched(callee, CHANGES)
@@ -290,44 +290,44 @@ class Follower:
             if outer is None:
                 return ANYTHING
             state = state.put(outer, after.get(key, ANY))
-        if any(isinstance(key, Symbol) for key in state.axes) and changed:
+        if any(isinstance(key, str) for key in state.axes) and changed:
             named = {self.facts.outer(call, key) for key in changed}
-            if any(not isinstance(key, Symbol) for key in named):
+            if any(not isinstance(key, str) for key in named):
                 return ANYTHING
         return state
 
-    def _report_problem(self, problem: str, act: Act, key: Key, axis: Axis) -> None:
+    def _report_problem(self, problem: str, act: Use, key: Key, axis: Axis) -> None:
         if self._report is not None:
             self._report(problem, act, key, axis)
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
-    def _read(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _read(self, act: Use, number: int, axis: Axis) -> Axis:
         if act.row is not None and act.row.verb == "position" and axis.fresh and not self._polls:
             self._report_problem("in-motion", act, act.axes[number], axis)
         return axis
 
-    def _move(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _move(self, act: Use, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         target = self._target(act, number, axis, act.row.does("relative"))
         loaded = self._loaded(self._entry(act, number, axis), act)
         span = axis.reaching(target)
         return self._checked(act, number, loaded._replace(target=target, span=span))
 
-    def _loaded(self, axis: Axis, act: Act) -> Axis:
+    def _loaded(self, axis: Axis, act: Use) -> Axis:
         """Record the offset of the move if it is the first one in the buffer."""
         return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
 
-    def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
+    def _target(self, act: Use, number: int, axis: Axis, relative: bool) -> float | None:
         """Return the end position of a move in user units, None if unknown."""
-        value = self.facts.number(act.value(number))
+        value = act.number(number)
         if not relative or value is None:
             return value
         key = act.axes[number]
-        certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, Symbol)
+        certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, str)
         return axis.target + value if certain and axis.target is not None else None
 
-    def _checked(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _checked(self, act: Use, number: int, axis: Axis) -> Axis:
         """Report a target that is out of reach, and drop it from the facts."""
         key = act.axes[number]
         if axis.target is None or not self.is_out_of_reach(key, axis):
@@ -335,15 +335,15 @@ class Follower:
         self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)
 
-    def _entry(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _entry(self, act: Use, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._report_problem("scale-after-speed", act, act.axes[number], axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
-    def _course(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _course(self, act: Use, number: int, axis: Axis) -> Axis:
         return self._entry(act, number, axis)._replace(target=None, span=None)
 
-    def _path(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _path(self, act: Use, number: int, axis: Axis) -> Axis:
         """Load a path, which waits for the GO of its first axis.
 
         The target is known only for a line.
@@ -357,7 +357,7 @@ class Follower:
             axis = self._loaded(self._entry(act, number, axis), act)
         return self._checked(act, number, axis._replace(target=target, span=span, empty=False))
 
-    def _go(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _go(self, act: Use, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
             self._report_problem("zeros", act, act.axes[number], axis)
@@ -372,7 +372,7 @@ class Follower:
             jogs=axis.jogs and axis.empty,
         )
 
-    def _stop(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _stop(self, act: Use, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stops = axis.motion == IDLE or act.row.does("abrupt")
         target = axis.target if axis.motion == IDLE and not axis.waiting else None
@@ -387,9 +387,9 @@ class Follower:
         )
         return axis._replace(target=None, frame=None, span=None) if act.row.does("datum") else axis
 
-    def _at_once(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _at_once(self, act: Use, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        jogs = act.row.does("endless") and self.facts.number(act.value(number)) not in (None, 0)
+        jogs = act.row.does("endless") and act.number(number) not in (None, 0)
         return axis._replace(
             motion=MOVES if jogs else UNKNOWN,
             fresh=False,
@@ -401,7 +401,7 @@ class Follower:
             jogs=jogs,
         )
 
-    def _slot(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _slot(self, act: Use, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         slot = act.row.gives
         if slot == "speed":
@@ -411,30 +411,30 @@ class Follower:
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
-        nothing = act.row.verb in _NEEDED and self.facts.number(act.value(number)) == 0
+        nothing = act.row.verb in _NEEDED and act.number(number) == 0
         return axis._replace(
             set=axis.set | {slot} if in_units else axis.set - {slot},
             stale=axis.stale - {slot},
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
         )
 
-    def _scale(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _scale(self, act: Use, number: int, axis: Axis) -> Axis:
         if axis.motion == MOVES:
             self._report_problem("scale-in-motion", act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
         return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
-    def _zero(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _zero(self, act: Use, number: int, axis: Axis) -> Axis:
         if axis.fresh:
             self._report_problem("in-motion", act, act.axes[number], axis)
-        value = self.facts.number(act.value(number))
+        value = act.number(number)
         if axis.motion != IDLE or axis.waiting or value is None:
             return axis._replace(target=None, frame=None, span=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
         return axis._replace(target=value, frame=moved, span=(value, value))
 
-    def _use(self, act: Act, number: int, axis: Axis) -> Axis:
+    def _use(self, act: Use, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
             return axis._replace(

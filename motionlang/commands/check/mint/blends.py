@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import hypot
 
-from motionlang.commands.check.mint.effects import Act, Facts, spelt
+from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.kernel.lang import Use
 
 Add = Callable[..., None]
 
@@ -39,9 +40,9 @@ def check_blends(facts: Facts, add: Add) -> None:
             add("blend-distance", message, act.at, "set it to half of the shortest path, or less")
 
 
-def _length(facts: Facts, act: Act) -> float | None:
+def _length(facts: Facts, act: Use) -> float | None:
     """Return the length of a relative straight path, None if it is unknown."""
-    values = [facts.number(value) for value in act.values]
+    values = [value.number for value in act.values]
     numbers = [value for value in values if value is not None]
     if act.row is None or not (act.row.does("line") and act.row.does("relative")):
         return None

@@ -6,9 +6,11 @@ from collections.abc import Callable
 from functools import partial
 
 from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
-from motionlang.commands.check.mint.effects import Act, Facts, Key, spelt
-from motionlang.kernel.lang import HEAD, NEXT
-from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.kernel.lang import HEAD, NEXT, Use
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.mint.resolve.facts import changed, meaning
+from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
@@ -56,11 +58,11 @@ class Buffers:
         if self._may_trigger(key):
             return None
         sizes = self.sizes.get(key, [])
-        if sizes is None or None in self.sizes or (isinstance(key, Symbol) and self.sizes):
+        if sizes is None or None in self.sizes or (isinstance(key, str) and self.sizes):
             return None
         return max([DEFAULT_SIZE, *sizes])
 
-    def _overfilled(self, act: Act, key: Key, size: float) -> None:
+    def _overfilled(self, act: Use, key: Key, size: float) -> None:
         self.add(
             "buffer-overfilled",
             f"axis {spelt(key)} already has {size:.10g} moves in its buffer and no GO: this waits forever",
@@ -79,10 +81,10 @@ class Buffers:
         acts = [act for p in self._inside(function, node) for act in self.facts.acts.get(p, ())]
         if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
             return
-        loads: dict[Key, list[Act]] = {}
-        direct = {id(inner.target) for inner in node.body if type(inner) is nodes.Assign}
+        loads: dict[Key, list[Use]] = {}
+        direct = {inner.target.start for inner in node.body if type(inner) is nodes.Assign}
         for act in acts:
-            if act.role in ("move", "entry") and id(act.node) in direct:
+            if act.role in ("move", "entry") and act.at in direct:
                 for key in act.axes:
                     loads.setdefault(key, []).append(act)
         for key, found in loads.items():
@@ -95,11 +97,11 @@ class Buffers:
 
     def _counts_itself(self, node: nodes.For) -> bool:
         """True if nothing in the body of a For leaves the loop or changes its counter."""
-        counter = self.facts.symbol(node.variable)
+        counter = meaning(node.variable)
         for inner in walk(node.body):
             if type(inner) in _BREAKS:
                 return False
-            if any(self.facts.symbol(name) is counter for name in self.facts.written(inner)):
+            if any(meaning(name) is counter for name in changed(inner)):
                 return False
         return True
 
@@ -142,12 +144,10 @@ class Buffers:
         if function.kind != "sub" and not self.facts.handlers[function]:
             return 0
         return sum(
-            bit
-            for key, bit in number.items()
-            if {key, None} & started or (isinstance(key, Symbol) and started)
+            bit for key, bit in number.items() if {key, None} & started or (isinstance(key, str) and started)
         )
 
-    def _not_started(self, act: Act) -> None:
+    def _not_started(self, act: Use) -> None:
         assert act.row is not None
         names = ", ".join(map(spelt, act.axes))
         self.add(
@@ -157,13 +157,13 @@ class Buffers:
             f"GO({names}) starts the buffered moves",
         )
 
-    def _started_elsewhere(self, function: Function, act: Act) -> bool:
+    def _started_elsewhere(self, function: Function, act: Use) -> bool:
         """True if another task, a handler or a trigger may start the move."""
         if any(self._may_trigger(key) for key in act.axes) or None in act.axes:
             return True
         mine = self.facts.roots[function]
         others = set().union(*(keys for root, keys in self.started.items() if root not in mine))
-        any_axis = any(isinstance(key, Symbol) for key in act.axes)
+        any_axis = any(isinstance(key, str) for key in act.axes)
         return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 
     def _goes(self, number: dict[Key, int], p: int, bits: int) -> int:
@@ -173,14 +173,16 @@ class Buffers:
             elif act.role == "stop" and None not in act.axes:
                 for key in act.axes:
                     bits &= ~number.get(key, 0)
-            elif act.callee is not None:
-                started = {self.facts.outer(act, key) for key in self.facts.touched(act.callee, GO)}
+            elif act.callee:
+                started = {
+                    self.facts.outer(act, key) for key in self.facts.touched(self.facts.callee(act), GO)
+                }
                 bits = self._with(bits, tuple(started), number)
         return bits
 
     def _with(self, bits: int, axes: tuple[Key, ...], number: dict[Key, int]) -> int:
         for key in axes:
-            if key is None or isinstance(key, Symbol) is not any(isinstance(each, Symbol) for each in number):
+            if key is None or isinstance(key, str) is not any(isinstance(each, str) for each in number):
                 return bits | (sum(number.values()))
             bits |= number.get(key, 0)
         return bits

@@ -67,7 +67,7 @@ def _is_quiet(facts: Facts, p: int) -> bool:
     node = facts.nodes_at.get(p)
     if isinstance(node, _TAKES_TIME) or facts.graph.points[p].role == STOP:
         return False
-    if any(act.callee is None for act in facts.acts.get(p, ())):
+    if any(not act.callee for act in facts.acts.get(p, ())):
         return False
     for each in walk([node]):
         if type(each) is nodes.Name:
@@ -80,7 +80,7 @@ def _is_quiet(facts: Facts, p: int) -> bool:
 
 def _with_subs(facts: Facts, region: set[int]) -> set[int]:
     """Return the points of a loop and of all subs that it calls."""
-    callees = [act.callee for p in region for act in facts.acts.get(p, ()) if act.callee is not None]
+    callees = [facts.callee(act) for p in region for act in facts.acts.get(p, ()) if act.callee]
     called = [each for callee in callees for each in facts.called(callee)]
     return region.union(*(facts.points[each] for each in called))
 

@@ -10,7 +10,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.commands.check.mint.axis_state import IDLE, MOVES, Axis, Follower, State
-from motionlang.commands.check.mint.effects import Facts, Key, spelt
+from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
@@ -50,7 +51,7 @@ class Conditions:
         """Run all checks of conditions on a function."""
         before = self.follower.before[function]
         self._commands = {
-            id(act.node)
+            act.at
             for act in self.facts.acts_of[function]
             if act.role == "call" or (act.axes and act.role not in ("read", "slot"))
         }
@@ -223,7 +224,10 @@ class Conditions:
 
     def _only_polls(self, loop: nodes.While | nodes.Repeat) -> bool:
         """True if the body of a loop neither leaves it nor affects an axis."""
-        return not any(isinstance(each, _LEAVES) or id(each) in self._commands for each in walk(loop.body))
+        return not any(
+            isinstance(each, _LEAVES) or (isinstance(each, nodes.Name) and each.start in self._commands)
+            for each in walk(loop.body)
+        )
 
     def _loops(self, function: Function) -> Iterator[tuple[nodes.While | nodes.Repeat, bool]]:
         """Yield each loop with a condition, and the truth value that ends it."""

@@ -6,10 +6,13 @@ It also records the functions that run concurrently: the parent task, the tasks 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TypeVar
 
 from motionlang.kernel import Keyword
-from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, StepGraph, Vocabulary
+from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Structure, Use, Vocabulary
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.mint.resolve.facts import axes_of, changed, meaning
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.resolve.handlers import handled, label_handlers
 from motionlang.kernel.mint.resolve.names import Names
@@ -19,51 +22,8 @@ from motionlang.kernel.mint.syntax.traversal import by_kind, meant, walk
 
 AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
-# An axis: its number, the parameter of a sub that holds it, or None if it is unknown.
-Key = int | Symbol | None
 # Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
 COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
-
-
-def _role(row: Keyword, written: bool) -> str:
-    """Return the role of a keyword, its effect on the axes that it names.
-
-    The role is "read", a name from `ROLES`, "slot" (sets a property of moves) or "use" (any other
-    assignment or command).
-    """
-    if not written:
-        return "read"
-    return row.role or ("slot" if row.gives else "use")
-
-
-class Act:
-    """One use of a keyword, or one call of a sub.
-
-    `role` is its effect, `row` its keyword, `values` the values assigned, and `node` its name in the tree.
-    `axes` is empty for a keyword without axes. A call has the role "call", a `callee`, and the arguments in `values`.
-    """
-
-    __slots__ = ("axes", "callee", "node", "role", "row", "values")
-
-    def __init__(
-        self,
-        role: str,
-        row: Keyword | None,
-        node: nodes.Name,
-        axes: tuple[Key, ...] = (),
-        values: list[nodes.Expr] | None = None,
-        callee: Function | None = None,
-    ) -> None:
-        self.role, self.row, self.node, self.axes, self.callee = role, row, node, axes, callee
-        self.values = values or []
-
-    @property
-    def at(self) -> int:
-        return self.node.start
-
-    def value(self, number: int) -> nodes.Expr | None:
-        """Return the value for the n-th axis; the last value applies to all further axes."""
-        return self.values[min(number, len(self.values) - 1)] if self.values else None
 
 
 class Facts:
@@ -72,30 +32,31 @@ class Facts:
     If it `has_host`, a host reads and writes the declared global variables of the module.
     """
 
-    def __init__(self, names: Names, graph: StepGraph, table: Vocabulary, has_host: bool = False) -> None:
-        self.names, self.graph, self.table = names, graph, table
+    def __init__(self, names: Names, structure: Structure, table: Vocabulary, has_host: bool = False) -> None:
+        self.names, self.table = names, table
+        self.graph = graph = structure.graph
         self.functions = names.functions
+        self._by_name = {function.qualified_name: function for function in names.functions}
         # The points of each function.
         self.points = {function: graph.ranges[function.qualified_name] for function in names.functions}
         # The statement, the Case or the condition that is carried out at a point, and what it does with keywords.
         self.nodes_at: dict[int, nodes.Node] = {}
-        self.acts: dict[int, list[Act]] = {}
+        self.acts: dict[int, list[Use]] = {}
         # The event handlers among the labels of each function, by their points.
         self.handlers = {function: self._handlers(function) for function in names.functions}
         # The nodes of each function by their classes, its acts, and the acts of all functions by keyword.
         self.nodes = {function: by_kind(function.body) for function in self.functions}
-        self.acts_of: dict[Function, list[Act]] = {}
-        self.used: dict[Keyword, list[Act]] = {}
+        self.acts_of: dict[Function, list[Use]] = {}
+        self.used: dict[Keyword, list[Use]] = {}
         self._apart: set[Symbol] = set()  # parameters that name the only axis of their sub
         self._touched: dict[frozenset[str], dict[Function, set[Key]]] = {}
-        self.default_axes = names.uses_axes  # then a keyword without brackets may mean any axis
         self.writers = self._writers()
         # The variables that labels which handle events assign to.
         self.handled = {
-            self.symbol(name)
+            meaning(name)
             for function in self.functions
             for node in handled(function, graph)
-            for name in self.written(node)
+            for name in changed(node)
         }
         self.roots = self._roots()
         self.retained, self.begun = self._find_retained()
@@ -105,13 +66,11 @@ class Facts:
         self.hosted = set(variables) if has_host else set()
         self.retained |= self.hosted
         for function in self.functions:
-            mine = self.acts_of[function] = []
             found = self._carried_out(function)
-            for p in sorted(found):
-                self.nodes_at[p] = found[p]
-                self.acts[p] = list(self._acts(function, found[p]))
-                mine += self.acts[p]
-            self._resolve_parameters(function)
+            self.nodes_at |= found
+            uses = {p: structure.statements[graph.points[p].at].uses for p in sorted(found)}
+            self.acts |= self._resolved(function, uses)
+            mine = self.acts_of[function] = [act for p in uses for act in self.acts[p]]
             for act in mine:
                 if act.row is not None:
                     self.used.setdefault(act.row, []).append(act)
@@ -160,7 +119,7 @@ class Facts:
                 found[where[at]] = node
         return found
 
-    def written_by(self, wanted: Callable[[Keyword], object]) -> Iterator[Act]:
+    def written_by(self, wanted: Callable[[Keyword], object]) -> Iterator[Use]:
         """Yield the uses, other than reads, of the keywords that are `wanted`."""
         for row, acts in self.used.items():
             if wanted(row):
@@ -201,8 +160,8 @@ class Facts:
         for function in self.functions:
             for kind in (nodes.Assign, nodes.Input, nodes.For, nodes.Name):
                 for node in self.of_kind(kind, function):
-                    for name in self.written(node):
-                        symbol = self.symbol(name)
+                    for name in changed(node):
+                        symbol = meaning(name)
                         if symbol is not None:
                             found.setdefault(symbol, set()).add(function)
         return found
@@ -223,28 +182,6 @@ class Facts:
                     begun.add(symbol)
         return retained, begun
 
-    def written(self, node: nodes.Node) -> Iterator[nodes.Name]:
-        """Yield the names that a statement changes, including arrays and ByRef arguments."""
-        if type(node) is nodes.Assign or type(node) is nodes.Input:
-            target: nodes.Expr = node.target
-            while type(target) is nodes.Member:
-                target = target.value
-            if type(target) is nodes.Name:
-                yield target
-        elif type(node) is nodes.For:
-            yield node.variable
-        elif type(node) is nodes.Name and node.args:
-            symbol = node.symbol
-            if symbol is not None and symbol.kind == "sub":
-                for argument, parameter in zip(node.args, symbol.home.parameters, strict=False):
-                    if type(argument) is nodes.Name and (parameter.by_ref or parameter.is_array):
-                        yield argument
-
-    def symbol(self, name: nodes.Name) -> Symbol | None:
-        """Return the variable that a name refers to, directly or through a Define."""
-        meaning = meant(name)
-        return meaning.symbol if isinstance(meaning, nodes.Name) else name.symbol
-
     def value(self, node: nodes.Expr | None) -> Known | None:
         """Return the value of an expression, None if it is unknown before the run."""
         return None if node is None else fold(meant(node))
@@ -255,65 +192,6 @@ class Facts:
         return value if isinstance(value, (int, float)) else None
 
     # ---------------------------------------------------------------------------------------------- acts
-
-    def _acts(self, function: Function, node: nodes.Node) -> Iterator[Act]:
-        written: nodes.Expr | None = None
-        target: nodes.Expr | None = None
-        if isinstance(node, nodes.Assign | nodes.Call):
-            target = node.target
-            written = meant(node.target)
-        for expression in own_expressions(node):
-            for name in reversed(list(walk([expression]))):
-                if (
-                    type(name) is nodes.Name
-                    and name is not written
-                    and (written is None or name is not target)
-                ):
-                    yield from self._word(function, name, False, [])
-        if type(written) is nodes.Name:
-            values = node.values if type(node) is nodes.Assign else []
-            yield from self._word(function, written, True, values)
-
-    def _word(
-        self, function: Function, name: nodes.Name, written: bool, values: list[nodes.Expr]
-    ) -> Iterator[Act]:
-        symbol, row = name.symbol, name.row
-        if symbol is not None:
-            if symbol.kind == "sub" and not (
-                function.result and function.result.name == symbol.name and written
-            ):
-                yield Act("call", None, name, values=name.args, callee=symbol.home)
-            elif name.definition is not None:
-                for inner in walk([name.definition]):
-                    if type(inner) is nodes.Name:
-                        yield from self._word(function, inner, False, [])
-            return
-        if row is None or row.kind in ("function", "constant", "statement"):
-            return
-        yield Act(_role(row, written), row, name, self._axes(name, row), values)
-
-    def _axes(self, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
-        if row.does("all"):
-            return (None,)
-        kinds = row.index.split(", ")
-        if not {"axis", "axes"} & set(kinds):
-            return ()
-        if not name.args:
-            return (None,) if self.default_axes else (0,)
-        found = []
-        for number, argument in enumerate(name.args):
-            if kinds[min(number, len(kinds) - 1)] in ("axis", "axes"):
-                found.append(self._key(argument))
-        return tuple(found)
-
-    def _key(self, node: nodes.Expr) -> Key:
-        number = self.number(node)
-        if number is not None:
-            return int(number) if number == int(number) else None
-        symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
-        if symbol is not None and symbol.kind == "parameter" and not (symbol.by_ref or symbol.is_array):
-            return symbol if symbol not in self.writers else None
-        return None
 
     def given(self, *effects: str) -> set[Key]:
         """Return the axes of all keywords with one of these effects, except in reads."""
@@ -336,7 +214,7 @@ class Facts:
         found: dict[Key, list[float] | None] = {}
         for act in self.written_by(lambda row: row.name == word):
             for number, key in enumerate(act.axes):
-                value = self.number(act.value(number))
+                value = act.number(number)
                 known = found.setdefault(key, [])
                 if value is None:
                     found[key] = None
@@ -347,22 +225,22 @@ class Facts:
     def key_of(self, name: nodes.Name) -> Key:
         """Return the axis that a keyword names, None unless it is one known axis."""
         row = name.row
-        axes = self._axes(name, row) if row is not None else ()
+        axes = axes_of(name, row, self.names, self.writers) if row is not None else ()
         key = axes[0] if len(axes) == 1 else None
-        return None if isinstance(key, Symbol) and key not in self._apart else key
+        if isinstance(key, str) and name.args and getattr(name.args[0], "symbol", None) not in self._apart:
+            return None
+        return key
 
-    def _resolve_parameters(self, function: Function) -> None:
-        """Replace parameters by "any axis" if the function names more than one axis.
+    def _resolved(self, function: Function, found: dict[int, list[Use]]) -> dict[int, list[Use]]:
+        """Return the uses of a function, with "any axis" for its parameters if it names more than one axis.
 
         A parameter may be the same axis as another one that the function names.
         """
-        mine = self.acts_of[function]
-        keys = {key for act in mine for key in act.axes}
+        keys = {key for uses in found.values() for use in uses for key in use.axes}
         if len(keys) > 1:
-            for act in mine:
-                act.axes = tuple(None if isinstance(key, Symbol) else key for key in act.axes)
-        else:
-            self._apart.update(key for key in keys if isinstance(key, Symbol))
+            return {p: [_without_parameters(use) for use in uses] for p, uses in found.items()}
+        self._apart.update(each for each in function.parameters if each.name in keys)
+        return found
 
     def touched(self, function: Function, roles: frozenset[str]) -> set[Key]:
         """Return the axes that a function and its callees use in one of these roles.
@@ -380,12 +258,12 @@ class Facts:
         They are computed to a fixed point, because subs may be recursive.
         """
         found: dict[Function, set[Key]] = {}
-        calls: dict[Function, list[tuple[Function, Act]]] = {}
+        calls: dict[Function, list[tuple[Function, Use]]] = {}
         for function, acts in self.acts_of.items():
             found[function] = {key for act in acts if act.role in roles for key in act.axes}
             for act in acts:
-                if act.callee is not None:
-                    calls.setdefault(act.callee, []).append((function, act))
+                if act.callee:
+                    calls.setdefault(self.callee(act), []).append((function, act))
         grown = list(calls)
         while grown:
             callee = grown.pop()
@@ -396,31 +274,25 @@ class Facts:
                     grown.append(caller)
         return found
 
-    def outer(self, call: Act, key: Key) -> Key:
+    def callee(self, call: Use) -> Function:
+        """Return the function that a call enters."""
+        return self._by_name[call.callee]
+
+    def outer(self, call: Use, key: Key) -> Key:
         """Return the caller's axis that corresponds to an axis of the called sub."""
-        if not isinstance(key, Symbol):
+        if not isinstance(key, str):
             return key
-        assert call.callee is not None
-        for argument, parameter in zip(call.values, call.callee.parameters, strict=False):
-            if parameter is key:
-                return self._key(argument)
-        return None
-
-
-def own_expressions(node: nodes.Node) -> list[nodes.Node]:
-    """Return the expressions that a step evaluates itself, without inner blocks."""
-    kind = type(node)
-    if kind is nodes.For:
-        return [each for each in (node.first, node.stop, node.step) if each is not None]  # type: ignore[attr-defined]
-    if kind is nodes.Select:
-        return [node.subject]  # type: ignore[attr-defined]
-    if kind is nodes.Case:
-        return list(node.tests)  # type: ignore[attr-defined]
-    if kind is nodes.Loop or kind is nodes.Repeat:
-        return []
-    return [node]
+        parameters = (each.name for each in self.callee(call).parameters)
+        return next(
+            (axis for axis, name in zip(call.arguments, parameters, strict=False) if name == key), None
+        )
 
 
 def spelt(key: Key) -> str:
     """Return an axis as shown in messages: its number, or the parameter that holds it."""
-    return "?" if key is None else key.name if isinstance(key, Symbol) else str(key)
+    return "?" if key is None else str(key)
+
+
+def _without_parameters(use: Use) -> Use:
+    axes = tuple(None if isinstance(key, str) else key for key in use.axes)
+    return use if axes == use.axes else replace(use, axes=axes)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from motionlang.commands.check.mint.axis_state import Axis, Follower
-from motionlang.commands.check.mint.effects import Act, Facts, Key, spelt
+from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.lang import Use
 from motionlang.kernel.mint.resolve.symbols import Function
 
 Add = Callable[..., None]
@@ -63,10 +65,10 @@ class Motion:
         """Run all checks of motion on a function."""
         self.follower.report_problems(function, self._on_problem)
 
-    def _on_problem(self, problem: str, act: Act, key: Key, axis: Axis) -> None:
+    def _on_problem(self, problem: str, act: Use, key: Key, axis: Axis) -> None:
         _REPORTS[problem](self, act, key, axis)
 
-    def _in_motion(self, act: Act, key: Key, axis: Axis) -> None:
+    def _in_motion(self, act: Use, key: Key, axis: Axis) -> None:
         zeroed = act.role == "zero"
         what = "set" if zeroed else "read"
         self.add(
@@ -76,12 +78,12 @@ class Motion:
             f"PAUSE IDLE({spelt(key)}) waits for its end",
         )
 
-    def _scale_in_motion(self, act: Act, key: Key, axis: Axis) -> None:
+    def _scale_in_motion(self, act: Use, key: Key, axis: Axis) -> None:
         assert act.row is not None
         self.add("scale-in-motion", f"{act.row.name} is changed while axis {spelt(key)} moves", act.at,
                  f"PAUSE IDLE({spelt(key)}) waits until it is at rest")  # fmt: skip
 
-    def _scale_late(self, act: Act, key: Key, axis: Axis) -> None:
+    def _scale_late(self, act: Use, key: Key, axis: Axis) -> None:
         words = ", ".join(sorted(each.upper() for each in axis.stale))
         self.add(
             "scale-after-speed",
@@ -90,7 +92,7 @@ class Motion:
             "set the scale first",
         )
 
-    def _time_first(self, act: Act, key: Key, axis: Axis) -> None:
+    def _time_first(self, act: Use, key: Key, axis: Axis) -> None:
         self.add(
             "time-before-speed",
             f"the time of a ramp of axis {spelt(key)} is set before SPEED, on which it depends",
@@ -98,7 +100,7 @@ class Motion:
             "set SPEED first",
         )
 
-    def _no_motion(self, act: Act, key: Key, axis: Axis) -> None:
+    def _no_motion(self, act: Use, key: Key, axis: Axis) -> None:
         assert axis.loaded is not None
         what = {"speed": "speed", "accel": "acceleration", "decel": "deceleration"}
         zeros = [word for slot, word in what.items() if slot in axis.zeros]
@@ -107,12 +109,12 @@ class Motion:
         message = f"the move {does}: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
         self.add(code, message, axis.loaded, "set it above zero first")
 
-    def _nothing(self, act: Act, key: Key, axis: Axis) -> None:
+    def _nothing(self, act: Use, key: Key, axis: Axis) -> None:
         axes = ", ".join(map(spelt, act.axes))
         self.add("nothing-loaded", "this GO starts nothing: no move is loaded", act.at,
                  f"load one first, as in MOVER({axes}) = 10")  # fmt: skip
 
-    def _beyond(self, act: Act, key: Key, axis: Axis) -> None:
+    def _beyond(self, act: Use, key: Key, axis: Axis) -> None:
         what = self.reach.beyond(key, axis)
         self.add("beyond-travel", f"the move ends at {axis.target:.10g}, beyond {what} of axis {spelt(key)}", act.at,
                  "the axis stops there with an error")  # fmt: skip

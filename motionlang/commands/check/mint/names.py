@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.commands.check.mint.effects import Facts, Key
+from motionlang.commands.check.mint.effects import Facts
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.mint.resolve.facts import meaning
 from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS
 from motionlang.kernel.mint.resolve.symbols import (
     CONTROLLER,
@@ -114,8 +116,8 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
     for node in facts.of_kind(nodes.Assign):
         if type(node.target) is not nodes.Name or node.target.args is not None:
             continue
-        symbol = facts.symbol(node.target)
-        symbols = [facts.symbol(each) for each in walk(node.values) if type(each) is nodes.Name]
+        symbol = meaning(node.target)
+        symbols = [meaning(each) for each in walk(node.values) if type(each) is nodes.Name]
         # A sub may print its argument or use it in another way.
         is_called = any(each is not None and each.kind == "sub" for each in symbols)
         if symbol is not None and symbol in symbols and not is_called:
@@ -178,8 +180,8 @@ def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
         for act in facts.acts.get(p, ()):
             if act.role in _COMMANDS:
                 found.update(act.axes)
-            elif act.callee is not None:
-                found.update(facts.outer(act, key) for key in facts.touched(act.callee, _COMMANDS))
+            elif act.callee:
+                found.update(facts.outer(act, key) for key in facts.touched(facts.callee(act), _COMMANDS))
     return found
 
 
@@ -189,7 +191,7 @@ def _two(facts: Facts, task: Function, other: Function, key: Key, add: Add) -> N
         for function in facts.called(task)
         for act in facts.acts_of[function]
         if act.role in _COMMANDS
-        and (key in act.axes or None in act.axes or any(isinstance(k, Symbol) for k in act.axes))
+        and (key in act.axes or None in act.axes or any(isinstance(k, str) for k in act.axes))
     )
     who = "the parent" if other.kind == "main" else f"the task {other.name}"
     add("two-tasks", f"axis {key} is commanded by the task {task.name} and by {who}", at,

@@ -8,6 +8,7 @@ from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
 from motionlang.commands.check.mint.effects import Facts
 from motionlang.commands.check.silence import driven_inputs
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
+from motionlang.kernel.mint.resolve.facts import changed, meaning
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -142,7 +143,7 @@ class Reachability:
             row = each.row
             if row is not None and row.changes == "motion":
                 key = self.facts.key_of(each)
-                return key.name if isinstance(key, Symbol) else str(key)
+                return str(key)
         return ""
 
     def _may_change(self, function: Function, name: nodes.Name, state: State) -> bool:
@@ -203,7 +204,7 @@ class Reachability:
         inside = list(walk(node.body))
         if any(isinstance(each, _LEAVES) for each in inside):
             return
-        written = {self.facts.symbol(each) for inner in inside for each in self.facts.written(inner)}
+        written = {meaning(each) for inner in inside for each in changed(inner)}
         calls = [each for each in inside if type(each) is nodes.Name and self._calls(each)]
         if written & {each for each in symbols if each is not None} or (
             calls and any(self._written_elsewhere(function, each) for each in symbols)

@@ -9,8 +9,10 @@ from collections.abc import Callable
 from functools import partial
 
 from motionlang.commands.check.mint.axis_state import IDLE, Follower
-from motionlang.commands.check.mint.effects import COMMANDS, Act, Facts, Key, spelt
-from motionlang.kernel.mint.resolve.symbols import Function, Symbol
+from motionlang.commands.check.mint.effects import COMMANDS, Facts, spelt
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.lang import Use
+from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 
 Add = Callable[..., None]
@@ -49,7 +51,7 @@ class Settings:
             if act.role == "slot":
                 assert act.row is not None
                 for key in act.axes:
-                    alone = not {key, None} & others and not (isinstance(key, Symbol) and others)
+                    alone = not {key, None} & others and not (isinstance(key, str) and others)
                     if key is not None and alone:
                         found.setdefault((key, act.row.gives), 1 << len(found))
         return found
@@ -92,7 +94,7 @@ class Settings:
                 found = everything
             elif act.role != "scale":
                 for (key, _), bit in bits.items():
-                    if key in act.axes or any(isinstance(each, Symbol) for each in act.axes):
+                    if key in act.axes or any(isinstance(each, str) for each in act.axes):
                         found |= bit
         return found
 
@@ -107,7 +109,7 @@ class Settings:
             if dead and len(dead) == len(act.axes):
                 self._report_useless(p, act, dead[0], slot)
 
-    def _report_useless(self, p: int, act: Act, key: Key, slot: str) -> None:
+    def _report_useless(self, p: int, act: Use, key: Key, slot: str) -> None:
         assert act.row is not None
         later = self._next_setting(p, key, slot)
         if later is None:
@@ -119,7 +121,7 @@ class Settings:
         message = f"{act.row.name} of axis {spelt(key)} is replaced by {by} before any move"
         self.add("unused-setting", message, act.at, "remove one of the two", other=later.at)
 
-    def _next_setting(self, p: int, key: Key, slot: str) -> Act | None:
+    def _next_setting(self, p: int, key: Key, slot: str) -> Use | None:
         """Return the statement that replaces a setting."""
         seen: set[int] = set()
         stack = list(reversed(self.facts.graph.within[p]))

@@ -28,7 +28,7 @@ from motionlang.kernel.mccl.syntax.parser import parse
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.program_graph import Structure
+    from motionlang.kernel.lang.facts import Structure
     from motionlang.kernel.lang.step_graph import StepGraph
 
 
@@ -102,7 +102,7 @@ class MacroFile(Program):
 
     @cached_property
     def structure(self) -> Structure:
-        from motionlang.kernel.mccl.runtime.program_graph import structure
+        from motionlang.kernel.mccl.runtime.structure import structure
 
         return structure(self.source, self._whole, self.polls, self.settings)
 

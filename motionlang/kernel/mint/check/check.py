@@ -38,7 +38,6 @@ from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.aliases import rename_old_words
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.kernel.mint.resolve.symbols import Function, Session
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.tools import StackSpace
@@ -68,7 +67,6 @@ def examined(module: Module, program: Program) -> Checked:
     for function in program.names.functions:
         _check_function(program, function)
     warn_of_misspellings(program)
-    warn_of_short_ramps(module, program.problems)
     return Checked(program.names, program.problems)
 
 

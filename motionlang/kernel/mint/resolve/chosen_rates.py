@@ -5,32 +5,26 @@ A move without ACCEL or DECEL runs at a default that is a choice of this program
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
+from motionlang.kernel.lang.facts import Statement
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
-from motionlang.kernel.mint.keywords import axis, table
+from motionlang.kernel.mint.keywords import axis
 from motionlang.kernel.mint.keywords.switchable import name_of
-from motionlang.kernel.mint.syntax.nodes import Assign, Module, Name
-from motionlang.kernel.mint.syntax.traversal import names_of, walk
 
 # The rates whose defaults are choices; the speed at power-up is printed.
 RATES = ("accel", "decel")
-# The first word of the effect of the keywords whose motion has these rates.
+# The roles of the keywords whose motion has these rates.
 MOVES = frozenset(("move", "path"))
 
 
-def chosen_rates(module: Module, settings: Mapping[str, object]) -> list[str]:
+def chosen_rates(statements: Iterable[Statement], settings: Mapping[str, object]) -> list[str]:
     """Return a line about the rates that the moves of a program take from a chosen default, if there are any."""
-    targets = [node.target for node in walk(module.everything) if isinstance(node, Assign)]
-    written = [
-        table().get(word) for word in {each.name.lower() for each in targets if isinstance(each, Name)}
-    ]
-    given = {row.gives for row in written if row is not None}
+    uses = [(use.role, use.row) for each in statements for use in each.uses if use.row is not None]
+    given = {row.gives for role, row in uses if role != "read"}
     if given.issuperset(RATES):
         return []
-    rows = {name.name.lower() for name in names_of(module)}
-    used = [row for word in sorted(rows) if (row := table().get(word)) is not None]
-    if not any(row.effect.partition(" ")[0] in MOVES or row.effect == "act endless" for row in used):
+    if not any(role in MOVES or row.effect == "act endless" for role, row in uses):
         return []
     chosen = [
         row

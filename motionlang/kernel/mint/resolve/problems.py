@@ -25,9 +25,8 @@ class Problems:
         self.found: dict[tuple[str, int], Diagnostic] = {}
         # Keys in `found` of the warnings that a run reports, too: what may end it, and names that may be misspelt.
         self.in_run: set[tuple[str, int]] = set()
-        self._wrong = (
-            False  # True once there is an error, so that warnings, however many, never hide the first one
-        )
+        # True once there is an error, so that warnings, however many, never hide the first one.
+        self.has_errors = False
 
     @cached_property
     def is_v4(self) -> bool:
@@ -41,7 +40,7 @@ class Problems:
     @property
     def is_full(self) -> bool:
         """True if further problems are no longer recorded."""
-        return len(self.found) >= MAX_PROBLEMS and self._wrong
+        return len(self.found) >= MAX_PROBLEMS and self.has_errors
 
     def add(
         self,
@@ -59,8 +58,8 @@ class Problems:
         `fix` is the text that would replace the token, or the text up to `end`. `candidates` are texts that might
         replace it.
         """
-        if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
-            self._wrong = self._wrong or severity == "error"
+        if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self.has_errors):
+            self.has_errors = self.has_errors or severity == "error"
             line, column, length = self._location(at)
             self.found.setdefault(
                 (code, at),
@@ -134,7 +133,7 @@ class Problems:
 
     def raise_errors(self) -> None:
         """Raise ProgramError if there is any error; warnings alone raise nothing."""
-        if any(each.severity == "error" for each in self.found.values()):
+        if self.has_errors:
             raise ProgramError(self.found.values())
 
 

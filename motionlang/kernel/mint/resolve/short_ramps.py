@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import zip_longest
+from collections.abc import Collection, Iterable, Iterator
 
+from motionlang.kernel.lang.facts import AxisKey, Statement
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.keywords import table, units
+from motionlang.kernel.mint.keywords import units
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.syntax.nodes import Assign, Expr, Module, Name, Number
-from motionlang.kernel.mint.syntax.traversal import names_of, walk
 
 # One trajectory update, s: the profile is computed each millisecond.
 UPDATE = 1e-3
@@ -18,10 +16,10 @@ RATES = ("accel", "decel")
 USUAL = 0.2
 
 
-def warn_of_short_ramps(module: Module, problems: Problems) -> None:
+def warn_of_short_ramps(statements: Collection[Statement], problems: Problems) -> None:
     """Warn of each literal ramp time, and of each rate that reaches SPEED, within one trajectory update."""
-    written = list(_settings(module))
-    speeds: dict[int | None, list[float | None]] = {}
+    written = list(_settings(statements))
+    speeds: dict[AxisKey, list[float | None]] = {}
     for row, axis, value, _ in written:
         if row.gives == "speed":
             speeds.setdefault(axis, []).append(value)
@@ -42,7 +40,7 @@ def warn_of_short_ramps(module: Module, problems: Problems) -> None:
         if None in known:
             continue
         speed = max(each for each in known if each is not None)
-        if speed / value >= UPDATE or _has_units(module):
+        if speed / value >= UPDATE or _has_units(statements):
             continue
         hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
         _report(
@@ -64,32 +62,15 @@ def _report(problems: Problems, at: int, ramp: str, hint: str, given: float, sec
     problems.in_run.add(("short-ramp", at))
 
 
-def _settings(module: Module) -> Iterator[tuple[Keyword, int | None, float | None, int]]:
-    """Yield each setting of an axis: its row, axis, value and position; None for what is not literal."""
-    for node in walk(module.everything):
-        if not isinstance(node, Assign) or not isinstance(node.target, Name) or not node.values:
-            continue
-        row = _row(node.target)
-        if row is None or not row.gives:
-            continue
-        axes: list[Expr | None] = list(node.target.args) if node.target.args else [None]
-        for axis, value in zip_longest(axes, node.values[: len(axes)], fillvalue=node.values[-1]):
-            number = _literal(axis)
-            yield row, None if number is None else int(number), _literal(value), node.target.start
+def _settings(statements: Iterable[Statement]) -> Iterator[tuple[Keyword, AxisKey, float | None, int]]:
+    """Yield each setting of a move: its row, axis, value and offset; None for a value that is not known."""
+    for statement in statements:
+        for use in statement.uses:
+            if use.row is not None and use.role == "slot":
+                yield from ((use.row, axis, use.number(k), use.at) for k, axis in enumerate(use.axes))
 
 
-def _has_units(module: Module) -> bool:
+def _has_units(statements: Iterable[Statement]) -> bool:
     """True if speeds or rates have units of their own, so that their quotient is no time."""
     rows = {row.name for row in units.ROWS if not row.effect}
-    return any(row is not None and row.name in rows for row in map(_row, names_of(module)))
-
-
-def _row(name: Name) -> Keyword | None:
-    return table().get(name.name)
-
-
-def _literal(node: Expr | None) -> float | None:
-    if isinstance(node, Number):
-        return node.value
-    value = node.symbol.const if isinstance(node, Name) and node.symbol is not None else None
-    return value if isinstance(value, (int, float)) else None
+    return any(use.row is not None and use.row.name in rows for each in statements for use in each.uses)

@@ -26,9 +26,10 @@ from motionlang.kernel.lang.steps import (
 )
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.steps import expressions
-from motionlang.kernel.mint.steps.unit import UnitWriter, is_stop
+from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.steps.values import COMPARISONS, Get, Value, arithmetic, combined
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import is_stop
 
 Block = Callable[[UnitWriter, list[nodes.Stmt]], None]
 

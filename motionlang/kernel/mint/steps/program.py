@@ -13,8 +13,8 @@ from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.printing import shows_float
 from motionlang.kernel.mint.steps.places import is_shared, variables_of
 from motionlang.kernel.mint.steps.statements import block
-from motionlang.kernel.mint.steps.unit import UnitWriter, is_stop
-from motionlang.kernel.mint.syntax.traversal import walk
+from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.syntax.traversal import is_stop, walk
 
 
 @dataclass(slots=True, eq=False)

@@ -8,10 +8,10 @@ from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
-from motionlang.kernel.mint.steps.unit import UnitWriter, is_stop
+from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.steps.values import Get
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import meant
+from motionlang.kernel.mint.syntax.traversal import is_stop, meant
 
 
 def block(w: UnitWriter, body: list[nodes.Stmt]) -> None:

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
 # Words of the language that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant"))
-# Statements at which nothing happens.
-_SILENT = (nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
 
 
 class UnitWriter:
@@ -163,10 +161,3 @@ class UnitWriter:
             return self.function.result
         assert node.symbol is not None, node
         return node.symbol
-
-
-def is_stop(node: nodes.Node) -> bool:
-    """True if a debugger can stop before a statement."""
-    if isinstance(node, nodes.Dim):
-        return any(variable.values for variable in node.variables)
-    return isinstance(node, nodes.Stmt) and not isinstance(node, _SILENT)

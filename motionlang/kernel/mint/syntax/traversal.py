@@ -18,6 +18,9 @@ _CHILDREN: dict[type, tuple[str, ...]] = {
 }
 _CHILDREN[Number] = _CHILDREN[String] = _CHILDREN[Given] = ()
 
+# Statements at which nothing happens.
+_SILENT = (nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
+
 
 def children(node: object) -> list[object]:
     """Return the children of a node, with its other attribute values but without None."""
@@ -79,6 +82,13 @@ def meant(node: nodes.Expr) -> nodes.Expr:
     while isinstance(node, Name) and node.args is None and node.definition is not None:
         node = node.definition
     return node
+
+
+def is_stop(node: nodes.Node) -> bool:
+    """True if something happens at a statement, so that a debugger can stop before it."""
+    if isinstance(node, nodes.Dim):
+        return any(variable.values for variable in node.variables)
+    return isinstance(node, nodes.Stmt) and not isinstance(node, _SILENT)
 
 
 def copied(node: object) -> object:

@@ -1,7 +1,7 @@
-"""The structure of a program, described alike for both languages: statements, units, and the graph of its steps.
+"""The facts of a program, described alike for both languages: statements, units, and the graph of its steps.
 
-A language fills a `Structure` from a program that it has checked (`Program.structure`). The map of a program
-(`commands/map`) reads nothing else of the text.
+A language fills them from a program that it has checked (`Program.structure`), and whoever asks what a program says
+reads them: the linters, the map, the coverage, `improve` and `init`.
 
     statements   by source offset: text, what they read and write, what a task waits for at them
     graph        all steps of all lists of steps, with those that may follow each (`step_graph.py`)
@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.step_graph import Point, StepGraph
@@ -20,6 +21,54 @@ from motionlang.kernel.source import Source
 
 # The kinds of access to a channel or a variable.
 READ, WRITE, SET_UP = "read", "write", "set up"
+# The axis of a use: its number, the parameter of a sub that holds it, None if it is unknown or if all are meant.
+AxisKey = int | str | None
+
+
+class Written(NamedTuple):
+    """A value that a statement writes: its text, "" if it is omitted, and its value if that is known before the run."""
+
+    text: str
+    value: float | str | None = None
+
+    @property
+    def number(self) -> float | None:
+        """The value, if it is a known number."""
+        return self.value if isinstance(self.value, (int, float)) else None
+
+
+@dataclass(eq=False, slots=True)
+class Use:
+    """One use of a keyword by a statement, or one call of a unit.
+
+    `role` is "read"; for any other use one of `keyword.ROLES`, or "slot" for a property of moves, or "use"; "call" for
+    the call of the unit `callee`. `at` is the offset of the name. `axes` are the axes that the keyword names, none for
+    a keyword without axes. `values` are what is written, `arguments` the axes that the arguments of a call may be.
+    """
+
+    role: str
+    row: Keyword | None
+    at: int
+    axes: tuple[AxisKey, ...] = ()
+    values: Sequence[Written] = ()
+    callee: str = ""
+    arguments: tuple[AxisKey, ...] = ()
+
+    def value(self, number: int) -> Written:
+        """Return the value for the n-th axis; the last value applies to all further axes."""
+        return self.values[min(number, len(self.values) - 1)] if self.values else _NOTHING
+
+    def number(self, number: int) -> float | None:
+        """Return the value for the n-th axis, None if it is unknown before the run."""
+        return self.value(number).number
+
+
+_NOTHING = Written("")
+
+
+def role_of(row: Keyword, access: str) -> str:
+    """Return the role of a keyword that a statement reads or writes."""
+    return "read" if access == READ else row.role or ("slot" if row.gives else "use")
 
 
 @dataclass(eq=False, slots=True)
@@ -45,14 +94,19 @@ class AxisUse:
     """One command or setting of a statement for one axis.
 
     `axis` is None if it is known only at run time or if all are meant. `value` is the text of what is written,
-    `number` its value if that is known before the run.
+    `known` its value if that is known before the run.
     """
 
     axis: int | None
     row: Keyword
     at: int
     value: str = ""
-    number: float | None = None
+    known: float | str | None = None
+
+    @property
+    def number(self) -> float | None:
+        """The value, if it is a known number."""
+        return self.known if isinstance(self.known, (int, float)) else None
 
 
 @dataclass(eq=False, slots=True)
@@ -74,10 +128,21 @@ class Statement:
     what: tuple[int, ...] = ()
     is_silent: bool = False
     select: int = -1
+    uses: list[Use] = field(default_factory=list)
     channels: list[ChannelUse] = field(default_factory=list)
-    axes: list[AxisUse] = field(default_factory=list)
     starts: list[str] = field(default_factory=list)
     ends: list[str] = field(default_factory=list)
+
+    @property
+    def axes(self) -> list[AxisUse]:
+        """The commands and settings for axes, each for one of them."""
+        return [
+            AxisUse(axis if isinstance(axis, int) else None, use.row, self.at, *use.value(k))
+            for use in self.uses
+            if use.row is not None and use.row.topic and use.role != "read" and use.row.access != "R"
+            for k, axis in enumerate(use.axes)
+            if not use.values or use.value(k).text
+        ]
 
 
 @dataclass(eq=False, slots=True)

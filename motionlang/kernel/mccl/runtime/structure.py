@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.program_graph import (
+from motionlang.kernel.lang.facts import (
     READ,
     SET_UP,
     WRITE,
-    AxisUse,
     ChannelUse,
     Statement,
     Structure,
     Unit,
+    Use,
+    Written,
+    role_of,
 )
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.lang.wait_causes import LoopDependencies
@@ -112,11 +114,10 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         made.channels.append(
             ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)
         )
-    if row.topic and row.access != "R":
-        axis = command.axis or None
-        given = _parameter(command) if command.kind in (NUMBER, REGISTER) else ""
-        value = float(command.value) if command.kind == NUMBER else None
-        made.axes.append(AxisUse(axis, row, at, given, value))
+    access = READ if row.access == "R" else WRITE
+    value = float(command.value) if command.kind == NUMBER else None
+    written = [Written(_parameter(command), value)] if command.kind in (NUMBER, REGISTER) else []
+    made.uses.append(Use(role_of(row, access), row, at, (command.axis or None,), written))
     return made
 
 

@@ -1,0 +1,324 @@
+"""The statements of a Mint program: what each does with keywords, axes, channels and variables."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Sequence
+
+from motionlang.kernel.lang.facts import (
+    READ,
+    SET_UP,
+    WRITE,
+    AxisKey,
+    ChannelUse,
+    Statement,
+    Use,
+    Written,
+    role_of,
+)
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mint.resolve.folding import fold
+from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function, Symbol
+from motionlang.kernel.mint.resolve.wait_causes import keys
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import children, is_stop, meant, walk
+from motionlang.kernel.source import Source
+
+# Words that the program has for "not known before the run".
+_UNKNOWN = "?"
+# Statements that only jump or end: the graph shows them.
+_JUMPS = (nodes.Exit, nodes.Return)
+# Kinds of keywords that neither read the machine nor act on it.
+_PURE = frozenset(("function", "constant", "statement"))
+
+
+class FactsReader:
+    """Reads the statements of the functions of a program whose names are resolved."""
+
+    def __init__(self, source: Source, names: Names) -> None:
+        self.source, self.names = source, names
+        self.statements: dict[int, Statement] = {}
+        # The offsets of labels, and of each Repeat by that of its condition.
+        self.labels: dict[tuple[Function, str], int] = {}
+        self.repeats: dict[int, int] = {}
+        everything = list(walk(statement for each in names.functions for statement in each.body))
+        # The code of each key that a node compares with.
+        self._keys = {id(node): code for node, code in keys(everything)}
+        names_changed = [name for node in everything for name in changed(node)]
+        dims = [each for node in everything if isinstance(node, nodes.Dim) for each in node.variables]
+        self._changed = {meaning(name) for name in names_changed}
+        # The offsets of the names of variables that a statement gives a value to.
+        self.writes = frozenset(each.name.start for each in names_changed)
+        self.writes |= {each.name.start for each in dims if each.values}
+        for self._function in names.functions:
+            self._block(self._function.body)
+
+    def line(self, at: int) -> int:
+        """Return the line of an offset."""
+        return self.source.location(at)[0]
+
+    def _block(self, body: list[nodes.Stmt]) -> None:
+        for node in body:
+            self._statement(node)
+
+    def _statement(self, node: nodes.Stmt) -> None:
+        match node:
+            case nodes.If():
+                self._head(node.start, node.condition, "If {}")
+                self._block(node.body)
+                self._block(node.orelse)
+            case nodes.Select():
+                self._head(node.start, node.subject, "Select Case {}")
+                for case in node.cases:
+                    tests = ", ".join(map(self._text, case.tests)) or "Else"
+                    made = self._add(case.start, f"Case {tests}", case.tests)
+                    characters = self._characters(case.tests)
+                    made.condition = (
+                        f"{self._text(node.subject)} is {tests}{characters}" if case.tests else ""
+                    )
+                    made.select = node.start
+                    self._block(case.body)
+            case nodes.For():
+                values = [node.first, node.stop, *([node.step] if node.step is not None else [])]
+                texts = [self._text(each) for each in (node.variable, *values)]
+                step = f" Step {texts[3]}" if len(texts) > 3 else ""
+                made = self._add(node.start, f"For {texts[0]} = {texts[1]} To {texts[2]}{step}", values)
+                made.condition = f"{texts[0]} in {made.text.partition('= ')[2]}"
+                self._block(node.body)
+            case nodes.While():
+                self._head(node.start, node.condition, "While {}")
+                self._block(node.body)
+            case nodes.Repeat():
+                self._add(node.start, "Repeat", []).is_silent = True
+                at, text = node.condition.start, self._text(node.condition)
+                self.repeats[at] = node.start
+                # The step tests if the loop goes on.
+                self._add(at, f"Until {text}", [node.condition]).condition = f"not ({text})"
+                self._block(node.body)
+            case nodes.Loop():
+                self._add(node.start, "Loop", []).is_silent = True
+                self._block(node.body)
+            case _:
+                self._simple(node)
+
+    def _head(self, at: int, condition: nodes.Expr, form: str) -> None:
+        text = self._text(condition)
+        made = self._add(at, form.format(text), [condition])
+        made.condition = text + self._characters([condition])
+
+    def _characters(self, tests: Sequence[nodes.Node]) -> str:
+        """Return the keys that a condition compares with, such as " ('a', 'b')", "" if none."""
+        compared = sorted(
+            (each.start, self._keys[id(each)]) for each in walk(tests) if id(each) in self._keys
+        )
+        found = [repr(chr(code)) for _, code in compared]
+        return f" ({', '.join(found)})" if found else ""
+
+    def _simple(self, node: nodes.Stmt) -> None:
+        made = self._add(node.start, self._text(node), [])
+        is_goto = isinstance(node, nodes.Jump) and node.kind == "goto"
+        made.is_silent = not is_stop(node) or is_goto or isinstance(node, _JUMPS)
+        match node:
+            case nodes.Assign():
+                self._assign(made, node)
+            case nodes.Call():
+                self._called(made, node.target)
+            case nodes.Pause():
+                made.waits, made.condition = "condition", self._text(node.condition)
+                self._read(made, node.condition)
+            case nodes.Input():
+                made.waits = "operator"
+                prompt = "" if node.prompt is None else self._text(node.prompt).strip('" ')
+                answer = ChannelUse("answer", prompt or "INPUT", READ, made.at, value=self._text(node.target))
+                made.channels.append(answer)
+                self._target(made, node.target)
+            case nodes.Run():
+                made.starts.append(f"task {node.name}")
+            case nodes.End() if node.name is not None:
+                made.ends.append(f"task {node.name}")
+            case nodes.Define():
+                pass  # its expression is read where its name is
+            case nodes.Label():
+                self.labels[self._function, node.name.lower()] = node.start
+            case _:
+                if isinstance(node, nodes.Dim) and node.nv:
+                    names = [str(each.name) for each in node.variables]
+                    made.channels += [ChannelUse("nv word", name, SET_UP, made.at) for name in names]
+                for each in children(node):
+                    self._read(made, each)
+
+    def _add(self, at: int, text: str, parts: Sequence[nodes.Node]) -> Statement:
+        made = self.statements[at] = Statement(at, self.line(at), text)
+        for each in parts:
+            self._read(made, each)
+        return made
+
+    # ------------------------------------------------------------------------------------------- what is used
+
+    def _assign(self, made: Statement, node: nodes.Assign) -> None:
+        target = node.target
+        meaning = meant(target)
+        for each in node.values:
+            self._read(made, each)
+        if isinstance(meaning, nodes.Name) and meaning.row is not None and meaning.symbol is None:
+            self._word(made, meaning, meaning.row, WRITE, node.values, _alias(target))
+            return
+        self._target(made, target)
+        symbol = getattr(meaning, "symbol", None)
+        if symbol is not None and symbol.type.name == SEMAPHORE:
+            made.waits = "" if fold(node.values[0]) == 0 else "task"
+
+    def _called(self, made: Statement, target: nodes.Name) -> None:
+        row = target.row
+        if row is not None and target.symbol is None:
+            self._word(made, target, row, WRITE, list(target.args or ()) if row.index == "none" else [])
+        else:
+            self._read(made, target)
+
+    def _target(self, made: Statement, target: nodes.Expr) -> None:
+        """Record what the subscripts of a variable read that is assigned."""
+        while isinstance(target, nodes.Member):
+            target = target.value
+        if isinstance(target, nodes.Name):
+            for each in target.args or ():
+                self._read(made, each)
+
+    def _read(self, made: Statement, part: object, alias: str = "") -> None:
+        """Record what an expression reads, and the functions that it calls."""
+        if not isinstance(part, nodes.Node):
+            return
+        if isinstance(part, nodes.Name) and part.definition is not None and part.args is None:
+            self._read(made, part.definition, str(part.name))
+            return
+        for each in children(part):
+            self._read(made, each)
+        if not isinstance(part, nodes.Name):
+            return
+        if part.symbol is None:
+            if part.row is not None:
+                self._word(made, part, part.row, READ, [], alias)
+        elif part.symbol.kind == "sub" and self._function.result_named(part) is None:
+            callee = part.symbol.home.qualified_name
+            axes = tuple(axis_of(each, self._changed) for each in part.args or ())
+            made.uses.append(Use("call", None, part.start, callee=callee, arguments=axes))
+
+    def _word(
+        self,
+        made: Statement,
+        name: nodes.Name,
+        row: Keyword,
+        access: str,
+        values: list[nodes.Expr],
+        alias: str = "",
+    ) -> None:
+        """Record the use of a keyword."""
+        if access == WRITE:
+            for each in name.args or ():
+                self._read(made, each)
+            made.waits = made.waits or row.waits
+        if row.kind not in _PURE:
+            axes = axes_of(name, row, self.names, self._changed)
+            written = [Written(self._text(each), fold(meant(each))) for each in values]
+            made.uses.append(Use(role_of(row, access), row, name.start, axes, written))
+        access = READ if row.access == "R" else access
+        args = list(name.args or ())
+        if row.channel:
+            made.channels += self._channels(made.at, name, row, access, values, alias)
+        if row.selects and access == WRITE:
+            for k, each in enumerate(values):
+                by = f"{row.name}({_number(args[k])})" if k < len(args) else row.name
+                if not _number(each).startswith("-"):
+                    made.channels.append(
+                        ChannelUse(row.selects, _number(each), SET_UP, made.at, _alias(each), by, name.start)
+                    )
+
+    def _channels(
+        self, at: int, name: nodes.Name, row: Keyword, access: str, values: list[nodes.Expr], alias: str
+    ) -> Iterator[ChannelUse]:
+        """Yield the uses of the channels that a keyword numbers."""
+        kinds = row.index.split(", ")
+        numbers = [
+            each
+            for k, each in enumerate(name.args or ())
+            if kinds[min(k, len(kinds) - 1)] not in ("axis", "axes")
+        ]
+        several = len(kinds) == 1 and len(numbers) > 1
+        for k, group in enumerate([[each] for each in numbers] if several else [numbers]):
+            number = ", ".join(map(_number, group)) or ("0" if kinds[0] != "none" else "")
+            value = self._text(values[min(k, len(values) - 1)]) if values else ""
+            known_as = alias or next((a for a in map(_alias, group) if a), "")
+            if row.channel == "key":
+                codes = sorted(self._keys.values())
+                known_as = ", ".join(dict.fromkeys(repr(chr(code)) for code in codes))
+            yield ChannelUse(row.channel, number, access, at, known_as, value, name.start)
+
+    # -------------------------------------------------------------------------------------------------- texts
+
+    def _text(self, node: nodes.Node) -> str:
+        """Return a part of the program as it is written, on one line and without comments."""
+        text = self.source.text[node.start : node.end]
+        return " ".join(text.split())
+
+
+def axes_of(
+    name: nodes.Name, row: Keyword, names: Names, changed: Container[Symbol | None]
+) -> tuple[AxisKey, ...]:
+    """Return the axes that a keyword names; `changed` are the variables that the program assigns to."""
+    if row.does("all"):
+        return (None,)
+    kinds = row.index.split(", ")
+    if not {"axis", "axes"} & set(kinds):
+        return ()
+    if not name.args:
+        return (None,) if names.uses_axes else (0,)
+    of_axes = [each for k, each in enumerate(name.args) if kinds[min(k, len(kinds) - 1)] in ("axis", "axes")]
+    return tuple(axis_of(each, changed) for each in of_axes)
+
+
+def axis_of(node: nodes.Expr, changed: Container[Symbol | None]) -> AxisKey:
+    """Return the axis that an expression is: its number, or the parameter that holds it; None if it is unknown."""
+    value = fold(meant(node))
+    if isinstance(value, (int, float)):
+        return int(value) if value == int(value) else None
+    symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
+    if symbol is None or symbol.kind != "parameter" or symbol.by_ref or symbol.is_array or symbol in changed:
+        return None
+    return symbol.name
+
+
+def changed(node: nodes.Node) -> Iterator[nodes.Name]:
+    """Yield the names of variables that a node changes, including arrays and ByRef arguments."""
+    found: list[nodes.Expr] = []
+    if isinstance(node, nodes.Assign | nodes.Input):
+        found.append(node.target)
+    elif isinstance(node, nodes.For):
+        found.append(node.variable)
+    elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
+        parameters = node.symbol.home.parameters
+        given = zip(node.args or (), parameters, strict=False)
+        found += [each for each, parameter in given if parameter.by_ref or parameter.is_array]
+    for target in found:
+        while isinstance(target, nodes.Member):
+            target = target.value
+        if isinstance(target, nodes.Name):
+            yield target
+
+
+def meaning(name: nodes.Name) -> Symbol | None:
+    """Return the variable that a name refers to, directly or through a Define."""
+    found = meant(name)
+    return found.symbol if isinstance(found, nodes.Name) else name.symbol
+
+
+def _number(node: nodes.Expr) -> str:
+    value = fold(meant(node))
+    if isinstance(value, (int, float)) and value == int(value):
+        return str(int(value))
+    return _UNKNOWN
+
+
+def _alias(node: nodes.Expr) -> str:
+    """Return the name of the constant or Define for a number or a channel."""
+    if isinstance(node, nodes.Name) and (node.definition is not None or node.symbol is not None):
+        return str(node.name)
+    return ""

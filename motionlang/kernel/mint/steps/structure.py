@@ -1,0 +1,93 @@
+"""The structure of a Mint program: its statements from the checked tree, its graph from the steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from motionlang.kernel.lang.facts import READ, ChannelUse, Structure, Unit
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.step_graph import StepGraph
+from motionlang.kernel.lang.steps import CALL, Steps
+from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
+from motionlang.kernel.mint.resolve.facts import FactsReader
+from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
+from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.symbols import Function
+from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.mint.steps.places import Places
+from motionlang.kernel.mint.steps.program import ProgramWriter
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.source import Source
+
+
+def written(source: Source, names: Names, settings: Mapping[str, object]) -> dict[Function, Steps]:
+    """Return the steps of the functions of a checked program on a machine with these settings."""
+    environment = Environment(Machine(dict(settings)), Places())
+    environment.prepare()
+
+    def line_of(offset: int) -> int:
+        return source.location(offset)[0]
+
+    environment.line_of = line_of
+    return ProgramWriter(names, environment, line_of, {}).steps
+
+
+def graph_of(names: Names, steps: Mapping[Function, Steps]) -> StepGraph:
+    """Return the graph of the steps of the functions."""
+    graph = StepGraph(list(steps.values()))
+    last = graph.ranges[names.main.qualified_name][-1]
+    graph.points[last] = graph.points[last]._replace(at=-1)  # the end of the text is no statement
+    return graph
+
+
+def structure(
+    facts: FactsReader,
+    steps: Mapping[Function, Steps],
+    graph: StepGraph,
+    polls: Callable[[int], LoopDependencies | None],
+) -> Structure:
+    """Return the structure of a checked program."""
+    for made in facts.statements.values():
+        found = polls(made.at) if made.waits == "condition" else None
+        if found is not None:
+            causes = {KINDS[kind] for kind, _ in found.leaves}
+            made.waits = causes.pop() if len(causes) == 1 else "condition"
+            axes = {number for kind, number in found.leaves if KINDS[kind] == "axis" and number is not None}
+            made.what = tuple(sorted(axes))
+    units = sorted(_units(steps, graph, facts), key=lambda each: each.line)
+
+    def polled(at: int) -> LoopDependencies | None:
+        return polls(facts.repeats.get(at, at))
+
+    return Structure(facts.source, facts.statements, graph, units, facts.writes, polled)
+
+
+def _units(written: Mapping[Function, Steps], graph: StepGraph, reader: FactsReader) -> Iterator[Unit]:
+    """Yield the functions, and the labels that a Gosub calls or that handle an event."""
+    for function, steps in written.items():
+        entry = graph.first(steps)
+        line = reader.line(function.at)
+        if function.kind == "main":
+            yield Unit("program", "program", 0, entry)
+        elif function.kind == "event":
+            yield Unit(function.name, "event", line, entry, _triggers(reader, function.name, function.at))
+        else:
+            is_function = isinstance(function.node, nodes.Sub) and function.node.function
+            yield Unit(function.name, "function" if is_function else function.kind, line, entry)
+        handlers = label_handlers(function)
+        called = {to for index, (_, to) in steps.called.items() if steps[index].kind == CALL and to > 0}
+        for index, label in steps.labels.items():
+            is_handler = label.lower() in handlers
+            if is_handler or (index in called):
+                at = reader.labels.get((function, label.lower()), function.at)
+                kind = "event" if is_handler else "subroutine"
+                triggers = _triggers(reader, label, at) if is_handler else ()
+                yield Unit(label, kind, reader.line(at), entry + index, triggers)
+
+
+def _triggers(reader: FactsReader, name: str, at: int) -> Sequence[ChannelUse]:
+    """Return the channels whose change starts a handler."""
+    return [
+        ChannelUse(channel, str(number) if number >= 0 else "?", READ, at)
+        for channel, number in raised_by(reader.names, name)
+    ]
