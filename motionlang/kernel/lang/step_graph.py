@@ -222,9 +222,9 @@ class StepGraph:
                         heappush(waiting, after)
 
     def backward(
-        self, own: range, last: Callable[[int], int], follow: Callable[[int, int], int]
+        self, own: Sequence[int], last: Callable[[int], int], follow: Callable[[int, int], int]
     ) -> dict[int, int]:
-        """Compute, as bits, what can happen on some path after each point of a list.
+        """Compute, as bits, what can happen on some path after each of some points, in their order.
 
         `last(p)` are the bits behind a point that no point follows.
         """
@@ -232,7 +232,7 @@ class StepGraph:
         behind = dict.fromkeys(own, 0)
         for p in own:
             for after in self.within[p]:
-                came[after].append(p)
+                came.setdefault(after, []).append(p)
             if not self.within[p]:
                 behind[p] = last(p)
         waiting = [-p for p in reversed(own)]

@@ -10,14 +10,14 @@ import re
 
 from motionlang.commands.check.mint.blends import check_blends
 from motionlang.commands.check.mint.busy_loops import check_busy_loops
-from motionlang.commands.check.mint.effects import Facts
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.commands.check.mint.findings import Findings
 from motionlang.commands.check.mint.functions import check_functions
 from motionlang.commands.check.mint.names import check_names, check_tasks
 from motionlang.commands.check.mint.servers import check_servers
 from motionlang.commands.check.silence import has_host, silence
 from motionlang.kernel import Diagnostic
-from motionlang.kernel.mint import MintProgram, table
+from motionlang.kernel.mint import MintProgram
 from motionlang.kernel.tools import StackSpace
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
@@ -45,7 +45,7 @@ def _place(found: Diagnostic) -> tuple[int, int, str, str]:
 def lint(program: MintProgram) -> list[Diagnostic]:
     """Return the warnings of a program without errors, in no particular order."""
     module, settings = program.tree, program.settings
-    facts = Facts(program.checked.names, program.structure, table(), has_host(module.source, COMMENT))
+    facts = MintFacts(program, has_host(module.source, COMMENT))
     found = Findings(module)
     check_functions(facts, settings, module, found.add)
     add = found.add

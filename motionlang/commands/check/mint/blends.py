@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import hypot
 
-from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import Use
 
 Add = Callable[..., None]
@@ -17,7 +18,7 @@ Add = Callable[..., None]
 SHARE = 0.5
 
 
-def check_blends(facts: Facts, add: Add) -> None:
+def check_blends(facts: MintFacts, add: Add) -> None:
     """Warn of each path shorter than twice a BLENDDISTANCE that its axis is given.
 
     The last path of a set of axes has no blend after it and is not checked.
@@ -40,7 +41,7 @@ def check_blends(facts: Facts, add: Add) -> None:
             add("blend-distance", message, act.at, "set it to half of the shortest path, or less")
 
 
-def _length(facts: Facts, act: Use) -> float | None:
+def _length(facts: MintFacts, act: Use) -> float | None:
     """Return the length of a relative straight path, None if it is unknown."""
     values = [value.number for value in act.values]
     numbers = [value for value in values if value is not None]

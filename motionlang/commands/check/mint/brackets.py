@@ -16,14 +16,14 @@ from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.effects import Facts
+    from motionlang.commands.check.mint.facts import MintFacts
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(facts: Facts, function: Function, source: Source, add: Callable[..., None]) -> None:
+def check_brackets(facts: MintFacts, function: Function, source: Source, add: Callable[..., None]) -> None:
     """Report each comparison that has an `&` or `|` without brackets as an operand.
 
     The hint shows the line with brackets for both interpretations.

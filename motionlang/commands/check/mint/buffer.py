@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
-from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.commands.check.axis_state import IDLE, Follower, State
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import HEAD, NEXT, Use
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mint.resolve.facts import changed, meaning
@@ -25,7 +26,7 @@ _BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Lab
 class Buffers:
     """The two checks of the move buffer; `add` records a warning."""
 
-    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+    def __init__(self, facts: MintFacts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
         self.sizes = facts.constants(facts.word("buffer_size"))
         self.triggered = facts.named("TRIGGERMODE")
@@ -141,7 +142,7 @@ class Buffers:
 
         The caller of a sub may start them, or the code that a v4 handler has interrupted.
         """
-        if function.kind != "sub" and not self.facts.handlers[function]:
+        if function.kind != "sub" and not self.facts.entries[function][1:]:
             return 0
         return sum(
             bit for key, bit in number.items() if {key, None} & started or (isinstance(key, str) and started)

@@ -15,7 +15,7 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.effects import Facts
+    from motionlang.commands.check.mint.facts import MintFacts
 
 Add = Callable[..., None]
 
@@ -24,7 +24,7 @@ _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
 _COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 
 
-def check_busy_loops(facts: Facts, add: Add) -> None:
+def check_busy_loops(facts: MintFacts, add: Add) -> None:
     """Report each endless loop that only computes.
 
     Programs with tasks, event handlers or a host are not checked, because these may use or change its variables.
@@ -32,7 +32,7 @@ def check_busy_loops(facts: Facts, add: Add) -> None:
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
     for function in facts.functions:
-        if facts.handlers[function]:
+        if facts.entries[function][1:]:
             return
         for region in _endless(facts, function):
             inside = _with_subs(facts, region)
@@ -42,7 +42,7 @@ def check_busy_loops(facts: Facts, add: Add) -> None:
                 add("busy-loop", message, _first(facts, region), "add a WAIT, a PAUSE or an Exit to it")
 
 
-def _endless(facts: Facts, function: Function) -> list[set[int]]:
+def _endless(facts: MintFacts, function: Function) -> list[set[int]]:
     """Return the loops that are never left, each as the set of its points."""
     graph = facts.graph
     own = facts.points[function]
@@ -62,7 +62,7 @@ def _with(head: int, p: int, bits: int) -> int:
     return bits | (p == head)
 
 
-def _is_quiet(facts: Facts, p: int) -> bool:
+def _is_quiet(facts: MintFacts, p: int) -> bool:
     """True if only values that the program sets are computed or printed at a point."""
     node = facts.nodes_at.get(p)
     if isinstance(node, _TAKES_TIME) or facts.graph.points[p].role == STOP:
@@ -78,13 +78,13 @@ def _is_quiet(facts: Facts, p: int) -> bool:
     return True
 
 
-def _with_subs(facts: Facts, region: set[int]) -> set[int]:
+def _with_subs(facts: MintFacts, region: set[int]) -> set[int]:
     """Return the points of a loop and of all subs that it calls."""
     callees = [facts.callee(act) for p in region for act in facts.acts.get(p, ()) if act.callee]
     called = [each for callee in callees for each in facts.called(callee)]
     return region.union(*(facts.points[each] for each in called))
 
 
-def _first(facts: Facts, region: set[int]) -> int:
+def _first(facts: MintFacts, region: set[int]) -> int:
     """Return the first offset of a loop."""
     return min(facts.graph.points[p].at for p in region)

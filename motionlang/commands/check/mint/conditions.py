@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from motionlang.commands.check.mint.axis_state import IDLE, MOVES, Axis, Follower, State
-from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.commands.check.axis_state import IDLE, MOVES, Axis, Follower, State
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.mint import table
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
@@ -36,7 +38,7 @@ class Conditions:
 
     def __init__(
         self,
-        facts: Facts,
+        facts: MintFacts,
         follower: Follower,
         module: nodes.Module,
         settings: Mapping[str, object],
@@ -94,7 +96,7 @@ class Conditions:
         number = meant(node.condition)
         if type(number) is nodes.Number and number.value > 1:
             message = f"PAUSE takes a condition, and {number.value:.10g} is always true: it does not wait"
-            word = next(row.name for row in self.facts.table if row.verb == "wait")
+            word = next(row.name for row in table() if row.verb == "wait")
             self._wrong_wait(node, message, f"{word} waits for a time in ms", word)
 
     def _wrong_wait(self, node: nodes.Node, message: str, hint: str, word: str) -> None:
@@ -235,7 +237,7 @@ class Conditions:
         yield from ((node, True) for node in self.facts.of_kind(nodes.Repeat, function))
 
 
-def _limited(facts: Facts, settings: Mapping[str, object]) -> set[Key]:
+def _limited(facts: MintFacts, settings: Mapping[str, object]) -> set[Key]:
     """Return the axes that something other than the program may stop."""
     found: set[Key] = set()
     for act in facts.written_by(lambda row: row.group in _MAY_STOP):

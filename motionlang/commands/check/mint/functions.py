@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from motionlang.commands.check.mint.axis_state import Follower
+from motionlang.commands.check.axis_state import Follower
 from motionlang.commands.check.mint.brackets import check_brackets
 from motionlang.commands.check.mint.buffer import Buffers
 from motionlang.commands.check.mint.conditions import Conditions
-from motionlang.commands.check.mint.effects import Facts
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.commands.check.mint.iterations import check_iterations
 from motionlang.commands.check.mint.motion import Motion, Reach
 from motionlang.commands.check.mint.reachability import Reachability
@@ -18,7 +18,7 @@ from motionlang.kernel.mint.syntax.nodes import Module
 Add = Callable[..., None]
 
 
-def check_functions(facts: Facts, settings: Mapping[str, object], module: Module, add: Add) -> None:
+def check_functions(facts: MintFacts, settings: Mapping[str, object], module: Module, add: Add) -> None:
     """Report the problems of all functions."""
     reach = Reach(facts, settings)
     follower = Follower(facts, lambda key, axis: bool(reach.beyond(key, axis)))

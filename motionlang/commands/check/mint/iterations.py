@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.mint.resolve.facts import meaning
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -23,7 +24,7 @@ _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.E
 _BLOCKS = frozenset(("move", "entry", "course", "path"))
 
 
-def check_iterations(facts: Facts, function: Function, add: Add) -> None:
+def check_iterations(facts: MintFacts, function: Function, add: Add) -> None:
     """Report the first motion in each loop that every iteration replaces."""
     acts = {act.at: act for act in facts.acts_of[function]}
     for node in (node for kind in _LOOPS for node in facts.nodes[function].get(kind, ())):

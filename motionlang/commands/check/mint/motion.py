@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from motionlang.commands.check.mint.axis_state import Axis, Follower
-from motionlang.commands.check.mint.effects import Facts, spelt
+from motionlang.commands.check.axis_state import Axis, Follower
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
 from motionlang.kernel.mint.resolve.symbols import Function
@@ -19,7 +20,7 @@ class Reach:
     Travel comes from the machine file, software limits come from the program.
     """
 
-    def __init__(self, facts: Facts, settings: Mapping[str, object]) -> None:
+    def __init__(self, facts: MintFacts, settings: Mapping[str, object]) -> None:
         self.settings = settings
         self.forward = facts.constants("SOFTLIMITFORWARD")
         self.reverse = facts.constants("SOFTLIMITREVERSE")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.commands.check.mint.effects import Facts
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mint.resolve.facts import meaning
 from motionlang.kernel.mint.resolve.problems import MAX_PROBLEMS
@@ -28,7 +28,7 @@ _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
 _COORDINATION = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
-def check_names(facts: Facts, add: Add) -> None:
+def check_names(facts: MintFacts, add: Add) -> None:
     """Report names that are never used, and variables that are never assigned."""
     own = _own_reads(facts)
     suggestions = _Suggestions()
@@ -55,7 +55,7 @@ def check_names(facts: Facts, add: Add) -> None:
             add("unused-sub", f"{function.name} is never called", function.at)
 
 
-def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
+def _unused_variable(facts: MintFacts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     given = facts.writers.get(symbol)
     if symbol in facts.retained or (given and symbol.type.name == SEMAPHORE):
         return  # taking a semaphore waits for it, which is a use
@@ -67,7 +67,7 @@ def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, ad
     add("unused-variable", f"{symbol.name} {what}", symbol.at, hint, (near,) if near else ())
 
 
-def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
+def _no_value(facts: MintFacts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     """Report a variable that is read and never assigned, so it is always 0 or empty."""
     whole = symbol.is_array or symbol.type.name in (TIME, SEMAPHORE, CONTROLLER, RECORD)
     if whole or symbol in facts.retained or symbol in facts.begun:
@@ -107,7 +107,7 @@ class _Suggestions:
         return nearest(symbol.name, others)
 
 
-def _own_reads(facts: Facts) -> dict[Symbol, int]:
+def _own_reads(facts: MintFacts) -> dict[Symbol, int]:
     """Count the reads of each variable that only compute its own next value.
 
     In `n = n + 1`, for example, `n` is such a read.
@@ -125,7 +125,7 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
     return found
 
 
-def check_tasks(facts: Facts, add: Add) -> None:
+def check_tasks(facts: MintFacts, add: Add) -> None:
     """Report axes that two tasks command without any coordination in the program."""
     if _are_coordinated(facts):
         return
@@ -143,11 +143,11 @@ def check_tasks(facts: Facts, add: Add) -> None:
             first.setdefault(key, task)
 
 
-def _axes(facts: Facts, function: Function) -> set[Key]:
+def _axes(facts: MintFacts, function: Function) -> set[Key]:
     return facts.touched(function, _COMMANDS) - {None}
 
 
-def _are_coordinated(facts: Facts) -> bool:
+def _are_coordinated(facts: MintFacts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
@@ -156,10 +156,10 @@ def _are_coordinated(facts: Facts) -> bool:
     return any(node.name is not None for node in facts.of_kind(nodes.End))
 
 
-def _is_coordinated(facts: Facts, task: Function) -> bool:
+def _is_coordinated(facts: MintFacts, task: Function) -> bool:
     """True if the task tests a shared variable, through which others can control it."""
-    for function in facts.called(task):
-        for node in walk(function.body):
+    for part in facts.called(task):
+        for node in walk(part.body if isinstance(part, Function) else ()):
             condition = getattr(node, "condition", None)
             for name in walk([condition]) if condition is not None else ():
                 symbol = name.symbol if type(name) is nodes.Name else None
@@ -168,7 +168,7 @@ def _is_coordinated(facts: Facts, task: Function) -> bool:
     return False
 
 
-def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
+def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
     """Return the axes that the parent task may command after it has started a task."""
     begin = [
         p
@@ -185,7 +185,7 @@ def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
     return found
 
 
-def _two(facts: Facts, task: Function, other: Function, key: Key, add: Add) -> None:
+def _two(facts: MintFacts, task: Function, other: Function, key: Key, add: Add) -> None:
     at = next(
         act.at
         for function in facts.called(task)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from motionlang.commands.check.mint.axis_state import IDLE, Follower, State
-from motionlang.commands.check.mint.effects import Facts
+from motionlang.commands.check.axis_state import IDLE, Follower, State
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.commands.check.silence import driven_inputs
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
 from motionlang.kernel.mint.resolve.facts import changed, meaning
@@ -27,7 +27,9 @@ class Reachability:
     `settings` are those of the machine file. `add` records a warning.
     """
 
-    def __init__(self, facts: Facts, follower: Follower, settings: Mapping[str, object], add: Add) -> None:
+    def __init__(
+        self, facts: MintFacts, follower: Follower, settings: Mapping[str, object], add: Add
+    ) -> None:
         self.facts, self.follower, self.settings, self.add = facts, follower, settings, add
         # Without a machine file any input may change.
         self.driven = driven_inputs(settings)

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from motionlang.commands.check.mint.axis_state import IDLE, Follower
-from motionlang.commands.check.mint.effects import COMMANDS, Facts, spelt
+from motionlang.commands.check.axis_state import IDLE, Follower
+from motionlang.commands.check.facts import COMMANDS, spelt
+from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
 from motionlang.kernel.mint.resolve.symbols import Function
@@ -25,7 +26,7 @@ TOUCHES = COMMANDS | {"read", "slot", "use"}
 class Settings:
     """The check for unused settings; `add` records a warning."""
 
-    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+    def __init__(self, facts: MintFacts, follower: Follower, add: Add) -> None:
         self.facts, self.follower, self.add = facts, follower, add
 
     def check(self, function: Function) -> None:

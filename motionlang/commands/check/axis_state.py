@@ -12,12 +12,9 @@ from functools import reduce
 from operator import itemgetter
 from typing import NamedTuple
 
-from motionlang.commands.check.mint.effects import COMMANDS, Facts
+from motionlang.commands.check.facts import COMMANDS, Facts, Part
 from motionlang.kernel.lang import TEST, UNTIL, Use
 from motionlang.kernel.lang import AxisKey as Key
-from motionlang.kernel.mint.resolve.folding import binary
-from motionlang.kernel.mint.resolve.symbols import Function
-from motionlang.kernel.mint.syntax import nodes
 
 Report = Callable[[str, Use, Key, "Axis"], None]
 
@@ -137,26 +134,24 @@ After = dict[Key, Axis]
 
 
 class Follower:
-    """Tracks the facts about the axes through every function.
+    """Tracks the facts about the axes through every part.
 
     `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
-    states before the points of a function, and `after`, the facts on return about the axes that the function changes.
+    states before the points of a part, and `after`, the facts on return about the axes that the part changes.
     `report_problems` passes findings to `report(problem, act, key, axis)`.
     """
 
     def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
         self.facts, self.is_out_of_reach = facts, is_out_of_reach
-        self.before: dict[Function, dict[int, State]] = {}
-        self.after: dict[Function, After] = {}
+        self.before: dict[Part, dict[int, State]] = {}
+        self.after: dict[Part, After] = {}
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
         self.led = self._led()
         self.before_act = ANYTHING
-        # The PAUSEs and the conditions of While loops, which read again and again; True while one is followed.
-        self._polling = {id(each) for each in facts.of_kind(nodes.Pause)}
-        self._polling |= {id(each.condition) for each in facts.of_kind(nodes.While)}
+        # True while a statement is followed that reads again and again.
         self._polls = False
-        self._at_work: set[Function] = set()
+        self._at_work: set[Part] = set()
         self._report: Report | None = None
 
     def _shared(self) -> set[Key]:
@@ -164,9 +159,9 @@ class Follower:
 
         Nothing is certain about them.
         """
-        seen: dict[Key, Function] = {}
+        seen: dict[Key, Part] = {}
         shared: set[Key] = set()
-        for root in self.facts.functions:
+        for root in self.facts.parts:
             if root.kind == "sub":
                 continue
             for key in self.facts.touched(root, COMMANDS):
@@ -179,7 +174,7 @@ class Follower:
     def _stopped_by_handlers(self) -> set[Key]:
         """Return the axes that a handler or a task stops; their moves may end early."""
         found: set[Key] = set()
-        for root in self.facts.functions:
+        for root in self.facts.parts:
             if root.kind in ("task", "event"):
                 found |= self.facts.touched(root, frozenset(("stop",)))
         return found
@@ -204,29 +199,29 @@ class Follower:
             found.update(act.axes[1:])
         return found
 
-    def report_problems(self, function: Function, report: Report) -> None:
-        """Process every step of a function again, and report the problems found there."""
+    def report_problems(self, part: Part, report: Report) -> None:
+        """Process every step of a part again, and report the problems found there."""
         self._report = report
-        for p, state in sorted(self.before[function].items(), key=itemgetter(0)):
+        for p, state in sorted(self.before[part].items(), key=itemgetter(0)):
             self._follow(p, state)
         self._report = None
 
     # ---------------------------------------------------------------------------------------- following
 
-    def analyse(self, function: Function) -> None:
-        """Track the axes through a function; the functions that it calls come first."""
-        if function in self.after or function in self._at_work:
+    def analyse(self, part: Part) -> None:
+        """Track the axes through a part; the functions that it calls come first."""
+        if part in self.after or part in self._at_work:
             return
-        self._at_work.add(function)
-        for each in sorted(function.calls, key=lambda f: f.at):
+        self._at_work.add(part)
+        for each in sorted(part.calls, key=lambda f: f.at):
             self.analyse(each)
-        self._at_work.discard(function)
-        self.after[function] = self._states(function)
+        self._at_work.discard(part)
+        self.after[part] = self._states(part)
 
-    def _states(self, function: Function) -> After:
-        graph, own = self.facts.graph, self.facts.points[function]
+    def _states(self, part: Part) -> After:
+        graph, own = self.facts.graph, self.facts.points[part]
         first = ANYTHING
-        if function.kind == "main":
+        if part.kind == "main":
             first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.0, 0.0)), {})
         found: dict[int, State] = {}
 
@@ -238,27 +233,27 @@ class Follower:
             joined = one.joined(other, p in graph.heads)
             return one if joined == one else joined
 
-        graph.forward({**dict.fromkeys(self.facts.handlers[function], ANYTHING), own[0]: first}, follow, join)
-        self.before[function] = found
+        begin, *handlers = self.facts.entries[part]
+        graph.forward({**dict.fromkeys(handlers, ANYTHING), begin: first}, follow, join)
+        self.before[part] = found
         ends = [found[p] for p in own if p in found and self.facts.leaves(p)]
         last = reduce(lambda one, other: one.joined(other, False), ends) if ends else ANYTHING
-        return {key: _after_call(last[key]) for key in self.facts.touched(function, CHANGES)}
+        return {key: _after_call(last[key]) for key in self.facts.touched(part, CHANGES)}
 
     def _follow(self, p: int, state: State) -> tuple[State, State]:
-        node = self.facts.nodes_at.get(p)
-        if node is None:
+        statement = self.facts.statement_at.get(p)
+        if statement is None:
             return state, state
-        self._polls = id(node) in self._polling
+        self._polls = p in self.facts.polling
         for act in self.facts.acts[p]:
             state = self._act(act, state)
-        if type(node) in (nodes.Pause, nodes.Input, nodes.Run):
+        if statement.waits or statement.starts:
             state = state.passed()
-        if type(node) is nodes.Pause:
-            state = self._refined(node.condition, True, state)
         role = self.facts.graph.points[p].role
         if role in (TEST, UNTIL):
-            yes = self._refined(node, role == TEST, state)  # type: ignore[arg-type]
-            return yes, self._refined(node, role == UNTIL, state)  # type: ignore[arg-type]
+            return self.facts.refined(p, role == TEST, state), self.facts.refined(p, role == UNTIL, state)
+        if statement.waits:
+            state = self.facts.refined(p, True, state)
         return state, state
 
     def _act(self, act: Use, state: State) -> State:
@@ -449,49 +444,6 @@ class Follower:
                 jogs=False,
             )
         return axis
-
-    # --------------------------------------------------------------------------------- conclusions from a condition
-
-    def _at_level(self, node: nodes.Expr, results: list[object], truth: bool, state: State) -> State:
-        """Return the state after a comparison with a number was `truth`.
-
-        `results` are those of the comparison if `node` is 0 and if it is 1.
-        """
-        if set(results) != {0, 1}:  # the same for both, or no number
-            return state
-        return self._refined(node, results[1] == truth, state)
-
-    def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
-        if type(node) is nodes.Unary and node.op == "Not":
-            return self._refined(node.operand, not truth, state)
-        if type(node) is nodes.Binary:
-            if node.op == ("And" if truth else "Or"):
-                return self._refined(node.right, truth, self._refined(node.left, truth, state))
-            left, right = self.facts.number(node.left), self.facts.number(node.right)
-            if right is not None:
-                return self._at_level(
-                    node.left, [binary(node.op, each, right) for each in (0, 1)], truth, state
-                )
-            if left is not None:
-                return self._at_level(
-                    node.right, [binary(node.op, left, each) for each in (0, 1)], truth, state
-                )
-            return state
-        if type(node) is not nodes.Name:
-            return state
-        if node.symbol is not None:
-            known = isinstance(node.definition, nodes.Name)
-            return self._refined(node.definition, truth, state) if known else state  # type: ignore[arg-type]
-        row = node.row
-        if row is None or row.verb != "is_idle":
-            return state
-        key = self.facts.key_of(node)
-        if key is None:
-            return state
-        axis = state[key]
-        return state.put(
-            key, axis._replace(motion=IDLE if truth else MOVES, fresh=False, jogs=axis.jogs and not truth)
-        )
 
 
 def _after_call(inner: Axis) -> Axis:
