@@ -36,22 +36,24 @@ class Type:
 
 
 class Record:
-    """A user type: its members in order, each with its type and its dimensions."""
+    """A user type: the symbols of its members in order."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self.members: dict[str, tuple[int, Type, tuple[int, ...]]] = {}
+        self.members: dict[str, Symbol] = {}
 
 
 class Symbol:
     """A symbol of the program.
 
-    - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event" or "label".
+    - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event", "label", "type" or "member".
+    - `first`: the symbol that the name refers to: the earlier one if this declaration repeats it, else this one.
     - `shared`: more than one function uses it.
     - `boxed`: it outlives the run in non-volatile memory, so its value is in a list of one element, which that shares.
       Arrays and values of user types are lists anyway.
     - `by_ref`: it is a ByRef parameter itself.
-    - `declared`: False for a variable that exists only because it is assigned.
+    - `declared`: False for a variable that exists only because it is assigned, and for a label without a declaration.
+    - `owner`, `index`: the user type of a member, and its position in a value of that type.
     """
 
     def __init__(self, name: str, kind: str, type: Type, at: int, home: Function) -> None:
@@ -63,6 +65,9 @@ class Symbol:
         self.given = False  # a constant whose value is supplied when the program starts
         self.uses = 0  # the number of reads; those of a Define include writes
         self.declared = True
+        self.first = self
+        self.owner: Record | None = None
+        self.index = 0
 
     @property
     def is_array(self) -> bool:
@@ -114,7 +119,7 @@ class Scope:
 
 
 class Function:
-    """The main program, a task, a sub or an event handler; `jumps` is true if it has a label or a jump."""
+    """The main program, a task, a sub or an event handler."""
 
     def __init__(self, kind: str, name: str, body: list[nodes.Stmt], outer: Scope | None) -> None:
         self.kind, self.name, self.body = kind, str(name), body
@@ -124,8 +129,13 @@ class Function:
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.jumps = False
+        self.labels: dict[str, Symbol] = {}
         self._graph: Graph | None = None
+
+    @property
+    def jumps(self) -> bool:
+        """True if it has a label or a jump."""
+        return bool(self.labels)
 
     @property
     def qualified_name(self) -> str:
@@ -153,4 +163,4 @@ class Session:
 
     def __init__(self) -> None:
         self.scope = Scope(Function("main", "main", [], None), None)
-        self.types: dict[str, Record] = {}
+        self.types: dict[str, Symbol] = {}

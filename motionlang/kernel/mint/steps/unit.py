@@ -139,7 +139,7 @@ class UnitWriter:
 
     def _observes(self, node: nodes.Node) -> bool:
         if isinstance(node, nodes.Member):
-            return expressions.type_of_member(self, node).name == TIME
+            return self.symbol(node).type.name == TIME
         if not isinstance(node, nodes.Name):
             return False
         if node.symbol is None:
@@ -147,10 +147,10 @@ class UnitWriter:
         return node.symbol.kind in ("variable", "parameter") and node.symbol.type.name == TIME
 
     def symbol(self, node: nodes.Expr) -> Symbol:
-        """Return the variable that a name means."""
+        """Return the variable or member that a name means."""
         node = meant(node)
-        assert isinstance(node, nodes.Name), node
-        if self.is_result(node):
+        assert isinstance(node, nodes.Name | nodes.Member), node
+        if isinstance(node, nodes.Name) and self.is_result(node):
             assert self.function.result is not None
             return self.function.result
         assert node.symbol is not None, node
