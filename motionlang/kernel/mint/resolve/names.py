@@ -6,12 +6,13 @@ declares a Float. So no name can be resolved before all declarations and assignm
 
 Idea. Each function is walked once (`Survey`). The passes of `declare_module` use the results of that walk:
 
-1. Declare: the types, then each function with its parameters and its Const, Define and Dim statements, in text order.
-   The number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
+1. Declare: the types, then each function with its parameters, labels, and its Const, Define and Dim statements, in
+   text order.
 2. Implicit: a name that a function assigns to and that is neither declared nor a keyword becomes a variable there. The
    main program comes first, so a sub that assigns to one of its variables gets that variable.
-3. Use: the scopes are frozen and every `Name` node is bound. A Define is expanded at each use, and the names in its
+3. Use: the scopes are frozen and every use of a name is bound. A Define is expanded at each use, and the names in its
    expression are looked up in the function that uses it.
+4. Subscripts: the number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
 
     Dim x                      main, the module     x, twice, show
     Define twice = 2 * x         └ sub show         n, y
@@ -106,11 +107,13 @@ class Names:
 
     def declare_module(self, module: nodes.Module) -> None:
         """Declare all names of the module, then bind every use of a name."""
-        self.declare(module)
+        self._declare_names(module)
         for function in self.functions:
             self._use(function)
+        self._count_subscripts()
+        self._surveys.clear()
 
-    def declare(self, module: nodes.Module) -> None:
+    def _declare_names(self, module: nodes.Module) -> None:
         """Declare all names of the module, and freeze the scopes."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
@@ -125,7 +128,6 @@ class Names:
         for event in module.events:
             self._block("event", event)
             self._check_event(event)
-        self._count_subscripts()
         for function in self.functions:
             self._implicit(function)
         for function in self.functions:
@@ -191,14 +193,14 @@ class Names:
         A parameter that is only passed on has the number of the parameter that receives it.
         """
         handed: list[tuple[Symbol, Symbol]] = []
-        for function in self.functions:
-            arrays = {each.name.lower(): each for each in function.parameters if each.is_array}
-            for name in chain.from_iterable(self._surveys[function].names.values()) if arrays else ():
-                symbol = arrays.get(name.name.lower())
-                if symbol is not None and name.args:
-                    symbol.dimensions = (0,) * len(name.args)
-                elif symbol is None and name.args and (callee := function.scope.find(name.name)) is not None:
-                    handed += _handed(name, callee, arrays)
+        for name in chain.from_iterable(chain(*(each.names.values() for each in self._surveys.values()))):
+            symbol = name.symbol
+            if symbol is None or not name.args:
+                continue
+            if symbol.kind == "sub":
+                handed += _handed(name, symbol)
+            elif _is_array_parameter(symbol):
+                symbol.dimensions = (0,) * len(name.args)
         found = handed
         while found:
             found = [pair for pair in handed if len(pair[1].dimensions) > len(pair[0].dimensions)]
@@ -380,7 +382,7 @@ class Names:
                 function.scope.names[name.lower()] = symbol
 
     def _use(self, function: Function) -> None:
-        survey = self._surveys.pop(function)
+        survey = self._surveys[function]
         self._bind(function, survey)
         for target in survey.targets:
             self._written(target)
@@ -486,13 +488,16 @@ def _member(node: nodes.Member) -> Symbol | None:
     return None if record is None else record.members.get(node.field.lower())
 
 
-def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
+def _handed(call: nodes.Name, callee: Symbol) -> Iterator[tuple[Symbol, Symbol]]:
     """Yield each array parameter that a call passes on, with the receiving parameter."""
     for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
-        if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
-            symbol = arrays.get(argument.name.lower())
-            if symbol is not None and parameter.is_array:
-                yield symbol, parameter
+        symbol = argument.symbol if isinstance(argument, nodes.Name) and argument.args is None else None
+        if symbol is not None and _is_array_parameter(symbol) and parameter.is_array:
+            yield symbol, parameter
+
+
+def _is_array_parameter(symbol: Symbol) -> bool:
+    return symbol.kind == "parameter" and symbol.is_array
 
 
 def _is_result(function: Function, name: str) -> bool:
