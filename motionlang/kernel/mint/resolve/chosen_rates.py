@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
-from motionlang.kernel.mint.keywords import axis, table
+from motionlang.kernel.mint.keywords import axis
 from motionlang.kernel.mint.keywords.switchable import name_of
 from motionlang.kernel.mint.syntax.nodes import Assign, Module, Name
 from motionlang.kernel.mint.syntax.traversal import names_of, walk
@@ -22,15 +22,11 @@ MOVES = frozenset(("move", "path"))
 def chosen_rates(module: Module, settings: Mapping[str, object]) -> list[str]:
     """Return a line about the rates that the moves of a program take from a chosen default, if there are any."""
     targets = [node.target for node in walk(module.everything) if isinstance(node, Assign)]
-    written = [
-        table().get(word) for word in {each.name.lower() for each in targets if isinstance(each, Name)}
-    ]
-    given = {row.gives for row in written if row is not None}
+    given = {each.row.gives for each in targets if isinstance(each, Name) and each.row is not None}
     if given.issuperset(RATES):
         return []
-    rows = {name.name.lower() for name in names_of(module)}
-    used = [row for word in sorted(rows) if (row := table().get(word)) is not None]
-    if not any(row.effect.partition(" ")[0] in MOVES or row.effect == "act endless" for row in used):
+    effects = {name.row.effect for name in names_of(module) if name.row is not None}
+    if not any(each.partition(" ")[0] in MOVES or each == "act endless" for each in effects):
         return []
     chosen = [
         row

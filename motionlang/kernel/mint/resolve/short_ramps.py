@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import zip_longest
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.keywords import table, units
+from motionlang.kernel.mint.keywords import units
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.syntax.nodes import Assign, Expr, Module, Name, Number
 from motionlang.kernel.mint.syntax.traversal import names_of, walk
@@ -69,7 +69,7 @@ def _settings(module: Module) -> Iterator[tuple[Keyword, int | None, float | Non
     for node in walk(module.everything):
         if not isinstance(node, Assign) or not isinstance(node.target, Name) or not node.values:
             continue
-        row = _row(node.target)
+        row = node.target.row
         if row is None or not row.gives:
             continue
         axes: list[Expr | None] = list(node.target.args) if node.target.args else [None]
@@ -81,11 +81,7 @@ def _settings(module: Module) -> Iterator[tuple[Keyword, int | None, float | Non
 def _has_units(module: Module) -> bool:
     """True if speeds or rates have units of their own, so that their quotient is no time."""
     rows = {row.name for row in units.ROWS if not row.effect}
-    return any(row is not None and row.name in rows for row in map(_row, names_of(module)))
-
-
-def _row(name: Name) -> Keyword | None:
-    return table().get(name.name)
+    return any(row is not None and row.name in rows for row in (name.row for name in names_of(module)))
 
 
 def _literal(node: Expr | None) -> float | None:
