@@ -10,8 +10,8 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` us
    text order.
 2. Implicit: a name that a function assigns to and that is neither declared nor a keyword becomes a variable there. The
    main program comes first, so a sub that assigns to one of its variables gets that variable.
-3. Use: the scopes are frozen and every use of a name is bound. A Define is expanded at each use, and the names in its
-   expression are looked up in the function that uses it.
+3. Use: every use of a name is bound. A Define is expanded at each use, and the names in its expression are looked up in
+   the function that uses it.
 4. Subscripts: the number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
 
     Dim x                      main, the module     x, twice, show
@@ -114,7 +114,7 @@ class Names:
         self._surveys.clear()
 
     def _declare_names(self, module: nodes.Module) -> None:
-        """Declare all names of the module, and freeze the scopes."""
+        """Declare all names of the module."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)
@@ -130,8 +130,6 @@ class Names:
             self._check_event(event)
         for function in self.functions:
             self._implicit(function)
-        for function in self.functions:
-            function.scope.settle()
 
     def _block(self, kind: str, node: nodes.Task | nodes.Event) -> Function:
         function = Function(kind, node.name, node.body, self.module)
@@ -376,10 +374,9 @@ class Names:
             row = self.table.get(name)
             if row is not None and row.family != STRINGS:
                 continue
-            if not _is_result(function, name):
-                symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
-                symbol.declared = False
-                function.scope.names[name.lower()] = symbol
+            symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
+            symbol.declared = False
+            function.scope.names[name.lower()] = symbol
 
     def _use(self, function: Function) -> None:
         survey = self._surveys[function]
@@ -446,7 +443,7 @@ class Names:
         elif symbol.kind == "define":
             symbol.uses += 1
             self._replace(function, node, symbol)
-        elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
+        elif symbol.kind == "sub" and function.result_named(node) is None:
             function.calls.add(symbol.home)
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
@@ -498,7 +495,3 @@ def _handed(call: nodes.Name, callee: Symbol) -> Iterator[tuple[Symbol, Symbol]]
 
 def _is_array_parameter(symbol: Symbol) -> bool:
     return symbol.kind == "parameter" and symbol.is_array
-
-
-def _is_result(function: Function, name: str) -> bool:
-    return function.result is not None and function.result.name.lower() == name.lower()

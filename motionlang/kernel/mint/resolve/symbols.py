@@ -77,30 +77,14 @@ class Symbol:
 class Scope:
     """The names of one block, and the enclosing scope."""
 
-    __slots__ = ("_found", "function", "names", "outer")
+    __slots__ = ("function", "names", "outer")
 
     def __init__(self, function: Function, outer: Scope | None) -> None:
         self.function, self.outer = function, outer
         self.names: dict[str, Symbol] = {}
-        # A cache of lookups, used once no more names can be added.
-        self._found: dict[str, Symbol | None] | None = None
-
-    def settle(self) -> None:
-        """Freeze the scope: no more names can be added."""
-        self._found = {}
 
     def find(self, name: str) -> Symbol | None:
         """Return the symbol of a name, ignoring case, from the innermost scope outwards."""
-        found = self._found
-        if found is None:
-            return self._find(name)
-        try:
-            return found[name]
-        except KeyError:
-            symbol = found[name] = self._find(name)
-            return symbol
-
-    def _find(self, name: str) -> Symbol | None:
         key = name.lower()
         scope: Scope | None = self
         while scope is not None:

@@ -124,9 +124,8 @@ def parts(node: object) -> Iterator[nodes.Node]:
 
 
 def _name(w: UnitWriter, node: nodes.Name) -> Value:
-    symbol = node.symbol
-    result = w.function.result
-    if result is not None and node.args is None and node.name.lower() == result.name.lower():
+    symbol, result = node.symbol, w.function.result_named(node)
+    if result is not None:
         return _variable(w, node, result)  # inside a function, its name without brackets is the result so far
     if symbol is None:
         assert node.row is not None

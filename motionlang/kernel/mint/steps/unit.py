@@ -130,8 +130,7 @@ class UnitWriter:
 
     def is_result(self, node: nodes.Name) -> bool:
         """True if a name is the result of the function so far."""
-        result = self.function.result
-        return result is not None and node.args is None and node.name.lower() == result.name.lower()
+        return self.function.result_named(node) is not None
 
     def observes(self, part: object) -> bool:
         """True if an expression reads the machine or its time."""
@@ -150,11 +149,10 @@ class UnitWriter:
         """Return the variable or member that a name means."""
         node = meant(node)
         assert isinstance(node, nodes.Name | nodes.Member), node
-        if isinstance(node, nodes.Name) and self.is_result(node):
-            assert self.function.result is not None
-            return self.function.result
-        assert node.symbol is not None, node
-        return node.symbol
+        result = self.function.result_named(node) if isinstance(node, nodes.Name) else None
+        symbol = result or node.symbol
+        assert symbol is not None, node
+        return symbol
 
 
 def is_stop(node: nodes.Node) -> bool:
