@@ -17,7 +17,6 @@ from motionlang.kernel.mint.check.body import Program as Declared
 from motionlang.kernel.mint.check.check import Checked, declared, examined
 from motionlang.kernel.mint.check.error_recovery import unrelated
 from motionlang.kernel.mint.check.model import check_model, written_for
-from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.facts import FactsReader
@@ -135,7 +134,7 @@ class MintProgram(Program):
         if isinstance(self._parsed, ProgramError) or not model:
             return []
         problems = Problems(self.tree)
-        check_model(self.tree, self.source, model, table(), problems.add)
+        check_model(self._bound, self.source, model, problems.add)
         return list(problems.found.values())
 
     def require(self) -> None:
@@ -160,11 +159,16 @@ class MintProgram(Program):
 
         return layout(self.source.text)
 
-    @cached_property
-    def target(self) -> Target:
+    @property
+    def _bound(self) -> Module:
+        """The tree, with its names resolved."""
         module = self.tree
         self._declared  # noqa: B018 - it binds the names in the tree
-        return written_for(module)
+        return module
+
+    @cached_property
+    def target(self) -> Target:
+        return written_for(self._bound)
 
     @cached_property
     def blocks(self) -> list[tuple[str, int, int]]:

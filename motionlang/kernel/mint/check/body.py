@@ -45,8 +45,6 @@ class Body:
         self.program, self.function, self.scope = program, function, function.scope
         # The kinds of the loops and Selects around the statement, innermost last.
         self.loops: list[str] = []
-        # The labels of the function, in lower case and in the order of the text.
-        self.labels: dict[str, None] = {}
 
     def statements(self, body: Iterable[nodes.Stmt]) -> None:
         """Check statements in sequence."""

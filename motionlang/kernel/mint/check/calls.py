@@ -41,13 +41,12 @@ def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> None:
 def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> None:
     wanted = len(parameter.dimensions)
     found = array(b, node)
-    if found is None or len(found[1]) != wanted:
+    if found is None or len(found.dimensions) != wanted:
         many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
         b.problem("type", f"{parameter.name} must be given an array with {many}", node)
         return
-    kind = found[0]
-    node.type = str(kind)
-    if str(kind) != str(parameter.type):
+    kind = node.type = str(found.type)
+    if kind != str(parameter.type):
         given = node.field if type(node) is nodes.Member else getattr(node, "name", "")
         b.problem("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
 

@@ -29,7 +29,6 @@ from collections.abc import Mapping
 
 from motionlang.kernel.mint.check.body import Body, Program
 from motionlang.kernel.mint.check.expressions import VALUES
-from motionlang.kernel.mint.check.labels import check_labels
 from motionlang.kernel.mint.check.line_triggers import mark
 from motionlang.kernel.mint.check.misspellings import warn_of_misspellings
 from motionlang.kernel.mint.check.statements import STATEMENTS
@@ -111,6 +110,4 @@ def _declared(
 
 
 def _check_function(program: Program, function: Function) -> None:
-    b = Body(program, function)
-    check_labels(b)
-    b.statements(function.body)
+    Body(program, function).statements(function.body)

@@ -11,8 +11,6 @@ from typing import NamedTuple
 
 from motionlang.kernel.controller.io.host_memory import named_product
 from motionlang.kernel.lang.program import Target
-from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.comms import EVENTS
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.models import ABSENT, LARGEST, MINTMT, NAMES, V4, V4_SUFFIX, age, named
@@ -67,21 +65,19 @@ _OF_BOTH = frozenset(("terminal", "without an effect"))
 _END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
 
 
-def check_model(
-    module: Module, source: Source, model: str, table: Vocabulary, add: Callable[..., None]
-) -> None:
+def check_model(module: Module, source: Source, model: str, add: Callable[..., None]) -> None:
     """Report everything that the controller model does not accept."""
     wanted = age(model)
     if wanted is None:
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
     other = MINTMT if wanted == V4 else V4
-    for at, what, hint, replacement, end in find(module, source, table):
+    for at, what, hint, replacement, end in find(module, source):
         message = f"{what} is {other}: it does not compile on {wanted}"
         add("model", message, at, hint, fix=replacement, end=end)
     product = named(model)
     if product is not None:
-        for at, what, hint in _lacking(module, product, table):
+        for at, what, hint in _lacking(module, product):
             add("model", what, at, hint)
         for at, what, hint in _never_raised(module, product):
             add("model", what, at, hint, "warning")
@@ -94,7 +90,7 @@ def written_for(module: Module) -> Target:
     extension speak for v4, although MintMT accepts them.
     """
     source = module.source
-    found = [list(find(module, source, table())) for find in (_not_mintmt, _not_v4)]
+    found = [list(find(module, source)) for find in (_not_mintmt, _not_v4)]
     if found[0] and found[1]:
         return Target("", [], [])
     reasons: dict[str, str] = {}
@@ -116,10 +112,10 @@ def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
             yield node.start, "AUTO"
 
 
-def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
+def _not_mintmt(module: Module, source: Source) -> Found:
     yield from _v4_tokens(source, Tokens(source.text))
     for name in names_of(module):
-        if table.get(name.name) is None or not name.axes:
+        if name.row is None or not name.axes:
             continue
         text = token_at(source.text, name.start)
         word, *channels = text.split(".")
@@ -145,12 +141,12 @@ def _square_brackets(source: Source, name: nodes.Name) -> Found:
         yield Foreign(name.end - 1, "]", "write )", ")")
 
 
-def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
+def _not_v4(module: Module, source: Source) -> Found:
     tokens = Tokens(source.text)
     yield from _mt_tokens(tokens)
     yield from _ends(tokens)
     for name in names_of(module):
-        row = table.get(name.name)
+        row = name.row
         brackets = name.args is not None and not name.axes
         if row is None or row.group in _OF_BOTH:
             continue
@@ -166,15 +162,15 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
             yield Foreign(node.start, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop")
 
 
-def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[int, str, str]]:
+def _lacking(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
     """Find keywords and values that the manuals give only for other products."""
     for name in names_of(module):
-        row = table.get(name.name)
+        row = name.row
         if row is not None and product in ABSENT.get(row.family, ()):
             yield name.start, f"the {product} has no {row.name}", as_hint(row.help)
     for node in walk(module.everything):
         target = node.target if type(node) is nodes.Assign else None
-        row = table.get(target.name) if type(target) is nodes.Name else None
+        row = target.row if type(target) is nodes.Name else None
         if (
             row is None
             or type(node) is not nodes.Assign

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.unknown_words import unknown_name
 from motionlang.kernel.mint.check.values import article
-from motionlang.kernel.mint.resolve.symbols import FLOAT, Type
+from motionlang.kernel.mint.resolve.symbols import FLOAT, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import count_of
 
@@ -28,15 +28,14 @@ def _variable(b: Body, node: nodes.Name) -> Type:
 
 
 def _member_location(b: Body, node: nodes.Member) -> Type:
-    found = member(b, node)
-    if found is None:
+    symbol = member(b, node)
+    if symbol is None:
         return Type(FLOAT)
-    kind, sizes = found
-    if sizes:
-        _element(b, node, node.field, sizes, node.args)
+    if symbol.is_array:
+        _element(b, node, node.field, symbol.dimensions, node.args)
     elif node.args is not None:
         b.problem("type", f"{node.field} is not an array", node)
-    return kind
+    return symbol.type
 
 
 def _element(
@@ -60,8 +59,8 @@ def _subscript(b: Body, node: nodes.Expr, size: int) -> None:
                   "the first element of an array has the subscript 1")  # fmt: skip
 
 
-def member(b: Body, node: nodes.Member) -> tuple[Type, tuple[int, ...]] | None:
-    """Return type and sizes of a member as a whole; report an error."""
+def member(b: Body, node: nodes.Member) -> Symbol | None:
+    """Check a member as a whole and return its symbol; report an error."""
     owner = node.value
     if type(owner) is nodes.Name and owner.symbol is None:
         if owner.args is None and owner.row is not None:
@@ -78,22 +77,17 @@ def member(b: Body, node: nodes.Member) -> tuple[Type, tuple[int, ...]] | None:
         hint = "declare the variable with a Type of yours"
         b.problem("type", f"{article(str(kind))} has no members", node, hint)
         return None
-    found = kind.record.members.get(node.field.lower())
-    if found is None:
+    if node.symbol is None:
         message = f"{kind.record.name} has no member {node.field}"
         b.program.problems.unknown(message, node.field, kind.record.members.keys, node.start)
-        return None
-    return found[1], found[2]
+    return node.symbol
 
 
-def array(b: Body, node: nodes.Expr) -> tuple[Type, tuple[int, ...]] | None:
-    """Return type and sizes of a whole array, which may be a member of a record; None for anything else."""
+def array(b: Body, node: nodes.Expr) -> Symbol | None:
+    """Return the symbol of a whole array, which may be a member of a record; None for anything else."""
+    symbol = None
     if type(node) is nodes.Name and node.args is None:
         symbol = node.symbol
-        if symbol is not None and symbol.is_array:
-            return symbol.type, symbol.dimensions
-    if type(node) is nodes.Member and node.args is None:
-        found = member(b, node)
-        if found is not None and found[1]:
-            return found
-    return None
+    elif type(node) is nodes.Member and node.args is None:
+        symbol = member(b, node)
+    return symbol if symbol is not None and symbol.is_array else None

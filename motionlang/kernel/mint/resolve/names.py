@@ -6,12 +6,13 @@ declares a Float. So no name can be resolved before all declarations and assignm
 
 Idea. Each function is walked once (`Survey`). The passes of `declare_module` use the results of that walk:
 
-1. Declare: the types, then each function with its parameters and its Const, Define and Dim statements, in text order.
-   The number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
+1. Declare: the types, then each function with its parameters, labels, and its Const, Define and Dim statements, in
+   text order.
 2. Implicit: a name that a function assigns to and that is neither declared nor a keyword becomes a variable there. The
    main program comes first, so a sub that assigns to one of its variables gets that variable.
-3. Use: the scopes are frozen and every `Name` node is bound. A Define is expanded at each use, and the names in its
-   expression are looked up in the function that uses it.
+3. Use: every use of a name is bound. A Define is expanded at each use, and the names in its expression are looked up in
+   the function that uses it.
+4. Subscripts: the number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
 
     Dim x                      main, the module     x, twice, show
     Define twice = 2 * x         └ sub show         n, y
@@ -21,13 +22,15 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` us
     End Sub                    twice  bound to a copy of 2 * x
 
 Data (`symbols.py`). A `Symbol` has a kind and a type. A `Scope` is a dict that links to its enclosing scope: from a sub
-to its task, if any, and then to the module. A `Function` is the main program, a task, a sub or an event handler. A
-`Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`, the expression. An unknown
-name gets none of these; the check reports it with a suggestion.
+to its task, if any, and then to the module. A `Function` is the main program, a task, a sub or an event handler; it has
+its labels. A `Record` is a user type with its members. Each node with a name gets its `symbol`. A `Name` gets `row`
+instead if it is a keyword, and for a Define also `definition`, the expression. An unknown name gets none of these; the
+check reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
   form, a v4 keyword, one that is not simulated, or a string function.
+- A declaration that repeats a name of its scope is reported. Its symbol's `first` is what the name refers to.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `uses` counts reads, not assignments.
 - At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
@@ -38,7 +41,7 @@ expanded expressions nest to at most `MAX_DEFINED_DEPTH` levels.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 from math import inf
 
@@ -64,7 +67,8 @@ from motionlang.kernel.mint.resolve.symbols import (
 )
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nesting import depth_of
-from motionlang.kernel.mint.syntax.traversal import Survey, copied, walk
+from motionlang.kernel.mint.syntax.node import Resolved
+from motionlang.kernel.mint.syntax.traversal import Survey, copied
 
 # The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
 MAX_ELEMENTS = 10_000_000
@@ -80,7 +84,7 @@ class Names:
 
     def __init__(self, table: Vocabulary, problems: Problems, session: Session | None = None) -> None:
         self.table, self.problems = table, problems
-        self.types: dict[str, Record] = {} if session is None else dict(session.types)
+        self.types: dict[str, Symbol] = {} if session is None else dict(session.types)
         self.functions: list[Function] = []
         self.main = Function("main", "main", [], None if session is None else session.scope)
         self.typed = session is not None
@@ -103,37 +107,39 @@ class Names:
 
     def declare_module(self, module: nodes.Module) -> None:
         """Declare all names of the module, then bind every use of a name."""
-        self.declare(module)
+        self._declare_names(module)
         for function in self.functions:
             self._use(function)
+        self._count_subscripts()
+        self._surveys.clear()
 
-    def declare(self, module: nodes.Module) -> None:
-        """Declare all names of the module, and freeze the scopes."""
+    def _declare_names(self, module: nodes.Module) -> None:
+        """Declare all names of the module."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)
         for user_type in module.types:
             self._declare_type(user_type)
-        self._declare_data(main)
+        self._declare_data(main, module.types)
         for sub in module.subs:
             self._declare_sub(sub, self.module)
         for task in module.tasks:
             self._declare_task(task)
         for event in module.events:
-            self._block("event", event, event.name)
+            self._block("event", event)
             self._check_event(event)
-        self._count_subscripts()
         for function in self.functions:
             self._implicit(function)
-        for function in self.functions:
-            function.scope.settle()
 
-    def _block(self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str) -> Function:
-        function = Function(kind, name, node.body, self.module)
+    def _block(self, kind: str, node: nodes.Task | nodes.Event) -> Function:
+        function = Function(kind, node.name, node.body, self.module)
         function.node, function.at = node, node.start
         self.functions.append(function)
-        if kind != "event":
-            self.add(self.module, Symbol(name, kind, Type(FLOAT), node.start, function))
+        symbol = Symbol(node.name, kind, Type(FLOAT), node.start, function)
+        if kind == "event":
+            node.resolve(symbol)
+        else:
+            self._declare(self.module, node, symbol)
         self._declare_data(function)
         return function
 
@@ -152,7 +158,7 @@ class Names:
                               f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
-        function = self._block("task", task, task.name)
+        function = self._block("task", task)
         for sub in task.subs:
             self._declare_sub(sub, function.scope)
 
@@ -161,7 +167,7 @@ class Names:
         function.node, function.at = sub, sub.start
         self.functions.append(function)
         result = self.type_of(sub.result, INTEGER) if sub.function else Type(FLOAT)
-        self.add(scope, Symbol(sub.name, "sub", result, sub.start, function))
+        self._declare(scope, sub, Symbol(sub.name, "sub", result, sub.start, function))
         for parameter in sub.parameters:
             self._declare_parameter(function, parameter)
         if sub.function:
@@ -177,7 +183,7 @@ class Names:
         symbol.by_ref = by_ref
         symbol.dimensions = (0,) if node.is_array else ()
         function.parameters.append(symbol)
-        self.add(function.scope, symbol)
+        self._declare(function.scope, node, symbol)
 
     def _count_subscripts(self) -> None:
         """Find the number of subscripts of array parameters from their use in the subs.
@@ -185,14 +191,14 @@ class Names:
         A parameter that is only passed on has the number of the parameter that receives it.
         """
         handed: list[tuple[Symbol, Symbol]] = []
-        for function in self.functions:
-            arrays = {each.name.lower(): each for each in function.parameters if each.is_array}
-            for name in chain.from_iterable(self._surveys[function].names.values()) if arrays else ():
-                symbol = arrays.get(name.name.lower())
-                if symbol is not None and name.args:
-                    symbol.dimensions = (0,) * len(name.args)
-                elif symbol is None and name.args and (callee := function.scope.find(name.name)) is not None:
-                    handed += _handed(name, callee, arrays)
+        for name in chain.from_iterable(chain(*(each.names.values() for each in self._surveys.values()))):
+            symbol = name.symbol
+            if symbol is None or not name.args:
+                continue
+            if symbol.kind == "sub":
+                handed += _handed(name, symbol)
+            elif _is_array_parameter(symbol):
+                symbol.dimensions = (0,) * len(name.args)
         found = handed
         while found:
             found = [pair for pair in handed if len(pair[1].dimensions) > len(pair[0].dimensions)]
@@ -202,25 +208,32 @@ class Names:
     def _declare_type(self, node: nodes.UserType) -> None:
         record = Record(node.name)
         for member in node.members:
-            key = member.name.lower()
-            if key in record.members:
-                self.problems.add(
-                    "duplicate", f"{node.name} already has a member {member.name}", member.start
-                )
-                continue
-            dimensions = self._dimensions(member, self.module)
-            record.members[key] = (len(record.members), self.type_of(member.type, FLOAT), dimensions)
-        if (node.name.lower() in self.types and not self.typed) or node.name.lower() in TYPES:
+            symbol = Symbol(member.name, "member", self.type_of(member.type, FLOAT), member.start, self.main)
+            symbol.owner, symbol.index = record, len(record.members)
+            symbol.first = record.members.setdefault(member.name.lower(), symbol)
+            if symbol.first is symbol:
+                symbol.dimensions = self._dimensions(member, self.module)
+            else:
+                message = f"{node.name} already has a member {member.name}"
+                self.problems.add("duplicate", message, member.start)
+            member.resolve(symbol)
+        key = node.name.lower()
+        if (key in self.types and not self.typed) or key in TYPES:
             self.problems.add("duplicate", f"there is already a type {node.name}", node.start)
-        self.types[node.name.lower()] = record
+        symbol = Symbol(node.name, "type", Type(RECORD, record=record), node.start, self.main)
+        symbol.first = self.types[key].first if key in self.types else symbol
+        self.types[key] = symbol
+        node.resolve(symbol)
 
     def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
         """Return the type named after `As`, or the default without one."""
         if node is None:
             return Type(default)
         key = node.name.lower()
-        if key in self.types:
-            return Type(RECORD, record=self.types[key])
+        symbol = self.types.get(key)
+        node.resolve(symbol)
+        if symbol is not None:
+            return symbol.type
         if key not in TYPES:
             known = [*TYPES.values(), *self.types]
             word = OTHER_TYPES.get(key, node.name)
@@ -234,9 +247,10 @@ class Names:
         )
         return Type(TYPES[key], size)
 
-    def _declare_data(self, function: Function) -> None:
-        survey = self._surveys[function] = Survey(function.body)
-        for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
+    def _declare_data(self, function: Function, types: Iterable[nodes.UserType] = ()) -> None:
+        """Declare the names in the body of a function; the names in the declarations of types are those of main."""
+        survey = self._surveys[function] = Survey([*function.body, *types])
+        for node in survey.of(nodes.Const, nodes.Define, nodes.Dim, nodes.Label):
             if type(node) is nodes.Dim:
                 for variable in node.variables:
                     symbol = self._declare_variable(function, variable)
@@ -247,7 +261,16 @@ class Names:
             elif type(node) is nodes.Define:
                 symbol = Symbol(node.name, "define", Type(FLOAT), node.start, function)
                 symbol.node = node.value
-                self.add(function.scope, symbol)
+                self._declare(function.scope, node, symbol)
+            elif type(node) is nodes.Label:
+                self._declare_label(function, node)
+
+    def _declare_label(self, function: Function, node: nodes.Label) -> None:
+        symbol = Symbol(node.name, "label", Type(FLOAT), node.start, function)
+        symbol.first = function.labels.setdefault(node.name.lower(), symbol)
+        if symbol.first is not symbol:
+            self.problems.add("duplicate", f"there is already a label {node.name}", node.start)
+        node.resolve(symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
         """Box an nv variable in a list, which is shared with non-volatile memory."""
@@ -267,8 +290,7 @@ class Names:
             )
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT), node.start, function)
         symbol.dimensions = self._dimensions(node, function.scope)
-        self.add(function.scope, symbol)
-        node.resolve(symbol)
+        self._declare(function.scope, node, symbol)
         return symbol
 
     def _declare_const(self, function: Function, node: nodes.Const) -> None:
@@ -280,7 +302,7 @@ class Names:
             if node.type is not None:
                 expression = nodes.Cast(node.start, node.end, expression, self.type_of(node.type, FLOAT))
             symbol.node, symbol.given = expression, True
-            self.add(function.scope, symbol)
+            self._declare(function.scope, node, symbol)
             return
         if value is None:
             self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.start,
@@ -293,7 +315,7 @@ class Names:
             value = "" if kind.name == STRING else 1
         symbol = Symbol(node.name, "const", kind, node.start, function)
         symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
-        self.add(function.scope, symbol)
+        self._declare(function.scope, node, symbol)
 
     def _dimensions(self, node: nodes.Variable, scope: Scope) -> tuple[int, ...]:
         sizes = [self._whole(size, scope, f"the size of {node.name}", 1) for size in node.dimensions]
@@ -318,12 +340,14 @@ class Names:
                           node.start)  # fmt: skip
         return least
 
-    def add(self, scope: Scope, symbol: Symbol) -> None:
-        """Add a name to a scope; report a duplicate or the name of a keyword."""
+    def _declare(self, scope: Scope, node: Resolved, symbol: Symbol) -> None:
+        """Add the name of a declaration to a scope; report a duplicate or the name of a keyword."""
+        node.resolve(symbol)
         key = symbol.name.lower()
         if key in scope.names and not (self.typed and scope is self.module):
             self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
                               hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
+            symbol.first = scope.names[key]
             return
         row = self.table.get(symbol.name)
         # A keyword of v4 is no keyword in a program that declares its name. Keywords of statements are
@@ -350,13 +374,18 @@ class Names:
             row = self.table.get(name)
             if row is not None and row.family != STRINGS:
                 continue
-            if not _is_result(function, name):
-                symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
-                symbol.declared = False
-                function.scope.names[name.lower()] = symbol
+            symbol = Symbol(name, "variable", Type(FLOAT), target.start, function)
+            symbol.declared = False
+            function.scope.names[name.lower()] = symbol
 
     def _use(self, function: Function) -> None:
-        survey = self._surveys.pop(function)
+        survey = self._surveys[function]
+        self._bind(function, survey)
+        for target in survey.targets:
+            self._written(target)
+
+    def _bind(self, function: Function, survey: Survey) -> None:
+        """Bind the names of a body or an expression in the scope of a function."""
         for spelling, names in survey.names.items():
             symbol = function.scope.find(spelling)
             row = self.table.get(spelling) if symbol is None else None
@@ -374,12 +403,12 @@ class Names:
             else:
                 for name in names:
                     self._use_name(function, name)
-        for target in survey.targets:
-            self._written(target)
-        for node in survey.statements:
+        for node in reversed(survey.statements):  # the owner of a member before the member
             kind = node.__class__
-            if kind is nodes.Label or kind is nodes.Jump:
-                function.jumps = True
+            if kind is nodes.Member:
+                node.resolve(_member(node))  # type: ignore[attr-defined, arg-type]
+            elif kind is nodes.Jump:
+                node.resolve(_target(function, node))  # type: ignore[attr-defined, arg-type]
             elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
@@ -414,7 +443,7 @@ class Names:
         elif symbol.kind == "define":
             symbol.uses += 1
             self._replace(function, node, symbol)
-        elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
+        elif symbol.kind == "sub" and function.result_named(node) is None:
             function.calls.add(symbol.home)
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
@@ -436,24 +465,33 @@ class Names:
         self._defined_depth += depth
         self._replacing.append(define)
         definition: nodes.Expr = copied(define.node)  # type: ignore[assignment]
-        for inner in walk([definition]):
-            if isinstance(inner, nodes.Name):
-                symbol = function.scope.find(inner.name)
-                inner.resolve(symbol, self.table.get(inner.name) if symbol is None else None)
-                self._use_name(function, inner)
+        self._bind(function, Survey([definition]))
         self._replacing.pop()
         self._defined_depth -= depth
         node.definition = definition
 
 
-def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
+def _target(function: Function, node: nodes.Jump) -> Symbol:
+    """Return the label that a jump names, a new one without a declaration if there is none."""
+    unknown = Symbol(node.name, "label", Type(FLOAT), node.start, function)
+    unknown.declared = False
+    return function.labels.setdefault(node.name.lower(), unknown)
+
+
+def _member(node: nodes.Member) -> Symbol | None:
+    """Return the symbol of a member whose owner is bound, None if the owner has no such member."""
+    owner = node.value.symbol if isinstance(node.value, nodes.Name | nodes.Member) else None
+    record = None if owner is None else owner.type.record
+    return None if record is None else record.members.get(node.field.lower())
+
+
+def _handed(call: nodes.Name, callee: Symbol) -> Iterator[tuple[Symbol, Symbol]]:
     """Yield each array parameter that a call passes on, with the receiving parameter."""
     for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
-        if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
-            symbol = arrays.get(argument.name.lower())
-            if symbol is not None and parameter.is_array:
-                yield symbol, parameter
+        symbol = argument.symbol if isinstance(argument, nodes.Name) and argument.args is None else None
+        if symbol is not None and _is_array_parameter(symbol) and parameter.is_array:
+            yield symbol, parameter
 
 
-def _is_result(function: Function, name: str) -> bool:
-    return function.result is not None and function.result.name.lower() == name.lower()
+def _is_array_parameter(symbol: Symbol) -> bool:
+    return symbol.kind == "parameter" and symbol.is_array

@@ -35,22 +35,24 @@ class Type:
 
 
 class Record:
-    """A user type: its members in order, each with its type and its dimensions."""
+    """A user type: the symbols of its members in order."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self.members: dict[str, tuple[int, Type, tuple[int, ...]]] = {}
+        self.members: dict[str, Symbol] = {}
 
 
 class Symbol:
     """A symbol of the program.
 
-    - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event" or "label".
+    - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event", "label", "type" or "member".
+    - `first`: the symbol that the name refers to: the earlier one if this declaration repeats it, else this one.
     - `shared`: more than one function uses it.
     - `boxed`: it outlives the run in non-volatile memory, so its value is in a list of one element, which that shares.
       Arrays and values of user types are lists anyway.
     - `by_ref`: it is a ByRef parameter itself.
-    - `declared`: False for a variable that exists only because it is assigned.
+    - `declared`: False for a variable that exists only because it is assigned, and for a label without a declaration.
+    - `owner`, `index`: the user type of a member, and its position in a value of that type.
     """
 
     def __init__(self, name: str, kind: str, type: Type, at: int, home: Function) -> None:
@@ -62,6 +64,9 @@ class Symbol:
         self.given = False  # a constant whose value is supplied when the program starts
         self.uses = 0  # the number of reads; those of a Define include writes
         self.declared = True
+        self.first = self
+        self.owner: Record | None = None
+        self.index = 0
 
     @property
     def is_array(self) -> bool:
@@ -71,30 +76,14 @@ class Symbol:
 class Scope:
     """The names of one block, and the enclosing scope."""
 
-    __slots__ = ("_found", "function", "names", "outer")
+    __slots__ = ("function", "names", "outer")
 
     def __init__(self, function: Function, outer: Scope | None) -> None:
         self.function, self.outer = function, outer
         self.names: dict[str, Symbol] = {}
-        # A cache of lookups, used once no more names can be added.
-        self._found: dict[str, Symbol | None] | None = None
-
-    def settle(self) -> None:
-        """Freeze the scope: no more names can be added."""
-        self._found = {}
 
     def find(self, name: str) -> Symbol | None:
         """Return the symbol of a name, ignoring case, from the innermost scope outwards."""
-        found = self._found
-        if found is None:
-            return self._find(name)
-        try:
-            return found[name]
-        except KeyError:
-            symbol = found[name] = self._find(name)
-            return symbol
-
-    def _find(self, name: str) -> Symbol | None:
         key = name.lower()
         scope: Scope | None = self
         while scope is not None:
@@ -113,7 +102,7 @@ class Scope:
 
 
 class Function:
-    """The main program, a task, a sub or an event handler; `jumps` is true if it has a label or a jump."""
+    """The main program, a task, a sub or an event handler."""
 
     def __init__(self, kind: str, name: str, body: list[nodes.Stmt], outer: Scope | None) -> None:
         self.kind, self.name, self.body = kind, str(name), body
@@ -123,7 +112,12 @@ class Function:
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.jumps = False
+        self.labels: dict[str, Symbol] = {}
+
+    @property
+    def jumps(self) -> bool:
+        """True if it has a label or a jump."""
+        return bool(self.labels)
 
     @property
     def qualified_name(self) -> str:
@@ -144,4 +138,4 @@ class Session:
 
     def __init__(self) -> None:
         self.scope = Scope(Function("main", "main", [], None), None)
-        self.types: dict[str, Record] = {}
+        self.types: dict[str, Symbol] = {}

@@ -72,7 +72,7 @@ class _Survey:
         self._nodes: dict[int, nodes.Node] = {}
         self._by_labels: dict[int, list[nodes.Stmt]] = {}
         # The statements of each label that a Gosub may call, to their Return.
-        self._routines: dict[str, list[nodes.Stmt]] = {}
+        self._routines: dict[Symbol | None, list[nodes.Stmt]] = {}
         # The nodes that each task, the parent task and each event handler may execute.
         self._roots = [
             list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
@@ -84,7 +84,7 @@ class _Survey:
             if found:
                 self._roots.append(found)
                 assigned = (node.target for node in found if isinstance(node, nodes.Assign))
-                self._handled |= {getattr(target, "symbol", None) for target in assigned}
+                self._handled |= {target.symbol for target in assigned}
             for node in walk(function.body):
                 if isinstance(node, (*LOOPS, nodes.Pause)):
                     self._nodes[node.start] = node
@@ -159,7 +159,7 @@ class _Survey:
         inside = {id(node) for node in body}
         others = [root for root in self._roots if not any(id(node) in inside for node in root)]
         return any(
-            isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol
+            isinstance(node, nodes.Assign) and node.target.symbol is symbol
             for root in others
             for node in root
         )
@@ -170,11 +170,9 @@ class _Survey:
         for each in bodies:  # the list grows during the loop
             for node in walk(each):
                 yield node
-                if isinstance(node, nodes.Jump) and node.kind == "gosub":
-                    name = node.name.lower()
-                    if name not in seen:
-                        seen.add(name)
-                        bodies.append(self._routines.get(name, []))
+                if isinstance(node, nodes.Jump) and node.kind == "gosub" and node.symbol not in seen:
+                    seen.add(node.symbol)
+                    bodies.append(self._routines.get(node.symbol, []))
                 if not isinstance(node, nodes.Name):
                     continue
                 symbol = node.symbol
@@ -190,29 +188,27 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
 
     The statements end with the last jump back to the label.
     """
-    body, labels = function.body, {}
-    for number, statement in enumerate(body):
-        if type(statement) is nodes.Label:
-            labels[statement.name.lower()] = number
+    body = function.body
+    labels = {each.symbol: number for number, each in enumerate(body) if isinstance(each, nodes.Label)}
     last: dict[int, int] = {}
     for number, statement in enumerate(body):
         for node in walk([statement]):
             if isinstance(node, nodes.Jump) and node.kind != "gosub":
-                first = labels.get(node.name.lower(), number)
+                first = labels.get(node.symbol, number)
                 if first < number:
                     last[first] = number
     for first, number in last.items():
         yield body[first].start, body[first : number + 1]
 
 
-def _routines(function: Function) -> Iterator[tuple[str, list[nodes.Stmt]]]:
+def _routines(function: Function) -> Iterator[tuple[Symbol | None, list[nodes.Stmt]]]:
     """Yield each label of a function, and the statements from there to the next Return."""
     body = function.body
     for first, statement in enumerate(body):
         if isinstance(statement, nodes.Label):
             rest = body[first:]
             last = next((k for k, each in enumerate(rest) if isinstance(each, nodes.Return)), len(rest))
-            yield statement.name.lower(), rest[:last]
+            yield statement.symbol, rest[:last]
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
@@ -236,13 +232,11 @@ def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
     """Return the values that a loop assigns to a variable, and the conditions for it."""
     found: list[nodes.Node] = []
     for node in body:
-        if isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol:
+        if isinstance(node, nodes.Assign) and node.target.symbol is symbol:
             found += node.values
         elif isinstance(node, nodes.If):
             inner = walk([*node.body, *node.orelse])
-            if any(
-                isinstance(x, nodes.Assign) and getattr(x.target, "symbol", None) is symbol for x in inner
-            ):
+            if any(isinstance(x, nodes.Assign) and x.target.symbol is symbol for x in inner):
                 found.append(node.condition)
     return found
 
@@ -317,7 +311,7 @@ class _Banks:
         # Variables that hold a bank, such as `b` after `b = IN(0)`.
         self._copies: dict[Symbol, int] = {}
         for node in found:
-            symbol = getattr(node.target, "symbol", None) if isinstance(node, nodes.Assign) else None
+            symbol = node.target.symbol if isinstance(node, nodes.Assign) else None
             if symbol is not None and isinstance(node, nodes.Assign):
                 for each in node.values:
                     bank = self.bank(each)
@@ -525,7 +519,7 @@ def keys(body: list[nodes.Node]) -> Iterator[tuple[nodes.Node, int]]:
     given: set[Symbol] = set()
     for node in body:
         if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
-            symbol = getattr(node.target, "symbol", None)
+            symbol = node.target.symbol
             if symbol is not None:
                 given.add(symbol)
     for node in body:

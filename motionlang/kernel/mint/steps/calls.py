@@ -68,7 +68,7 @@ def _argument(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
 def array(w: UnitWriter, node: nodes.Expr) -> Get:
     """Return the function for a whole array, which may be a member of a record."""
     if isinstance(node, nodes.Member):
-        return expressions.member(w, node)[0]
+        return expressions.member(w, node)
     return expressions.whole(w, w.symbol(node))
 
 

@@ -124,9 +124,8 @@ def parts(node: object) -> Iterator[nodes.Node]:
 
 
 def _name(w: UnitWriter, node: nodes.Name) -> Value:
-    symbol = node.symbol
-    result = w.function.result
-    if result is not None and node.args is None and node.name.lower() == result.name.lower():
+    symbol, result = node.symbol, w.function.result_named(node)
+    if result is not None:
         return _variable(w, node, result)  # inside a function, its name without brackets is the result so far
     if symbol is None:
         assert node.row is not None
@@ -199,41 +198,23 @@ def _element(w: UnitWriter, array: Get, args: list[nodes.Expr]) -> Get:
 
 
 def _member_place(w: UnitWriter, node: nodes.Member) -> tuple[Get, Get, Type]:
-    content, kind, sizes = member(w, node)
-    if sizes:
-        return content, _element(w, content, node.args or []), kind
-    owner, position = _owner(w, node)
-    return owner, lambda values: position, kind
+    symbol = w.symbol(node)
+    if symbol.is_array:
+        content = member(w, node)
+        return content, _element(w, content, node.args or []), symbol.type
+    return _owner(w, node), lambda values: symbol.index, symbol.type
 
 
-def member(w: UnitWriter, node: nodes.Member) -> tuple[Get, Type, tuple[int, ...]]:
-    """Return the function for the content of a member as a whole, its type and its sizes."""
-    owner, position = _owner(w, node)
-    _, kind, sizes = _described(w, node)
-    return lambda values: owner(values)[position], kind, sizes
+def member(w: UnitWriter, node: nodes.Member) -> Get:
+    """Return the function for the content of a member as a whole."""
+    owner, position = _owner(w, node), w.symbol(node).index
+    return lambda values: owner(values)[position]
 
 
-def _owner(w: UnitWriter, node: nodes.Member) -> tuple[Get, int]:
-    """Return the function for the value that has a member, and the member's index in it."""
+def _owner(w: UnitWriter, node: nodes.Member) -> Get:
+    """Return the function for the value that has a member."""
     where, which, _ = place(w, node.value)  # type: ignore[arg-type]
-    position, _, _ = _described(w, node)
-    return lambda values: where(values)[which(values)], position
-
-
-def type_of_member(w: UnitWriter, node: nodes.Member) -> Type:
-    """Return the type of a member."""
-    return _described(w, node)[1]
-
-
-def _described(w: UnitWriter, node: nodes.Member) -> tuple[int, Type, tuple[int, ...]]:
-    owner = node.value
-    if isinstance(owner, nodes.Member):
-        _, kind, _ = _described(w, owner)
-    else:
-        assert isinstance(owner, nodes.Name)
-        kind = w.symbol(owner).type
-    assert kind.record is not None
-    return kind.record.members[node.field.lower()]
+    return lambda values: where(values)[which(values)]
 
 
 def _loaded(w: UnitWriter, where: Get, which: Get, kind: Type) -> Value:

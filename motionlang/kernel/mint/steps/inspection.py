@@ -98,12 +98,11 @@ def _element(name: str, kind: Type, sizes: tuple[int, ...], content: Values, ind
         ]
         return Variable(name, word, elements)
     if kind.record is not None:
-        members = kind.record.members.items()
-        return Variable(
-            name,
-            word,
-            [_element(field, member, more, value, number) for field, (number, member, more) in members],
-        )
+        members = [
+            _element(field, each.type, each.dimensions, value, each.index)
+            for field, each in kind.record.members.items()
+        ]
+        return Variable(name, word, members)
     if word not in ("Integer", "Float", "String"):
         return Variable(name, word, value[0] is not None if word == "Semaphore" else value)
     return Variable(name, word, value, _giving(word, give))

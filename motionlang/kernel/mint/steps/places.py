@@ -97,8 +97,8 @@ def first_value(kind: Type) -> Any:
     """Return the first value of a variable of a type; a user type and a semaphore are lists."""
     if kind.record is not None:
         return [
-            elements(member, sizes) if sizes else first_value(member)
-            for _, member, sizes in kind.record.members.values()
+            elements(each.type, each.dimensions) if each.is_array else first_value(each.type)
+            for each in kind.record.members.values()
         ]
     return [None] if kind.name == SEMAPHORE else {INTEGER: 0, STRING: ""}.get(kind.name, 0.0)
 

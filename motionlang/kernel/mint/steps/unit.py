@@ -136,8 +136,7 @@ class UnitWriter:
 
     def is_result(self, node: nodes.Name) -> bool:
         """True if a name is the result of the function so far."""
-        result = self.function.result
-        return result is not None and node.args is None and node.name.lower() == result.name.lower()
+        return self.function.result_named(node) is not None
 
     def observes(self, part: object) -> bool:
         """True if an expression reads the machine or its time."""
@@ -145,7 +144,7 @@ class UnitWriter:
 
     def _observes(self, node: nodes.Node) -> bool:
         if isinstance(node, nodes.Member):
-            return expressions.type_of_member(self, node).name == TIME
+            return self.symbol(node).type.name == TIME
         if not isinstance(node, nodes.Name):
             return False
         if node.symbol is None:
@@ -153,11 +152,10 @@ class UnitWriter:
         return node.symbol.kind in ("variable", "parameter") and node.symbol.type.name == TIME
 
     def symbol(self, node: nodes.Expr) -> Symbol:
-        """Return the variable that a name means."""
+        """Return the variable or member that a name means."""
         node = meant(node)
-        assert isinstance(node, nodes.Name), node
-        if self.is_result(node):
-            assert self.function.result is not None
-            return self.function.result
-        assert node.symbol is not None, node
-        return node.symbol
+        assert isinstance(node, nodes.Name | nodes.Member), node
+        result = self.function.result_named(node) if isinstance(node, nodes.Name) else None
+        symbol = result or node.symbol
+        assert symbol is not None, node
+        return symbol

@@ -345,6 +345,7 @@ class Builder(Transformer[lark.Token, Module]):
         if name is not None and name.lower() != loop.variable.name.lower():
             raise Misuse
         loop.body, loop.end = body, (name or next_word).end_pos
+        loop.last_name = None if name is None else _word(name)
         return loop
 
     def for_shared(self, loop: For, body: list[Stmt], name: Token) -> For:

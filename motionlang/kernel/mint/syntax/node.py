@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.syntax.word import Word
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.resolve.symbols import Symbol
@@ -57,7 +58,10 @@ class Expression(Node):
 
 
 class Resolved(Node):
-    """A statement or declaration with a name in it, and what the name refers to; see `ResolvedName`."""
+    """A statement or declaration with a name in it, and what the name refers to; see `ResolvedName`.
+
+    A declaration has its own symbol, also if it repeats an earlier one.
+    """
 
     __slots__ = ("row", "symbol")
 
@@ -70,11 +74,19 @@ class Resolved(Node):
         return self
 
 
+class ClosedByName(Node):
+    """A loop whose end may repeat the name of its variable, which is no part of its content."""
+
+    __slots__ = ("last_name",)
+
+    last_name: Word | None
+
+
 class ResolvedName(Expression):
     """A name and what it refers to, which `resolve.names` records once for each use.
 
-    `symbol` is the variable, constant, sub or task of that name in the program. `row` is the keyword of that name
-    if there is no symbol. Both are None for an unknown name. `definition` is the expression that a Define gives
+    `symbol` is the variable, constant, sub, task or member of that name in the program. `row` is the keyword of that
+    name if there is no symbol. Both are None for an unknown name. `definition` is the expression that a Define gives
     the name, copied for each use.
     """
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.syntax.word import Word
-from motionlang.kernel.mint.syntax.node import Expression, Resolved, ResolvedName
+from motionlang.kernel.mint.syntax.node import ClosedByName, Expression, Resolved, ResolvedName
 from motionlang.kernel.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
 from motionlang.kernel.source import Source
 
@@ -56,7 +56,7 @@ class Name(ResolvedName):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Member(Expression):
+class Member(ResolvedName):
     """A member `value.field` of a value of user type.
 
     `args` are the subscripts of `value.field(…)`, None without brackets.
@@ -199,7 +199,7 @@ class Input(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class TypeName(Node):
+class TypeName(Resolved):
     """The name of a type, built-in or user-defined; `String` has a `size`."""
 
     name: Word
@@ -224,7 +224,7 @@ class Dim(Node):
     nv: bool = False
 
 
-class Const(Node):
+class Const(Resolved):
     """`Const name [As type] = value, …`; `more` holds a node for each further name."""
 
     __slots__ = ("more", "name", "type", "value")
@@ -235,7 +235,7 @@ class Const(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Define(Node):
+class Define(Resolved):
     """`Define name = text`: `name` stands for an expression at each use."""
 
     name: Word
@@ -283,8 +283,8 @@ class Select(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class For(Node):
-    """`For variable = first To stop Step step … Next`."""
+class For(ClosedByName):
+    """`For variable = first To stop Step step … Next`; `last_name` is the name after `Next`, None without one."""
 
     variable: Name
     first: Expr
@@ -348,14 +348,14 @@ class End(Resolved):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Label(Node):
+class Label(Resolved):
     """`#NAME` (v4) or `NAME:` on a line of its own."""
 
     name: Word
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Jump(Node):
+class Jump(Resolved):
     """A jump of `kind` "goto" or "gosub"."""
 
     kind: str
@@ -401,7 +401,7 @@ Stmt = (
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Parameter(Node):
+class Parameter(Resolved):
     """One parameter of a sub or a function."""
 
     name: Word
@@ -411,7 +411,7 @@ class Parameter(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Sub(Node):
+class Sub(Resolved):
     """`Sub name(parameters) … End Sub`; a `Function` has a `result` type."""
 
     name: Word
@@ -422,7 +422,7 @@ class Sub(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Task(Node):
+class Task(Resolved):
     """`Task name … End Task`, with the subs and functions written inside it."""
 
     name: Word
@@ -431,7 +431,7 @@ class Task(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Event(Node):
+class Event(Resolved):
     """`Event name … End Event`."""
 
     name: Word
@@ -446,7 +446,7 @@ class Startup(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class UserType(Node):
+class UserType(Resolved):
     """`Type name … End Type`."""
 
     name: Word

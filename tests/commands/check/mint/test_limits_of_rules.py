@@ -48,6 +48,12 @@ def test_tokens_that_mint_v4_lacks(text: str, expected: list[tuple[int, str]]) -
     assert [(line, what.removesuffix(end)) for line, what, _ in on("mint4", text)] == expected
 
 
+def test_a_name_of_the_program_is_no_keyword_of_another_controller() -> None:
+    """ADD is a keyword, which a program may use for a sub of its own."""
+    found = on("mint4", "Add(1)\nSub Add(k)\nEnd Sub")
+    assert [what.partition(" is")[0] for _, what, _ in found] == ["Sub"]
+
+
 @cases(
     "text, fixes",
     [

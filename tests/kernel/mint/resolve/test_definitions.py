@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
+
 from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
+from motionlang.kernel.mint.resolve.symbols import Scope
 from tests.cases import cases
+from tests.counted_calls import count_calls
 
 PAIRS = """\
 Type inner
@@ -123,6 +127,18 @@ FOUND = [
         "parameter k in 4-6 of inner: *4:13 5:5 | k As Float",
         "variable k: *9:1 | k As Float, declared by its first assignment",
     ]),
+    ("Sub f(f)\n  PRINT f\nEnd Sub\nf(1)", [
+        "sub f: *1:5 4:1 | Sub f(f As Float)", "parameter f in 1-3 of f: *1:7 2:9 | f As Float",
+    ]),
+    ("Task t\n  Dim t\n  t = 1\nEnd Task\nRun t", [
+        "task t: *1:6 5:5 | Task t", "variable t in 1-4 of t: *2:7 3:3 | Dim t As Float",
+    ]),
+    ("a:\nGoTo a\n#A", ["label a: *1:1 2:6 3:2 | a:"]),
+    ("Dim n\nDim n As Integer\nn = 1", ["variable n: *1:5 2:5 3:1 | Dim n As Float"]),
+    ("Type p\n  Dim x As Float, X As String\nEnd Type\nDim a As p\na.x = 1", [
+        "type p: *1:6 4:10 | Type p: x", "member x of p: *2:7 2:19 5:3 | p.x As Float",
+        "variable a: *4:5 5:1 | Dim a As p",
+    ]),
     ("Event IN1\n  x = 1\nEnd Event\nx = 2", [
         "event IN1: *1:7 | Event IN1", "variable x: 2:3 *4:1 | x As Float, declared by its first assignment",
     ]),
@@ -146,6 +162,15 @@ def test_each_name_has_its_declaration_and_its_uses(text: str, expected: list[st
         home = f" of {each.home}" if each.home else ""
         shown.append(f"{each.kind} {each.name}{scope}{home}: {uses} | {each.text}")
     assert shown == expected
+
+
+def test_no_name_is_looked_up_after_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    program = MINT.program(Source("a.mnt", SUBS))
+    program.require()
+    looked_up = count_calls(monkeypatch, (Scope, "find"))
+    assert program.names.definitions
+    assert program.step_list
+    assert looked_up.calls == 0
 
 
 @cases(
