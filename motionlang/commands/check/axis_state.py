@@ -10,13 +10,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
 from operator import itemgetter
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.commands.check.facts import COMMANDS, Facts, Part
+from motionlang.commands.check.reach import Reach
 from motionlang.kernel.lang import TEST, UNTIL, Use
 from motionlang.kernel.lang import AxisKey as Key
 
-Report = Callable[[str, Use, Key, "Axis"], None]
+if TYPE_CHECKING:
+    from motionlang.commands.check.facts import Facts, Part
+
+# Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
+COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
+# What was wrong at a use of a keyword, for one of its axes, and what was known of that.
+Problem = tuple[Use, Key, "Axis"]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # No buffer holds more entries, so larger counts are not distinguished.
@@ -136,13 +142,12 @@ After = dict[Key, Axis]
 class Follower:
     """Tracks the facts about the axes through every part.
 
-    `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
-    states before the points of a part, and `after`, the facts on return about the axes that the part changes.
-    `report_problems` passes findings to `report(problem, act, key, axis)`.
+    `before` has the states before the points of a part, `after` the facts on return about the axes that the part
+    changes, and `problems` what is certainly wrong, by kind.
     """
 
-    def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
-        self.facts, self.is_out_of_reach = facts, is_out_of_reach
+    def __init__(self, facts: Facts) -> None:
+        self.facts, self.reach = facts, Reach(facts)
         self.before: dict[Part, dict[int, State]] = {}
         self.after: dict[Part, After] = {}
         self.apart = self._shared()
@@ -152,7 +157,14 @@ class Follower:
         # True while a statement is followed that reads again and again.
         self._polls = False
         self._at_work: set[Part] = set()
-        self._report: Report | None = None
+        self.problems: dict[str, list[Problem]] = {}
+        self._reports = False
+        for part in facts.parts:
+            self._analyse(part)
+        self._reports = True
+        for states in self.before.values():
+            for p, state in sorted(states.items(), key=itemgetter(0)):
+                self._follow(p, state)
 
     def _shared(self) -> set[Key]:
         """Return the axes commanded by more than one of parent task, tasks and handlers.
@@ -199,22 +211,15 @@ class Follower:
             found.update(act.axes[1:])
         return found
 
-    def report_problems(self, part: Part, report: Report) -> None:
-        """Process every step of a part again, and report the problems found there."""
-        self._report = report
-        for p, state in sorted(self.before[part].items(), key=itemgetter(0)):
-            self._follow(p, state)
-        self._report = None
-
     # ---------------------------------------------------------------------------------------- following
 
-    def analyse(self, part: Part) -> None:
+    def _analyse(self, part: Part) -> None:
         """Track the axes through a part; the functions that it calls come first."""
         if part in self.after or part in self._at_work:
             return
         self._at_work.add(part)
         for each in sorted(part.calls, key=lambda f: f.at):
-            self.analyse(each)
+            self._analyse(each)
         self._at_work.discard(part)
         self.after[part] = self._states(part)
 
@@ -292,8 +297,8 @@ class Follower:
         return state
 
     def _report_problem(self, problem: str, act: Use, key: Key, axis: Axis) -> None:
-        if self._report is not None:
-            self._report(problem, act, key, axis)
+        if self._reports:
+            self.problems.setdefault(problem, []).append((act, key, axis))
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
@@ -325,7 +330,7 @@ class Follower:
     def _checked(self, act: Use, number: int, axis: Axis) -> Axis:
         """Report a target that is out of reach, and drop it from the facts."""
         key = act.axes[number]
-        if axis.target is None or not self.is_out_of_reach(key, axis):
+        if axis.target is None or not self.reach.beyond(key, axis):
             return axis
         self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)

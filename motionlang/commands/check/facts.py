@@ -8,17 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Protocol
+from functools import cached_property
+from typing import Protocol
 
+from motionlang.commands.check.axis_state import Follower, State
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Statement, Structure, Use
 from motionlang.kernel.lang import AxisKey as Key
-
-if TYPE_CHECKING:
-    from motionlang.commands.check.axis_state import State
-
-# Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
-COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
 
 
 class Named(Protocol):
@@ -80,6 +76,11 @@ class Facts:
         for act in (act for p in sorted(self.acts) for act in self.acts[p]):
             if act.row is not None:
                 self.used.setdefault(act.row, []).append(act)
+
+    @cached_property
+    def axes(self) -> Follower:
+        """The state of the axes before each statement."""
+        return Follower(self)
 
     # ---------------------------------------------------------------------------------------------- the flow
 

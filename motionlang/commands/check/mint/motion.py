@@ -2,72 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 from motionlang.commands.check.axis_state import Axis, Follower
 from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
-from motionlang.kernel.mint.resolve.symbols import Function
 
 Add = Callable[..., None]
-
-
-class Reach:
-    """The range that each axis can reach.
-
-    Travel comes from the machine file, software limits come from the program.
-    """
-
-    def __init__(self, facts: MintFacts, settings: Mapping[str, object]) -> None:
-        self.settings = settings
-        self.forward = facts.constants("SOFTLIMITFORWARD")
-        self.reverse = facts.constants("SOFTLIMITREVERSE")
-        self.unlimited = facts.named("SOFTLIMITMODE")
-        self.wrapped = facts.named("POSWRAP")
-
-    def beyond(self, key: Key, axis: Axis) -> str:
-        """Return a text that names the limit which an axis's target exceeds, "" for none."""
-        target = axis.target
-        assert target is not None
-        if {key, None} & self.wrapped:
-            return ""
-        forward, reverse = self._software(key)
-        if forward is not None and target > forward:
-            return f"the software limit at {forward:.10g}"
-        if reverse is not None and target < reverse:
-            return f"the software limit at {reverse:.10g}"
-        travel = self.settings.get(f"axis.{key}.travel")
-        if not isinstance(travel, list) or axis.frame is None:
-            return ""
-        start = self.settings.get(f"axis.{key}.start", 0.0)
-        assert isinstance(start, (int, float))
-        zero = start + axis.frame
-        if travel[0] <= zero + target <= travel[1]:
-            return ""
-        switch = travel[1] if zero + target > travel[1] else travel[0]
-        return f"the limit switch at {switch - zero:.10g}"
-
-    def _software(self, key: Key) -> tuple[float | None, float | None]:
-        if key in self.unlimited or None in self.unlimited:
-            return None, None
-        forward, reverse = self.forward.get(key), self.reverse.get(key)
-        return (max(forward) if forward else None, min(reverse) if reverse else None)
 
 
 class Motion:
     """The checks of motion; `add(code, message, at, hint)` records a warning."""
 
-    def __init__(self, follower: Follower, reach: Reach, add: Add) -> None:
-        self.follower, self.reach, self.add = follower, reach, add
+    def __init__(self, follower: Follower, add: Add) -> None:
+        self.follower, self.add = follower, add
 
-    def check(self, function: Function) -> None:
-        """Run all checks of motion on a function."""
-        self.follower.report_problems(function, self._on_problem)
-
-    def _on_problem(self, problem: str, act: Use, key: Key, axis: Axis) -> None:
-        _REPORTS[problem](self, act, key, axis)
+    def check(self) -> None:
+        """Report all problems that the analysis of the axes has found."""
+        for problem, report in _REPORTS.items():
+            for act, key, axis in self.follower.problems.get(problem, ()):
+                report(self, act, key, axis)
 
     def _in_motion(self, act: Use, key: Key, axis: Axis) -> None:
         zeroed = act.role == "zero"
@@ -116,7 +71,7 @@ class Motion:
                  f"load one first, as in MOVER({axes}) = 10")  # fmt: skip
 
     def _beyond(self, act: Use, key: Key, axis: Axis) -> None:
-        what = self.reach.beyond(key, axis)
+        what = self.follower.reach.beyond(key, axis)
         self.add("beyond-travel", f"the move ends at {axis.target:.10g}, beyond {what} of axis {spelt(key)}", act.at,
                  "the axis stops there with an error")  # fmt: skip
 

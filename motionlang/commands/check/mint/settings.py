@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from motionlang.commands.check.axis_state import IDLE, Follower
-from motionlang.commands.check.facts import COMMANDS, spelt
+from motionlang.commands.check.axis_state import COMMANDS, IDLE, Follower
+from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mint.facts import MintFacts
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
