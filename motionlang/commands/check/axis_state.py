@@ -20,11 +20,30 @@ if TYPE_CHECKING:
     from motionlang.commands.check.facts import Facts, Part
 
 # Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
-COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
+COMMANDS = frozenset(
+    (
+        "move",
+        "entry",
+        "course",
+        "path",
+        "go",
+        "act",
+        "zero",
+        "scale",
+        "start",
+        "run",
+        "mode",
+        "enable",
+        "rescale",
+    )
+)
 # What was wrong at a use of a keyword, for one of its axes, and what was known of that.
 Problem = tuple[Use, Key, "Axis"]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
+TARGETS, ENDLESS, OTHER = "targets", "endless", "other"
+# No offset of a statement.
+NONE = -1
 # No buffer holds more entries, so larger counts are not distinguished.
 MAX_ENTRIES = 101
 
@@ -47,6 +66,11 @@ class Axis(NamedTuple):
     - `empty`: no move waits for a GO.
     - `span`: the lowest and the highest position that the moves so far can have reached, None if unknown.
     - `jogs`: the axis jogs, and no statement has stopped it.
+    - `mode`: the mode that decides what a start does: TARGETS, ENDLESS or another, "" if unknown.
+    - `pending`: the offset of the first change of the scale that waits for the axis to be switched on, NONE if
+      there is none, None if unknown.
+    - `unmoved`: nothing has moved the axis.
+    - `distance`: the length of the only move since the axis was at rest, None if unknown.
     """
 
     motion: str = UNKNOWN
@@ -56,7 +80,7 @@ class Axis(NamedTuple):
     frame: float | None = None
     set: frozenset[str] = frozenset()
     stale: frozenset[str] = frozenset()
-    scaled: int = 0
+    scaled: int | None = None
     timed: int | None = None
     speeded: bool = True
     zeros: frozenset[str] = frozenset()
@@ -64,6 +88,10 @@ class Axis(NamedTuple):
     empty: bool = False
     span: tuple[float, float] | None = None
     jogs: bool = False
+    mode: str = ""
+    pending: int | None = None
+    unmoved: bool = False
+    distance: float | None = None
 
     def joined(self, other: Axis, at_loop_head: bool) -> Axis:
         """Return the facts on which both agree; at a loop head time has passed."""
@@ -77,7 +105,7 @@ class Axis(NamedTuple):
             frame=self.frame if self.frame == other.frame else None,
             set=self.set & other.set,
             stale=self.stale & other.stale,
-            scaled=self.scaled if self.scaled == other.scaled else 0,
+            scaled=self.scaled if self.scaled == other.scaled else None,
             timed=self.timed if self.timed == other.timed else None,
             speeded=self.speeded or other.speeded,
             zeros=self.zeros & other.zeros,
@@ -85,6 +113,10 @@ class Axis(NamedTuple):
             empty=self.empty and other.empty,
             span=self.span if self.span == other.span else None,
             jogs=self.jogs and other.jogs,
+            mode=self.mode if self.mode == other.mode else "",
+            pending=self.pending if self.pending == other.pending else None,
+            unmoved=self.unmoved and other.unmoved,
+            distance=self.distance if self.distance == other.distance else None,
         )
 
     def reaching(self, target: float | None) -> tuple[float, float] | None:
@@ -95,6 +127,18 @@ class Axis(NamedTuple):
 
 
 ANY = Axis()
+AT_POWER_UP = Axis(
+    IDLE,
+    target=0.0,
+    frame=0.0,
+    speeded=False,
+    empty=True,
+    span=(0.0, 0.0),
+    mode=TARGETS,
+    pending=NONE,
+    unmoved=True,
+    distance=0.0,
+)
 # Verbs of the settings that must not be 0 for a move to run.
 _NEEDED = frozenset(("speed", "accel", "decel"))
 
@@ -227,7 +271,7 @@ class Follower:
         graph, own = self.facts.graph, self.facts.points[part]
         first = ANYTHING
         if part.kind == "main":
-            first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False, empty=True, span=(0.0, 0.0)), {})
+            first = State(AT_POWER_UP, {})
         found: dict[int, State] = {}
 
         def follow(p: int, state: State) -> tuple[State, State]:
@@ -271,14 +315,25 @@ class Follower:
             return state
         self.before_act = state
         for number, key in enumerate(act.axes):
+            if key is None and self.facts.names_all:
+                state = self._all(follow, act, number, state)
+                continue
             old = self.known(state, key)
-            new = follow(self, act, number, old)
+            new = follow(self, act, number, key, old)
             if key is None:
                 if act.role not in ("read", "slot"):
                     state = ANYTHING
             elif new != old:
                 state = state.put(key, new)
         return state
+
+    def _all(self, follow: Callable[..., Axis], act: Use, number: int, state: State) -> State:
+        """Return the state after an act on all axes; nothing is reported of those that nothing has named."""
+        axes = {key: follow(self, act, number, key, self.known(state, key)) for key in state.axes}
+        reports, self._reports = self._reports, False
+        rest = follow(self, act, number, None, state.rest)
+        self._reports = reports
+        return State(rest, axes)
 
     def _call(self, call: Use, state: State) -> State:
         callee = self.facts.callee(call)
@@ -302,48 +357,46 @@ class Follower:
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
-    def _read(self, act: Use, number: int, axis: Axis) -> Axis:
-        if act.row is not None and act.row.verb == "position" and axis.fresh and not self._polls:
-            self._report_problem("in-motion", act, act.axes[number], axis)
+    def _read(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        if act.row is not None and act.row.does("position") and axis.fresh and not self._polls:
+            self._report_problem("in-motion", act, key, axis)
         return axis
 
-    def _move(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _move(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
-        target = self._target(act, number, axis, act.row.does("relative"))
-        loaded = self._loaded(self._entry(act, number, axis), act)
+        target = self._target(act, number, key, axis, act.row.does("relative"))
+        loaded = self._loaded(self._entry(act, number, key, axis), act)
         span = axis.reaching(target)
-        return self._checked(act, number, loaded._replace(target=target, span=span))
+        return self._checked(act, number, key, loaded._replace(target=target, span=span))
 
     def _loaded(self, axis: Axis, act: Use) -> Axis:
         """Record the offset of the move if it is the first one in the buffer."""
         return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
 
-    def _target(self, act: Use, number: int, axis: Axis, relative: bool) -> float | None:
+    def _target(self, act: Use, number: int, key: Key, axis: Axis, relative: bool) -> float | None:
         """Return the end position of a move in user units, None if unknown."""
         value = act.number(number)
         if not relative or value is None:
             return value
-        key = act.axes[number]
         certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, str)
         return axis.target + value if certain and axis.target is not None else None
 
-    def _checked(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _checked(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         """Report a target that is out of reach, and drop it from the facts."""
-        key = act.axes[number]
         if axis.target is None or not self.reach.beyond(key, axis):
             return axis
         self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)
 
-    def _entry(self, act: Use, number: int, axis: Axis) -> Axis:
-        if axis.stale and axis.scaled:
-            self._report_problem("scale-after-speed", act, act.axes[number], axis)
+    def _entry(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        if axis.stale and axis.scaled is not None:
+            self._report_problem("scale-after-speed", act, key, axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
-    def _course(self, act: Use, number: int, axis: Axis) -> Axis:
-        return self._entry(act, number, axis)._replace(target=None, span=None)
+    def _course(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        return self._entry(act, number, key, axis)._replace(target=None, span=None)
 
-    def _path(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _path(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         """Load a path, which waits for the GO of its first axis.
 
         The target is known only for a line.
@@ -351,18 +404,18 @@ class Follower:
         assert act.row is not None
         target = None
         if act.row.does("line") and number < len(act.values):
-            target = self._target(act, number, axis, act.row.does("relative"))
+            target = self._target(act, number, key, axis, act.row.does("relative"))
         span = axis.reaching(target)
         if number == 0:
-            axis = self._loaded(self._entry(act, number, axis), act)
-        return self._checked(act, number, axis._replace(target=target, span=span, empty=False))
+            axis = self._loaded(self._entry(act, number, key, axis), act)
+        return self._checked(act, number, key, axis._replace(target=target, span=span, empty=False))
 
-    def _go(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _go(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
-            self._report_problem("zeros", act, act.axes[number], axis)
+            self._report_problem("zeros", act, key, axis)
         if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
-            self._report_problem("nothing-loaded", act, act.axes[number], axis)
+            self._report_problem("nothing-loaded", act, key, axis)
         return axis._replace(
             motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
             fresh=sure,
@@ -372,8 +425,10 @@ class Follower:
             jogs=axis.jogs and axis.empty,
         )
 
-    def _stop(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _stop(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
+        if axis.fresh:
+            self._report_problem("cut-short", act, key, axis)
         stops = axis.motion == IDLE or act.row.does("abrupt")
         target = axis.target if axis.motion == IDLE and not axis.waiting else None
         axis = axis._replace(
@@ -384,10 +439,13 @@ class Follower:
             loaded=None,
             empty=True,
             jogs=False,
+            distance=0.0 if stops else None,
         )
-        return axis._replace(target=None, frame=None, span=None) if act.row.does("datum") else axis
+        if not act.row.does("datum"):
+            return axis
+        return axis._replace(target=None, frame=None, span=None, zeros=frozenset())
 
-    def _at_once(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _at_once(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
         jogs = act.row.does("endless") and act.number(number) not in (None, 0)
         return axis._replace(
@@ -399,14 +457,16 @@ class Follower:
             empty=False,
             span=None,
             jogs=jogs,
+            unmoved=False,
+            distance=None,
         )
 
-    def _slot(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _slot(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
         slot = act.row.gives
         if slot == "speed":
             if axis.timed is not None:
-                self._report_problem("time-before-speed", act, act.axes[number], axis)
+                self._report_problem("time-before-speed", act, key, axis)
             axis = axis._replace(speeded=True, timed=None)
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
@@ -418,25 +478,112 @@ class Follower:
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
         )
 
-    def _scale(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _scale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         if axis.motion == MOVES:
-            self._report_problem("scale-in-motion", act, act.axes[number], axis)
+            self._report_problem("scale-in-motion", act, key, axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
         return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
-    def _zero(self, act: Use, number: int, axis: Axis) -> Axis:
+    def _zero(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         if axis.fresh:
-            self._report_problem("in-motion", act, act.axes[number], axis)
+            self._report_problem("in-motion", act, key, axis)
         value = act.number(number)
         if axis.motion != IDLE or axis.waiting or value is None:
             return axis._replace(target=None, frame=None, span=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
         return axis._replace(target=value, frame=moved, span=(value, value))
 
-    def _use(self, act: Use, number: int, axis: Axis) -> Axis:
+    # ---------------------------------------------------------------------- motion at once, without a buffer
+
+    def _start(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        """Start a move to a known end; it takes the place of the motion before it."""
         assert act.row is not None
-        if act.row.kind in ("command", "move") or act.row.does("switch"):
+        if axis.pending is not None and axis.pending != NONE:
+            self._report_problem("scale-pending", act, key, axis)
+        elif axis.stale and axis.scaled is not None:
+            self._report_problem("scale-after-speed", act, key, axis)
+        axis = axis._replace(stale=frozenset(), unmoved=False)
+        if axis.mode != TARGETS:
+            return axis._replace(
+                motion=UNKNOWN, fresh=False, target=None, span=None, jogs=False, distance=None
+            )
+        if axis.zeros:
+            self._report_problem("zeros", act, key, axis._replace(loaded=act.at))
+        value = act.number(number) if act.values else 0.0
+        relative = act.row.does("relative")
+        target = (
+            self._target(act, number, key, axis, relative) if act.values else axis.target if relative else 0.0
+        )
+        length = value
+        if not relative and value is not None:
+            length = None if axis.target is None else value - axis.target
+        is_first = axis.motion == IDLE and axis.distance == 0.0
+        started = axis._replace(
+            motion=MOVES,
+            fresh=True,
+            target=target,
+            span=axis.reaching(target),
+            jogs=False,
+            distance=abs(length) if is_first and length is not None else None,
+        )
+        return self._checked(act, number, key, started)
+
+    def _mode(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        assert act.row is not None
+        mode = next((each for each in (TARGETS, ENDLESS) if act.row.does(each)), OTHER)
+        return axis._replace(mode=mode)
+
+    def _run(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        """Start the motion of the mode."""
+        if axis.mode == TARGETS:
+            self._report_problem("nothing-loaded", act, key, axis)
+            return axis
+        runs = axis.mode == ENDLESS
+        return axis._replace(
+            motion=MOVES if runs else UNKNOWN,
+            fresh=runs,
+            target=None,
+            span=None,
+            jogs=runs,
+            unmoved=False,
+            distance=None,
+            stale=frozenset(),
+        )
+
+    def _rest(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        """Wait for standstill."""
+        if axis.jogs:
+            self._report_problem("still-running", act, key, axis)
+        elif axis.unmoved:
+            self._report_problem("nothing-to-wait-for", act, key, axis)
+        return axis._replace(motion=IDLE, fresh=False, jogs=False, distance=0.0)
+
+    def _enable(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        """Switch the axis on: a scale that waits for this comes into force."""
+        axis = axis._replace(motion=IDLE if axis.motion == IDLE else UNKNOWN, fresh=False, jogs=False)
+        if axis.pending == NONE:
+            return axis
+        sure = axis.pending is not None
+        return axis._replace(
+            stale=axis.set if sure else frozenset(),
+            scaled=axis.pending,
+            set=frozenset(),
+            pending=NONE,
+            target=axis.target if axis.target == 0.0 else None,
+            span=axis.span if axis.span == (0.0, 0.0) else None,
+            distance=0.0 if axis.distance == 0.0 else None,
+        )
+
+    def _rescale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        """Change the scale from the next time on that the axis is switched on."""
+        assert act.row is not None
+        frame = None if act.row.does("datum") else axis.frame
+        return axis._replace(pending=act.at if axis.pending in (NONE, None) else axis.pending, frame=frame)
+
+    def _use(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+        assert act.row is not None
+        if self.facts.disturbs(act.row):
             return axis._replace(
                 motion=UNKNOWN,
                 fresh=False,
@@ -447,6 +594,8 @@ class Follower:
                 empty=False,
                 span=None,
                 jogs=False,
+                unmoved=False,
+                distance=None,
             )
         return axis
 
@@ -457,7 +606,7 @@ def _after_call(inner: Axis) -> Axis:
 
 
 # Roles of keywords in a sub that change the facts its caller has about an axis.
-CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
+CHANGES = COMMANDS | {"stop", "rest", "use"}
 _FOLLOW: dict[str, Callable[..., Axis]] = {
     "read": Follower._read,
     "move": Follower._move,
@@ -470,5 +619,11 @@ _FOLLOW: dict[str, Callable[..., Axis]] = {
     "slot": Follower._slot,
     "scale": Follower._scale,
     "zero": Follower._zero,
+    "start": Follower._start,
+    "mode": Follower._mode,
+    "run": Follower._run,
+    "rest": Follower._rest,
+    "enable": Follower._enable,
+    "rescale": Follower._rescale,
     "use": Follower._use,
 }

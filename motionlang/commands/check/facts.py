@@ -46,6 +46,9 @@ class Facts:
     of the text, `names` the parts by the names under which they are called.
     """
 
+    # True if a use without an axis means all axes, False if it may mean any.
+    names_all = False
+
     def __init__(
         self,
         structure: Structure,
@@ -154,6 +157,14 @@ class Facts:
             return found
         return {p: [_without_parameters(use) for use in uses] for p, uses in found.items()}
 
+    def disturbs(self, row: Keyword) -> bool:
+        """True if nothing is known of an axis after a keyword without a role was written for it."""
+        return row.kind in ("command", "move") or row.does("switch")
+
+    def has_soft_limits(self, key: Key) -> bool:
+        """True if the software limits of an axis may be in force."""
+        return True
+
     def refined(self, p: int, truth: bool, state: State) -> State:
         """Return the state of the axes after the condition that is tested, or waited for, at a point was `truth`."""
         return state
@@ -182,8 +193,12 @@ class Facts:
 
         An axis maps to None if one of the values is unknown.
         """
+        return self.values(lambda row: row.name == word)
+
+    def values(self, wanted: Callable[[Keyword], object]) -> dict[Key, list[float] | None]:
+        """Map each axis to the constants that the keywords that are `wanted` assign to it, as `constants` does."""
         found: dict[Key, list[float] | None] = {}
-        for act in self.written_by(lambda row: row.name == word):
+        for act in self.written_by(wanted):
             for number, key in enumerate(act.axes):
                 value = act.number(number)
                 known = found.setdefault(key, [])

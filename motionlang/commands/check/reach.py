@@ -19,9 +19,9 @@ class Reach:
 
     def __init__(self, facts: Facts) -> None:
         self.settings = facts.settings
-        self.forward = facts.constants("SOFTLIMITFORWARD")
-        self.reverse = facts.constants("SOFTLIMITREVERSE")
-        self.unlimited = facts.named("SOFTLIMITMODE")
+        self.facts = facts
+        self.forward = facts.values(lambda row: row.does("upper"))
+        self.reverse = facts.values(lambda row: row.does("lower"))
         self.wrapped = facts.named("POSWRAP")
 
     def beyond(self, key: Key, axis: Axis) -> str:
@@ -47,7 +47,7 @@ class Reach:
         return f"the limit switch at {switch - zero:.10g}"
 
     def _software(self, key: Key) -> tuple[float | None, float | None]:
-        if key in self.unlimited or None in self.unlimited:
+        if not self.facts.has_soft_limits(key):
             return None, None
         forward, reverse = self.forward.get(key), self.reverse.get(key)
         return (max(forward) if forward else None, min(reverse) if reverse else None)

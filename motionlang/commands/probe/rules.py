@@ -112,7 +112,7 @@ def _is_stored(row: Keyword) -> bool:
         row.kind == "setting"
         and {"R", "W"} == set(row.access)
         and row.index == "axis"
-        and not row.effect
+        and row.is_stored
         and row.verb != "enable_output"
     )
 
@@ -253,7 +253,7 @@ def _number(row: Keyword) -> Questions:
 
 def _code(row: Keyword) -> Questions:
     """Return a question whose parameter a board rejects with a code, or accepts."""
-    if row.kind != "setting" or row.effect:
+    if row.kind != "setting" or not row.is_stored:
         return []
     found: Questions = []
     axis = "{a}" if row.index in ("axis", "axes") else ""

@@ -44,13 +44,23 @@ ROLES = {
     "go": "starts the buffered moves",
     "stop": "stops the axis and empties its buffer",
     "act": "moves the axis at once, without GO",
+    "start": "moves the axis at once to a known end",
+    "mode": "selects the kind of motion",
+    "run": "starts the motion of the mode",
+    "rest": "waits until the axis is at rest",
+    "enable": "switches the axis on, and puts its units in force",
     "scale": "changes the user unit",
+    "rescale": "changes the user unit from the next time on that the axis is switched on",
     "zero": "sets the present position to another value",
 }
 TRAITS = {
     "relative": "its value is a distance, not a position",
     "line": "a path that ends at the given positions",
     "endless": "the motion continues until it is stopped",
+    "position": "its value is the position of the axis",
+    "targets": "the mode in which moves run to their targets",
+    "upper": "its value is the upper software limit of the axis",
+    "lower": "its value is the lower software limit of the axis",
     "abrupt": "the axis stops at once",
     "all": "it affects all axes",
     "datum": "it moves the zero of the axis",
@@ -213,6 +223,11 @@ class Keyword:
     def role(self) -> str:
         """The word of `ROLES` in `effect`, "" if there is none."""
         return next((what for what in self.effect.split() if what in ROLES), "")
+
+    @property
+    def is_stored(self) -> bool:
+        """True if writing it only stores a value, which acts later."""
+        return not self.effect or self.role == "rescale" or self.effect in ("upper", "lower")
 
     def _device(self) -> str:
         """Return the device that the brackets number, as far as other columns say it."""

@@ -15,8 +15,9 @@ to a fixed point.
     Print n                 DO Print n  <──────────────────────┘
 
 Data. A point is a step of one of the lists; its number is its index in `points`. `Point.next` passes over calls, so a
-client that knows what a call does stays in one list. `within` is the same, but a Gosub leads to its label, and a Return
-in that list leads behind every Gosub in it: calls are not matched with returns.
+client that knows what a call does stays in one list. `within` is the same, but what has no parameters is entered: a
+Gosub leads to its label, and a Return in that list leads behind every Gosub in it. In a graph that `enters` all calls,
+as for the macros of MCCL, this holds for every list. Calls are not matched with returns.
 
 Invariants. The points of a list are in the order of the text, and every cycle has an edge to the same or a lower point:
 that edge leads back.
@@ -84,7 +85,7 @@ class StepGraph:
     """The points of some lists of steps, linked.
 
     The lists `in_sequence` run one after the other: a RETURN leads to the first step of the next one. `computed`
-    returns the steps that may follow a GO whose target is known only at run time.
+    returns the steps that may follow a GO whose target is known only at run time. `enters`: calls have no parameters.
     """
 
     def __init__(
@@ -92,6 +93,7 @@ class StepGraph:
         lists: Sequence[Steps],
         in_sequence: Sequence[Steps] = (),
         computed: Callable[[Steps, int], Iterable[int]] | None = None,
+        enters: bool = False,
     ) -> None:
         # The points of each list, by its name.
         self.ranges: dict[str, range] = {}
@@ -106,7 +108,7 @@ class StepGraph:
         for steps in lists:
             self.points += self._linked(steps, after.get(id(steps)), computed)
             self.labels |= {self.first(steps) + pc: name for pc, name in steps.labels.items()}
-        self.within = self._entered()
+        self.within = self._entered(enters)
         # The points to which an edge leads back, and the labels.
         self.heads = {after for p, found in enumerate(self.within) for after in found if after <= p} | {
             *self.labels
@@ -146,20 +148,38 @@ class StepGraph:
                 (steps.name, pc), kind, step.at, tuple(dict.fromkeys(found)), called, steps.roles.get(pc, "")
             )
 
-    def _entered(self) -> list[tuple[int, ...]]:
-        """Return the points that may follow each point within its list, also through a Gosub."""
+    def _entered(self, enters: bool) -> list[tuple[int, ...]]:
+        """Return the points that may follow each point, in its list or in what it enters."""
         found = [each.next for each in self.points]
+        # The points behind the calls that enter at each point.
+        behind: dict[int, list[int]] = {}
         for own in self.ranges.values():
-            gosubs = [p for p in own if own.start < self.points[p].calls < own.stop]
-            if not gosubs:
-                continue
-            behind = tuple(dict.fromkeys(each for p in gosubs for each in self.points[p].next))
-            for p in gosubs:
-                found[p] = (self.points[p].calls,)
-            for p in own[:-1]:  # the last point is the end of the text
-                if self.points[p].kind == RETURN:
-                    found[p] = behind
+            for p in own:
+                called = self.points[p].calls
+                is_call = self.points[p].kind in (CALL, ENTER) and called >= 0
+                if is_call and (enters or own.start < called < own.stop):
+                    behind.setdefault(called, []).extend(self.points[p].next)
+                    found[p] = (called,)
+        for entry, points in behind.items():
+            for p in self._returns(entry) if enters else self._own_returns(entry):
+                found[p] = tuple(dict.fromkeys([*found[p], *points]))
         return found
+
+    def _own_returns(self, p: int) -> list[int]:
+        """Return the points of the list of a point that return; the last point is the end of the text."""
+        own = self.ranges[self.points[p].key[0]]
+        return [each for each in own[:-1] if self.points[each].kind == RETURN]
+
+    def _returns(self, entry: int) -> list[int]:
+        """Return the points that return from what begins at a point, also in the lists that it jumps to."""
+        found: set[int] = set()
+        stack = [entry]
+        while stack:
+            p = stack.pop()
+            if p not in found:
+                found.add(p)
+                stack += self.points[p].next
+        return sorted(p for p in found if self.points[p].kind == RETURN)
 
     # ------------------------------------------------------------------------------------------------ analyses
 
@@ -185,6 +205,38 @@ class StepGraph:
                 found.add(p)
                 stack += self.within[p]
         return found
+
+    def cycles(self) -> list[set[int]]:
+        """Return the largest sets of points that all lead to one another, in no particular order."""
+        finished: list[int] = []
+        seen: set[int] = set()
+        for root in range(len(self.points)):
+            stack = [(root, False)]
+            while stack:
+                p, is_done = stack.pop()
+                if is_done:
+                    finished.append(p)
+                elif p not in seen:
+                    seen.add(p)
+                    stack.append((p, True))
+                    stack += ((after, False) for after in self.within[p])
+        came: list[list[int]] = [[] for _ in self.points]
+        for p, found in enumerate(self.within):
+            for after in found:
+                came[after].append(p)
+        cycles: list[set[int]] = []
+        taken: set[int] = set()
+        for root in reversed(finished):
+            component, left = set(), [root]
+            while left:
+                p = left.pop()
+                if p not in taken:
+                    taken.add(p)
+                    component.add(p)
+                    left += came[p]
+            if len(component) > 1 or root in self.within[root]:
+                cycles.append(component)
+        return cycles
 
     def forward(
         self,

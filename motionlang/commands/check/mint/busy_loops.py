@@ -6,7 +6,6 @@ Such a loop takes all the time of its task, and nothing outside the program can 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang import STOP
@@ -44,22 +43,12 @@ def check_busy_loops(facts: MintFacts, add: Add) -> None:
 
 def _endless(facts: MintFacts, function: Function) -> list[set[int]]:
     """Return the loops that are never left, each as the set of its points."""
-    graph = facts.graph
-    own = facts.points[function]
-    leaves = graph.backward(own, lambda p: 1, lambda p, bits: bits)
-    found: list[set[int]] = []
-    for p in sorted(facts.reached(function)):
-        for after in graph.within[p]:
-            if after <= p and not leaves[after] and not any(after in each for each in found):
-                region = graph.reached_within(after)
-                leading = graph.backward(own, lambda p: 0, partial(_with, after))
-                if all(leading[each] for each in region):
-                    found.append(region)
-    return found
-
-
-def _with(head: int, p: int, bits: int) -> int:
-    return bits | (p == head)
+    within, reached = facts.graph.within, facts.reached(function)
+    return [
+        cycle
+        for cycle in facts.graph.cycles()
+        if cycle <= reached and all(after in cycle for p in cycle for after in within[p])
+    ]
 
 
 def _is_quiet(facts: MintFacts, p: int) -> bool:

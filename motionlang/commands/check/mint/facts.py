@@ -145,6 +145,9 @@ class MintFacts(Facts):
             self._apart.update(each for each in part.parameters if each.name in keys)
         return super().resolved(part, found)
 
+    def has_soft_limits(self, key: Key) -> bool:
+        return not {key, None} & self.named("SOFTLIMITMODE")
+
     def refined(self, p: int, truth: bool, state: State) -> State:
         node = self.nodes_at[p]
         condition = node.condition if isinstance(node, nodes.Pause) else node

@@ -147,7 +147,7 @@ ROWS = (
     _row("CP", "move", "W", "axis", "number", path,
          "Begin a contour path on the controlling axis: 0 user defined, 1 line, 2 clockwise arc, 3 anticlockwise arc; "
          "the commands that follow on the line say where it goes.",
-         "1MN,2MN,1CM1,2CM1,1CP1,1MA100,2MA50", low=0, high=3, family="contours", topic="move"),
+         "1MN,2MN,1CM1,2CM1,1CP1,1MA100,2MA50", low=0, high=3, family="contours", effect="act", topic="move"),
     _row("CA", "setting", "W", "axis", "uu", arc_center, "Centre of the arc of this path, absolute.",
          "1MN,2MN,1CM1,2CM1,1CP2,1CA100,2CA0,1MA200,2MA0", family="contours"),
     _row("CR", "setting", "W", "axis", "uu", arc_center_by, "Centre of the arc of this path, from its start.",
@@ -176,7 +176,7 @@ ROWS = (
                     "Vector deceleration of contour paths, on the controlling axis.", "1VD100000",
                     default=100000, low=0, family="contours"),
     _modes_row("CM", "command", "W", "axis", "number", contour_mode,
-               "Contour mode under the controlling axis n.", "1CM1", low=0, family="contours"),
+               "Contour mode under the controlling axis n.", "1CM1", low=0, effect="mode", family="contours"),
     _modes_row("SN", "command", "C", "axis", "", sync_on,
                "Synchronise contour moves: the paths that follow wait for GO.", "1SN", family="contours"),
     _modes_row("NS", "command", "C", "axis", "", sync_off, "Contour moves start at once.", "1NS", family="contours"),

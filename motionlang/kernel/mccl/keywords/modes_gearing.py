@@ -42,7 +42,7 @@ _row = Group("modes").row
 
 ROWS = (
     _row("SM", "command", "W", "axis", "number", slave, "Slave the axis to master axis n; 0 ends it.",
-         "1MN,2MN,2SM1", low=0, topic="master"),
+         "1MN,2MN,2SM1", low=0, effect="follows", topic="master"),
     _row("SS", "setting", "W", "axis", "number", slave_ratio, "Set the ratio of slave counts to master counts.",
          "2SS0.5", default=1, topic="master"),
 )  # fmt: skip

@@ -57,8 +57,8 @@ _row = Group("modes").row
 
 ROWS = (
     _row("JN", "command", "C", "axes", "", jog_on, "Jogging on: the axis follows its joystick input.", "1MN,1JN",
-         selects="analogue input"),
-    _row("JF", "command", "C", "axes", "", jog_off, "Jogging off: the axis stops.", "1JF"),
+         effect="act hands-over", selects="analogue input"),
+    _row("JF", "command", "C", "axes", "", jog_off, "Jogging off: the axis stops.", "1JF", effect="stop"),
     _row("JA", "setting", "W", "axes", "uu/s2", jog_accel, "Set the acceleration of jogging.",
          "1JA50000", default=100000, low=0),
     _row("JV", "setting", "W", "axes", "uu/s", jog_minimum, "Set the least velocity of jogging.",

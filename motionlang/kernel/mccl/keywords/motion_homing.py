@@ -125,11 +125,11 @@ ROWS = (
     _row("FI", "command", "W", "axis", "uu", find_index,
          "Find the index mark: while the axis runs, wait for the mark; there the position becomes this one. "
          "The machine file says where marks are (index_every).",
-         "1MN,1VM,1GO,1FI0,1ST", meant="HOME", waits="axis", topic="home"),
+         "1MN,1VM,1GO,1FI0,1ST", effect="act datum", meant="HOME", waits="axis", topic="home"),
     _row("FE", "command", "W", "axis", "uu", find_edge,
          "Find the edge of the coarse home switch: while the axis runs, wait for it; there the position becomes "
-         "this one. The machine file says where the switch is (home_switch).", "1MN,1VM,1GO,1FE0,1ST", meant="HOME",
-         waits="axis", topic="home"),
+         "this one. The machine file says where the switch is (home_switch).", "1MN,1VM,1GO,1FE0,1ST",
+         effect="act datum", meant="HOME", waits="axis", topic="home"),
     _row("IA", "command", "W", "axis", "uu", arm_index,
          "Arm the index capture; complete it with WI, when the position at the mark becomes this one.", "1IA0",
          topic="home"),
@@ -138,8 +138,8 @@ ROWS = (
          "1EL0", topic="home"),
     _flow_row("WE", "statement", "W", "axis", "bool", wait_edge,
               "Wait for the coarse home switch: 0 on, 1 off; completes EL.", "1WE1", low=0, high=1,
-              waits="axis", topic="home"),
+              effect="act datum", waits="axis", topic="home"),
     _flow_row("WI", "statement", "C", "axis", "", wait_index, "Wait for the index mark; completes IA. "
               "The machine file says where marks are (index_every).",
-              "1MN,1MR5000,1IA,1WI", waits="axis", topic="home"),
+              "1MN,1MR5000,1IA,1WI", effect="act datum", waits="axis", topic="home"),
 )  # fmt: skip

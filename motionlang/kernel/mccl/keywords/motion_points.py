@@ -57,5 +57,5 @@ ROWS = (
     _row("LT", "command", "W", "axes", "number", learn_target, "Learn the target as point n.",
          "1LT1", low=0, high=255),
     _row("MP", "move", "W", "axes", "number", move_to_point, "Move to the learned point n.",
-         "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255, topic="move"),
+         "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255, effect="act", topic="move"),
 )  # fmt: skip

@@ -104,7 +104,7 @@ _contour_row = Group("contour").row
 
 ROWS = (
     _row("TP", "reading", "R", "axes", "uu", Actions("tell_position", do=_each(_position)),
-         "Tell the actual position.", "1TP", meant="POS PRINT"),
+         "Tell the actual position.", "1TP", effect="position", meant="POS PRINT"),
     _row("TT", "reading", "R", "axes", "uu", Actions("tell_target", do=_each(_target)), "Tell the target.", "1TT"),
     _row("TO", "reading", "R", "axes", "uu", Actions("tell_optimal", do=_each(_optimal)),
          "Tell the optimal position, that of the trajectory.",

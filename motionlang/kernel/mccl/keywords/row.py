@@ -110,6 +110,8 @@ class Group:
         waits: str = "",
         tests: str = "",
         topic: str = "",
+        effect: str = "",
+        gives: str = "",
         meant: str = "",
         family: str = "",
     ) -> Keyword:
@@ -136,6 +138,8 @@ class Group:
             waits=waits,
             tests=tests,
             topic=topic,
+            effect=effect,
+            gives=gives,
             meant=meant,
             family=family,
         )

@@ -101,25 +101,26 @@ _row = Group("trajectory").row
 
 ROWS = (
     _row("SA", "setting", "W", "axes", "uu/s2", accel, "Set the acceleration; a whole number until a scale is set.",
-         "1SA100000", default=100000, low=0, meant="ACCEL ACCELERATION"),
+         "1SA100000", default=100000, low=0, gives="accel", meant="ACCEL ACCELERATION"),
     _row("DS", "setting", "W", "axes", "uu/s2", decel,
          "Set the deceleration; a whole number until a scale is set.", "1DS100000", default=100000, low=0,
-         meant="DECEL DECELERATION", family="deceleration"),
+         gives="decel", meant="DECEL DECELERATION", family="deceleration"),
     _row("SV", "setting", "W", "axes", "uu/s", speed,
          "Set the velocity of moves, a whole number until a scale is set; in velocity mode a running axis changes to "
          "it at once.",
-         "1SV40000", default=40000, low=0, meant="SPEED VEL VELOCITY"),
+         "1SV40000", default=40000, low=0, gives="speed", meant="SPEED VEL VELOCITY"),
     _row("MV", "setting", "W", "axes", "uu/s", minimum_speed,
          "Set the minimum velocity, at which a stepper starts and stops at once: trapezoidal moves begin and end with "
-         "it; 0 for none.", "1MN,1MV1000,1MR5000,1WS,1TP", default=0, low=0),
+         "it; 0 for none.", "1MN,1MV1000,1MR5000,1WS,1TP", default=0, low=0, gives="minimum"),
     _row("PT", "setting", "C", "axes", "", shape_trapezoid,
-         "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT"),
+         "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT", gives="shape"),
     _row("PS", "setting", "W", "axes", "number", shape_scurve,
          "S-curve: PS or PS0 is the sinusoidal one, PSn the trapezoidal one, whose acceleration rises over the "
          "fraction n of the acceleration time.",
-         "1PS0.1", default=0, low=0, high=0.5, below=True, family="profiles"),
+         "1PS0.1", default=0, low=0, high=0.5, below=True, gives="shape", family="profiles"),
     _row("PP", "setting", "C", "axes", "", shape_parabolic,
-         "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", family="profiles"),
+         "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", gives="shape",
+         family="profiles"),
     _row("SQ", "setting", "W", "axes", "number", Actions("kept_torque", do=torque),
          "Set the torque limit, the largest output in volts or units of UK; stored and reported as written, though no "
          "output exceeds 10 V.",

@@ -62,7 +62,7 @@ def structure(
     end.name = "end"
     end.add(END)
     in_sequence = [*foreground, end]
-    graph = StepGraph([*in_sequence, *(body for _, body in bodies)], in_sequence, _computed)
+    graph = StepGraph([*in_sequence, *(body for _, body in bodies)], in_sequence, _computed, enters=True)
     units = [Unit("program", "program", 0, 0)]
     for number, body in bodies:
         again = f" of line {body.line.number}" if body is not macros[number][-1] else ""

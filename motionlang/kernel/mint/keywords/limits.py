@@ -203,10 +203,10 @@ def switch_row(name: str, short: str, actions: Actions, help: str) -> Keyword:
                    group="limits", driven="input")  # fmt: skip
 
 
-def _soft(name: str, help: str) -> Keyword:
+def _soft(name: str, effect: str, help: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "uu", _SOFT, help,
                    "SOFTLIMITFORWARD(0) = 250\nSOFTLIMITREVERSE(0) = -5\nPRINT SOFTLIMITFORWARD(0)",
-                   default=0.0, low=-8388607.0, high=8388607.0, group="limits")  # fmt: skip
+                   default=0.0, low=-8388607.0, high=8388607.0, group="limits", effect=effect)  # fmt: skip
 
 
 _MODES = (
@@ -225,8 +225,8 @@ _CONSTANTS = tuple(
 
 ROWS = (
     *_CONSTANTS,
-    _soft("SOFTLIMITFORWARD", "Software limit of forward travel; two limits of 0 are none."),
-    _soft("SOFTLIMITREVERSE", "Software limit of reverse travel; two limits of 0 are none."),
+    _soft("SOFTLIMITFORWARD", "upper", "Software limit of forward travel; two limits of 0 are none."),
+    _soft("SOFTLIMITREVERSE", "lower", "Software limit of reverse travel; two limits of 0 are none."),
     _mode("SOFTLIMITMODE", "Reaction of the axis to a software limit"),
     _mode("LIMITMODE", "Reaction of the axis to a limit switch"),
     switch_row("LIMITFORWARD", "lf", Actions(read=is_at(LIMIT_FORWARD)), "1 while the forward limit switch is active."),

@@ -73,7 +73,7 @@ def has_default(row: Keyword) -> bool:
         and row.name not in SYNONYMS
         and row.index == "axis"
         and isinstance(row.default, (int, float))
-        and not row.effect
+        and row.is_stored
         and (row.low is None or row.low != row.high)
     )
 

@@ -1,0 +1,66 @@
+"""The facts about a file in MCCL: those of any program; a macro is followed where it is called."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from motionlang.commands.check.facts import Facts, Part
+from motionlang.kernel import Keyword
+from motionlang.kernel.lang import CALL, ENTER, Use
+from motionlang.kernel.lang import AxisKey as Key
+from motionlang.kernel.mccl import Line, MacroFile
+
+
+@dataclass(eq=False)
+class Background:
+    """The foreground, a background task, or a macro that nothing in the file calls."""
+
+    kind: str
+    name: str
+    at: int
+    calls: Sequence[Part] = ()
+    parameters: Sequence[Part] = ()
+
+
+class BoardFacts(Facts):
+    """The facts about a file in MCCL."""
+
+    names_all = True
+
+    def __init__(self, program: MacroFile) -> None:
+        self.lines = [line for line in program.lines if isinstance(line, Line)]
+        structure, graph = program.structure, program.structure.graph
+        main, *macros = structure.units
+        started = {name for each in structure.statements.values() for name in each.starts}
+        entries: dict[Part, list[int]] = {Background("main", main.name, 0): [main.entry]}
+        followed = graph.reached_within(main.entry)
+        for macro in macros:
+            if macro.title in started:
+                part = Background("task", macro.title, graph.points[macro.entry].at)
+                entries[part] = [macro.entry]
+                followed |= graph.reached_within(macro.entry)
+        for macro in macros:
+            if macro.entry not in followed:
+                part = Background("sub", macro.title, graph.points[macro.entry].at)
+                entries[part] = [macro.entry]
+        points = {part: sorted(graph.reached_within(*begin)) for part, begin in entries.items()}
+        super().__init__(structure, program.settings, entries, points, {})
+        self.polling = set().union(*graph.cycles())
+
+    def resolved(self, part: Part, found: dict[int, list[Use]]) -> dict[int, list[Use]]:
+        points = self.graph.points
+        unknown = {
+            points[p].at for p in self.points[part] if points[p].kind in (CALL, ENTER) and points[p].calls < 0
+        }
+        for p, uses in found.items():
+            if points[p].at in unknown:  # it may be any macro of the board
+                found[p] = [*uses, Use("act", uses[0].row, points[p].at, (None,))]
+        return found
+
+    def disturbs(self, row: Keyword) -> bool:
+        return any(map(row.does, ("switch", "follows", "hands-over", "datum")))
+
+    def has_soft_limits(self, key: Key) -> bool:
+        enabled = self.written_by(lambda row: row.verb == "limits_on")
+        return any({key, None} & {*act.axes} and act.number(0) in (None, 0, 4, 8, 12, 15) for act in enabled)
