@@ -113,6 +113,14 @@ class MacroFile(Program):
         return step_list(self.source, self._whole, self.settings)
 
     @property
+    def remarks(self) -> list[str]:
+        from motionlang.kernel.mccl.resolve.chosen_rates import chosen_rates
+        from motionlang.kernel.mccl.resolve.errors import model_of
+
+        model = model_of(self.source, self.settings)
+        return chosen_rates(self.structure.statements.values(), self.settings, model)
+
+    @property
     def offsets(self) -> list[int]:
         return [at for line in self._whole for at in line.offsets]
 

@@ -32,7 +32,7 @@ def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problem
     for line in sorted(missing):
         message = f"the machine file has a fault at line {line}, where no statement begins"
         found = Diagnostic("machine-file", message, line, hint="give a line on which a statement begins")
-        problems.found["machine-file", -line] = found
+        problems.add_to_line(line, found)
 
 
 def _bodies(module: nodes.Module) -> list[list[nodes.Stmt]]:

@@ -76,6 +76,11 @@ class Problems:
                 ),
             )
 
+    def add_to_line(self, line: int, error: Diagnostic) -> None:
+        """Record an error about a line without a statement."""
+        self.found[error.code, -line] = error
+        self.has_errors = True
+
     def unknown(
         self,
         message: str,

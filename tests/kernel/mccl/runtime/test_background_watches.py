@@ -12,7 +12,7 @@ from motionlang.kernel.mccl import FileTask
 from tests.mccl_runs import Runner
 
 # 1 000 counts take 0.2 s, with ramps of 0.1 s; the foreground ends then.
-FOREGROUND = "1MN,1MR1000,1WS\nGT15"
+FOREGROUND = "1SV40000,1SA100000,1DS100000,1MN,1MR1000,1WS\nGT15"
 ENDED = "when the foreground ended; nothing could change that since"
 WATCHES = {
     "MD15,IN3,CN34,NO,WA0.001,RP": "polled channel 3",
@@ -50,7 +50,7 @@ def test_several_watches_are_each_named(mccl: Runner) -> None:
     watches = (
         "MD15,IN3,CN34,NO,WA0.01,RP\nMD16,IN4,CN34,NO,RP\nMD17,WF40,WN5,CN34,RP\nMD18,IN6,CN34,NO,WA0.3,RP"
     )
-    result = mccl(f"{watches}\n1MN,1MR1000,1WS\nGT15\nGT16\nGT17\nGT18")
+    result = mccl(f"{watches}\n1SV40000,1SA100000,1DS100000,1MN,1MR1000,1WS\nGT15\nGT16\nGT17\nGT18")
     assert result.status == "ended"
     assert [note.partition(" when ")[0] for note in result.notes] == [
         "line 1: background task 1 (macro 15) still polled channel 3",

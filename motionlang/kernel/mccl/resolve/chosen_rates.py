@@ -1,0 +1,59 @@
+"""Rates of a file's moves that no command sets and no source gives.
+
+A move without SV, SA or DS runs at a default that is a choice of this program, so its time is one, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from motionlang.kernel.lang.facts import AxisKey, Statement
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mccl.keywords import trajectory
+from motionlang.kernel.mccl.models import Model
+
+# The name of the assumption about the rates at power-up.
+POWER_UP = "mccl.power-up"
+RATES = ("speed", "accel", "decel")
+_UNITS = {"uu/s": "counts/s", "uu/s2": "counts/s²"}
+
+
+def chosen_rates(
+    statements: Collection[Statement], settings: Mapping[str, object], model: Model
+) -> list[str]:
+    """Return a line about the rates that the moves of a file take from a chosen default, if there are any."""
+    given = {use.row.gives for each in statements for use in each.uses if use.row is not None}
+    rows = [row for row in trajectory.ROWS if row.gives in RATES and row.gives not in given]
+    chosen = sorted(
+        (row for row in rows if row.family not in model.lacks), key=lambda row: RATES.index(row.gives)
+    )
+    axes = _moved(statements)
+    if not chosen or not axes:
+        return []
+    *others, last = (row.name for row in chosen)
+    names = f"{', '.join(others)} and {last}" if others else last
+    figures = dict.fromkeys(
+        _default(row, axis, settings, model) for row in chosen for axis in sorted(axes, key=str)
+    )
+    verb, plural = "are" if others else "is", "are" if len(figures) > 1 else "is"
+    settled = ",".join(f"1{row.name}…" for row in chosen)
+    return [
+        f"{names} {verb} never set: {' and '.join(figures)} {plural} a choice of motionlang ({POWER_UP}); "
+        f"{settled} settles it"
+    ]
+
+
+def _default(row: Keyword, axis: AxisKey, settings: Mapping[str, object], model: Model) -> str:
+    """Return the value of a rate of an axis at power-up; that of a stepper may differ."""
+    is_stepper = settings.get(f"axis.{axis}.motor") == "stepper"
+    value = model.stepper[row.gives != "speed"] if is_stepper else row.default
+    return f"{value:.10g} {_UNITS[row.unit]}"
+
+
+def _moved(statements: Collection[Statement]) -> set[AxisKey]:
+    """Return the axes that a command moves at these rates; the commands on the line of a path only describe it."""
+    uses = [(each.line, use) for each in statements for use in each.uses if use.row is not None]
+    paths = {line for line, use in uses if use.row is not None and use.row.verb == "path"}
+    runs = any(use.row is not None and use.row.does("endless") for _, use in uses)
+    roles = ("start", "run") if runs else ("start",)
+    return {axis for line, use in uses if use.role in roles and line not in paths for axis in use.axes}
