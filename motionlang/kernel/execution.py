@@ -204,7 +204,7 @@ def _with_literals(
     Also returns the other overrides, remarks, and the errors of addresses.
     """
     try:
-        return *edited(source, language, overrides), []
+        return *edited(language.program(source), overrides), []
     except ProgramError as error:
         return source, None, [], error.diagnostics
 

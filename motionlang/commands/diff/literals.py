@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from motionlang.kernel import Run
-from motionlang.kernel.lang import literals_of
 
 
 @dataclass(eq=False, slots=True)
@@ -27,7 +26,7 @@ def changed_literals(old: Run, new: Run) -> list[ChangedLiteral]:
     """
     if old.dialect.name != new.dialect.name or old.source.text == new.source.text:
         return []
-    before, after = (literals_of(each.source, each.dialect) for each in (old, new))
+    before, after = (each.dialect.program(each.source).literals for each in (old, new))
     old_bases, new_bases = ([each.base.lower() for each in side] for side in (before, after))
     found: list[ChangedLiteral] = []
     for block in SequenceMatcher(None, old_bases, new_bases, autojunk=False).get_matching_blocks():

@@ -48,7 +48,7 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
-from motionlang.kernel.lang import Literal, constants, literals_of, number_text, replaced
+from motionlang.kernel.lang import Literal, number_text, replaced
 
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
@@ -151,9 +151,9 @@ class Improver:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
         self.until, self._progress, self._runs = until, progress, 0
-        named = constants(source, language)
-        own = {each.offset for each in named}
-        self.literals = [*named, *(each for each in literals_of(source, language) if each.offset not in own)]
+        program = language.program(source)
+        own = {each.offset for each in program.constants}
+        self.literals = [*program.constants, *(each for each in program.literals if each.offset not in own)]
         named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
         self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
         self.skipped: list[str] = []

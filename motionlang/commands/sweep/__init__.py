@@ -139,9 +139,10 @@ class Sweep:
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, given = self.job.of(values)
-        language.program(source, settings).require()
+        program = language.program(source, settings)
+        program.require()
         try:
-            source, overrides, _ = edited(source, language, given)
+            source, overrides, _ = edited(program, given)
             language.program(source, settings).for_values(overrides)
         except ProgramError as error:
             if not any(each.line for each in error.diagnostics):

@@ -16,7 +16,7 @@ from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
-from motionlang.kernel.lang import Literal, bound, edited, has_address, layered, literals_of
+from motionlang.kernel.lang import bound, edited, has_address, layered
 from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.
@@ -87,7 +87,7 @@ class Worker:
         self._dialect = dialect(job.dialect)
         self._readers = [quantity(name) for name in job.keep]
         self._programs: dict[tuple[bool, str], Program] = {}
-        self._literals: list[Literal] | None = None
+        self._text: Program | None = None
         # The program with constants in place of literals, and their names; None where that is not possible.
         self._bound: tuple[Source, dict[str, str]] | None = None
 
@@ -125,9 +125,9 @@ class Worker:
         Returns None if no varied name is a literal. Constants replace the literals where this makes no
         difference, so that the program is compiled only once.
         """
-        if self._literals is None:
-            self._literals = literals_of(self.source, self._dialect)
-            self._bound = bound(self.source, self._dialect, given, self._literals)
+        if self._text is None:
+            self._text = self._dialect.program(self.source)
+            self._bound = bound(self._text, given)
         if self._bound is not None and not any(isinstance(given[name], str) for name in self._bound[1]):
             source, names = self._bound
             values = {names.get(name, name): value for name, value in given.items()}
@@ -137,7 +137,7 @@ class Worker:
                 found = None  # the edited program says what is wrong, in its own words
             if found is not None and found.status != "fault":
                 return found
-        source, values, _ = edited(self.source, self._dialect, given, self._literals)
+        source, values, _ = edited(self._text, given)
         return None if source is self.source else self._run(source, settings, values, None)
 
     def _run(

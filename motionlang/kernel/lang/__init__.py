@@ -16,10 +16,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.literals import Literal as Literal
     from motionlang.kernel.lang.literals import bound as bound
     from motionlang.kernel.lang.literals import canonical as canonical
-    from motionlang.kernel.lang.literals import constants as constants
     from motionlang.kernel.lang.literals import edited as edited
     from motionlang.kernel.lang.literals import has_address as has_address
-    from motionlang.kernel.lang.literals import literals_of as literals_of
     from motionlang.kernel.lang.literals import number_text as number_text
     from motionlang.kernel.lang.literals import replaced as replaced
     from motionlang.kernel.lang.machine.entries import Given as Given
@@ -78,7 +76,7 @@ PUBLIC = {
     "names": "Definition Changes Names NO_NAMES Span",
     "vocabulary": "Vocabulary",
     "program": "Target",
-    "literals": "Literal literals_of constants canonical bound edited has_address number_text replaced",
+    "literals": "Literal bound canonical edited has_address number_text replaced",
     "machine.file": "read_toml first_mistake generic",
     "machine.entries": "Given check_inputs_are_read",
     "machine.layers": "layered",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.literals import Literal
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.program_graph import Structure
@@ -33,8 +34,8 @@ class Target:
 class Program:
     """A text, made once by `Dialect.program`; what it says is worked out once, when it is asked for.
 
-    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks`, `reads` and `polls` raise ProgramError
-    for a text with syntax errors; `structure`, `step_list` and `start` for a program with any error.
+    Any text has its `errors`, `names`, `layout` and `literals`. `tree`, `target`, `blocks`, `reads` and `polls` raise
+    ProgramError for a text with syntax errors; `structure`, `step_list` and `start` for a program with any error.
     """
 
     # The name of its language.
@@ -67,6 +68,21 @@ class Program:
     def layout(self) -> list[LineLayout] | None:
         """The indentation of each line; None for a language without blocks."""
         return None
+
+    @property
+    def literals(self) -> Sequence[Literal]:
+        """The numbers that have an address, in text order; lines with syntax errors have none."""
+        raise NotImplementedError
+
+    @property
+    def constants(self) -> Sequence[Literal]:
+        """The numbers that the program gives to names, in text order; the address is the name."""
+        return ()
+
+    @property
+    def declared(self) -> Collection[str]:
+        """The names that the program declares, in lower case; a keyword may be among them."""
+        return ()
 
     @property
     def target(self) -> Target:

@@ -56,10 +56,6 @@ class Mint(Dialect):
     others = "another task or an Event"
     comment = "'"
     constant = "Const {} = {}"
-    declaring = frozenset(("const", "define", "dim", "nv"))
-    before_statements = frozenset(("define", "do", "else", "loop", "repeat", "then"))
-    before_conditions = frozenset(("pause", "if", "elseif", "while", "until", "and", "or", "not"))
-    counting = ("for", "to", "step")
 
     def program(
         self, source: Source, settings: Mapping[str, object] | None = None, *, is_debug: bool = False

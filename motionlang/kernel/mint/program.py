@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.literals import Literal
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import NO_NAMES, LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
@@ -19,6 +20,7 @@ from motionlang.kernel.mint.check.error_recovery import unrelated
 from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
+from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.overrides import override
 from motionlang.kernel.mint.resolve.problems import Problems
@@ -152,6 +154,21 @@ class MintProgram(Program):
         from motionlang.kernel.mint.syntax.layout import layout
 
         return layout(self.source.text)
+
+    @cached_property
+    def literals(self) -> list[Literal]:
+        module = self._read[0]
+        return [] if module is None else literals.literals(module)
+
+    @cached_property
+    def constants(self) -> list[Literal]:
+        module = self._read[0]
+        return [] if module is None else literals.constants(module)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        module = self._read[0]
+        return frozenset() if module is None else literals.declared(module)
 
     @cached_property
     def target(self) -> Target:

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.literals import Literal
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program, Target
@@ -19,6 +21,7 @@ from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
+from motionlang.kernel.mccl.resolve import literals
 from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
@@ -76,6 +79,10 @@ class MacroFile(Program):
         from motionlang.kernel.mccl.resolve.definitions import names
 
         return names(self.source, self.lines, self.settings)
+
+    @cached_property
+    def literals(self) -> list[Literal]:
+        return literals.literals(self.source, self._module, dialect(self.language).jumps)
 
     @cached_property
     def target(self) -> Target:
