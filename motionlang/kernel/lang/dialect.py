@@ -78,8 +78,6 @@ class Dialect:
     first_axis: int
     # The sign that begins a comment.
     comment: str
-    # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
-    constant = ""
     # What of a program changes a variable while a task waits, for hints.
     others = "another task"
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.

@@ -20,11 +20,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isfinite
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.dialect import Dialect, dialect
+from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import nearest
@@ -146,55 +146,15 @@ def _address(program: Program, name: str) -> str | None:
     return row.name
 
 
-def edited(program: Program, values: Values) -> tuple[Source, dict[str, float | str], list[str]]:
-    """Return the edited program, the values of names, and notes for the report.
-
-    In the program's text the literals have their new values. Raises ProgramError with every address that is wrong.
-    """
-    found, source = placed(program, values), program.source
-    named = {name: values[name] for name in found.names}
-    if not found.literals:
-        return source, named, []
-    edits = {
-        each.offset: (len(each.text), number_text(name, values[name]))
+def revalued(program: Program) -> list[Literal]:
+    """Return the literals of a program, with the values in place of its own."""
+    names, values = program.places.literals, program.values
+    return [
+        replace(each, text=number_text(name, values[name]), value=number(name, values[name]))
+        if (name := names.get(each.offset, "")) in values
+        else each
         for each in program.literals
-        if (name := found.literals.get(each.offset)) is not None
-    }
-    return Source(source.name, replaced(source.text, edits)), named, found.notes
-
-
-def bound(program: Program, values: Values) -> tuple[Source, dict[str, str]] | None:
-    """Return the program with constants in place of literals, and the constant names.
-
-    The result maps the names in `values` to these names. Such a program is compiled once for many values.
-    None if this is not possible: the language has no constants, or a literal is not the whole value of a
-    keyword.
-    """
-    language, source = dialect(program.language), program.source
-    try:
-        found = placed(program, values)
-    except ProgramError:
-        return None
-    if not language.constant or not found.literals or "literal_" in source.text.lower():
-        return None
-    given = list(dict.fromkeys(found.literals.values()))
-    names = {name: f"literal_{number}" for number, name in enumerate(given, 1)}
-    edits: dict[int, tuple[int, str]] = {}
-    for each in program.literals:
-        if each.offset in found.literals:
-            if not (each.is_whole and each.is_write and language.table().get(each.base.partition("[")[0])):
-                return None
-            edits[each.offset] = len(each.text), names[found.literals[each.offset]]
-    constants = "".join(
-        f"{language.constant.format(name, number_text(given, values[given]))} : "
-        for given, name in names.items()
-    )
-    return Source(source.name, constants + replaced(source.text, edits)), names
-
-
-def has_address(values: Values, language: Dialect) -> bool:
-    """True if a name may be an address: by its form, or because it is a keyword."""
-    return any(canonical(name) is not None or language.table().get(name) is not None for name in values)
+    ]
 
 
 def replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:

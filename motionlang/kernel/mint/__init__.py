@@ -55,7 +55,6 @@ class Mint(Dialect):
     first_axis = 0
     others = "another task or an Event"
     comment = "'"
-    constant = "Const {} = {}"
 
     def program(
         self, source: Source, settings: Mapping[str, object] | None = None, *, is_debug: bool = False

@@ -8,7 +8,8 @@ import pytest
 
 import motionlang
 from motionlang.kernel import Program, ProgramError, Source, dialect
-from motionlang.kernel.lang import bound, canonical, edited, has_address
+from motionlang.kernel.lang import canonical, revalued
+from motionlang.kernel.mccl import Line, MacroFile
 from motionlang.kernel.report import text
 from tests.cases import cases
 
@@ -160,7 +161,8 @@ CONSTANTS: dict[str, dict[str, str]] = {
     "Const a = 5, b As Float = 6": {"a": "5", "b": "6"},
     "Dim a = 5, b As Integer = 6, c, d": {"a": "5", "b": "6"},
     "Dim NV a As Integer = 7": {"a": "7"},
-    "Define a = 5 : x = a": {"a": "5"},
+    # A Define has an address.
+    "Define a = 5 : x = a": {},
     'Const a = -5, b = 5 * 2, c = 5 Mod 2, d = (5), e = "x"': {},
     "Dim a(2) As Float = 5, 6": {},
 }
@@ -236,24 +238,37 @@ def test_the_spellings_of_an_address(written: str, address: str | None) -> None:
         ("line:8.value", "= -15", "= 250"),
     ],
 )
-def test_a_value_is_written_into_the_text(address: str, old: str, new: str) -> None:
+def test_a_value_replaces_a_number_of_the_tree(address: str, old: str, new: str) -> None:
     key = canonical(address)
     assert key is not None
-    source, named, notes = edited(program(DRILL), {key: 250.0, "other": 1.0})
-    assert source.text == DRILL.replace(old, new)
-    assert (named, notes) == ({"other": 1.0}, [])
+    made = program(DRILL).with_values({key: 250.0})
+    assert made.tree == program(DRILL.replace(old, new)).tree
+    assert made.places.notes == []
 
 
 def test_the_only_write_of_a_line_is_meant_next_to_a_loop() -> None:
     text = "For i = 1 To n : WAIT = 5 : Next"
-    source, _, _ = edited(program(text), {"line:1": 7.0})
-    assert source.text == "For i = 1 To n : WAIT = 7 : Next"
+    made = program(text).with_values({"line:1": 7.0})
+    assert made.tree == program("For i = 1 To n : WAIT = 7 : Next").tree
 
 
 def test_an_address_without_a_line_is_every_write() -> None:
-    source, _, notes = edited(program(DRILL), {"Wait": 7.5})
-    assert re.findall("WAIT.*", source.text) == ["WAIT = 7.5", "WAIT(7.5)"]
-    assert notes == ["WAIT = 7.5 sets 2 literals, lines 4, 5"]
+    made = program(DRILL).with_values({"Wait": 7.5})
+    assert made.tree == program(re.sub(r"(WAIT\D*)\d+", r"\g<1>7.5", DRILL)).tree
+    assert made.places.notes == ["WAIT = 7.5 sets 2 literals, lines 4, 5"]
+    assert [each.text for each in revalued(made) if each.base == "WAIT"] == ["7.5", "7.5"]
+    assert [each.text for each in made.literals if each.base == "WAIT"] == ["10", "20"]
+
+
+def test_a_value_replaces_a_parameter_of_mccl() -> None:
+    """The command shows its new text; its position is the old one."""
+    made = dialect("mccl").program(Source("a", FEED)).with_values({"1MR@2:1": 250.5, "1SV@1": -5})
+    assert isinstance(made, MacroFile)
+    lines = [line for line in made.lines if isinstance(line, Line)]
+    assert [line.text for line in lines[:2]] == ["1SV-5,1SA1000", "MD3,1MR250.5,1WS0.1,1MR5,MC4"]
+    assert [each.value for each in lines[1].commands] == [3, 250.5, 0.1, 5, 4]
+    assert [each.text for each in revalued(made)] == ["-5", "1000", "250.5", "0.1", "5", ".5"]
+    assert made.errors[0].column == 1
 
 
 def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
@@ -294,7 +309,7 @@ NO_ADDRESS = "the numbers of line 10 have no address: those of CASE, PRINT and b
 )
 def test_what_is_wrong_names_the_addresses(address: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(program(DRILL), {address: 1.0})
+        program(DRILL).with_values({address: 1.0}).require()
     (found,) = wrong.value.diagnostics
     shown = hint if hint == ALL else f"{hint}; check --literals lists all"
     assert (found.code, found.message, found.hint) == ("option", message, shown)
@@ -302,7 +317,7 @@ def test_what_is_wrong_names_the_addresses(address: str, message: str, hint: str
 
 def test_all_wrong_addresses_are_reported() -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(program(DRILL), {"SPEED[0]@2": 1.0, "other": 3.0, "line:9": 2.0})
+        program(DRILL).with_values({"SPEED[0]@2": 1.0, "other": 3.0, "line:9": 2.0}).require()
     assert [each.message for each in wrong.value.diagnostics] == [
         "line 2 writes no literal to SPEED[0]",
         "line 9 has no literals",
@@ -311,7 +326,7 @@ def test_all_wrong_addresses_are_reported() -> None:
 
 def test_a_program_without_literals_has_no_hint() -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(program("PRINT x"), {"line:1": 1.0})
+        program("PRINT x").with_values({"line:1": 1.0}).require()
     assert [(each.message, each.hint) for each in wrong.value.diagnostics] == [("line 1 has no literals", "")]
 
 
@@ -329,14 +344,15 @@ def test_a_program_without_literals_has_no_hint() -> None:
 )
 def test_the_notation_of_a_value(value: float, text: str) -> None:
     """Whole numbers below 1e15 have no decimal point."""
-    assert edited(program("WAIT = 7"), {"WAIT@1": value})[0].text == f"WAIT = {text}"
+    (found,) = revalued(program("WAIT = 7").with_values({"WAIT@1": value}))
+    assert found.text == text
 
 
 @cases("value", ["a", float("inf"), float("-inf"), float("nan")])
 def test_a_literal_is_a_finite_number(value: float | str) -> None:
     """An infinite value once ended in an internal error."""
     with pytest.raises(ProgramError) as wrong:
-        edited(program("WAIT = 7"), {"WAIT@1": value})
+        program("WAIT = 7").with_values({"WAIT@1": value}).require()
     assert [each.message for each in wrong.value.diagnostics] == [f"WAIT@1 is a number, not {value!r}"]
 
 
@@ -370,52 +386,3 @@ def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
         assert row["moves"] == len(run.machine.log.moves)
         errors = [each.message for each in run.diagnostics]
         assert ([] if row.problem is None else [row.problem["message"]]) == errors
-
-
-@cases(
-    "text, values, written",
-    [
-        (
-            "SPEED(0) = 3 : WAIT = 4\n",
-            {"SPEED[0]@1": 50.0, "Wait": 6.5},
-            "Const literal_1 = 50 : Const literal_2 = 6.5 : SPEED(0) = literal_1 : WAIT = literal_2\n",
-        ),
-        (
-            "WAIT = 6\nWAIT = 7\n",
-            {"WAIT": 5.0, "WAIT@2": 6.0},
-            "Const literal_1 = 5 : Const literal_2 = 6 : WAIT = literal_1\nWAIT = literal_2\n",
-        ),
-        # Not a number, no address, an expression, a condition, a variable, and a program with such a name.
-        ("WAIT = 6\n", {"WAIT": "a"}, None),
-        ("WAIT = 6\n", {"other": 5.0}, None),
-        ("WAIT = 6\n", {}, None),
-        ("WAIT = 6 + x\n", {"WAIT@1:1": 5.0}, None),
-        ("PAUSE POS(0) > 4\n", {"POS[0]@1": 5.0}, None),
-        ("d = 4\n", {"d@1": 5.0}, None),
-        ("WAIT = 6 : Literal_9 = 3\n", {"WAIT": 5.0}, None),
-    ],
-)
-def test_constants_replace_literals(text: str, values: dict[str, float | str], written: str | None) -> None:
-    found = bound(program(text), values)
-    assert (found and found[0].text) == written
-    if found is not None:
-        assert found[1] == {name: f"literal_{number}" for number, name in enumerate(values, 1)}
-
-
-def test_mccl_has_no_constants() -> None:
-    assert bound(program(FEED, "mccl"), {"1SV@1": 5.0}) is None
-
-
-def test_names_that_may_be_addresses() -> None:
-    """SPEED is a keyword of Mint alone."""
-    found = {
-        name: (has_address({name: 1.0}, dialect("mint")), has_address({name: 1.0}, dialect("mccl")))
-        for name in ("SPEED", "speed[0]", "n", "line:3", "1SV")
-    }
-    assert found == {
-        "SPEED": (True, False),
-        "speed[0]": (True, True),
-        "n": (False, False),
-        "line:3": (True, True),
-        "1SV": (True, True),
-    }

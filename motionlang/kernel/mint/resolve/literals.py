@@ -36,11 +36,11 @@ def literals(module: nodes.Module) -> list[Literal]:
 
 
 def constants(module: nodes.Module) -> list[Literal]:
-    """Return the numbers that Const, Define and Dim give to names; the address is the name."""
+    """Return the numbers that Const and Dim give to names; the address is the name."""
     found: list[Literal] = []
     for each in _declarations(module):
         values = each.values if type(each) is nodes.Variable and not each.dimensions else []
-        values = [each.value] if type(each) in (nodes.Const, nodes.Define) else values  # type: ignore[union-attr]
+        values = [each.value] if type(each) is nodes.Const else values
         if len(values) == 1 and type(values[0]) is nodes.Number:
             numbers = _numbers(module, values[0], each.name, each.start, True, True)
             found += [number for number in numbers if number.is_whole]
