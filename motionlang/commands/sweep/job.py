@@ -153,8 +153,6 @@ class Worker:
 
     def compiled(self, settings: Mapping[str, object], given: Mapping[str, float | str]) -> Program:
         """Return the program for runs with values of some names and addresses, for a machine."""
-        if not given:
-            return self.program(settings)
         key = self._deciding(settings)
         found = self._compiled.get(key)
         if found is None:

@@ -120,7 +120,7 @@ class MintProgram(Program):
         with StackSpace():
             made: Module = copied(module)  # type: ignore[assignment]
             made.source = module.source
-            if unreadable is None:
+            if unreadable is None and (self.values or self.given):
                 self._put_values(made)
         return made
 
@@ -279,6 +279,9 @@ class MintProgram(Program):
         Those whose value the check needs, such as the size of an array, are not part of `given`: the program is
         checked again for each of their values. Raises ProgramError with all errors of the program with `values`.
         """
+        if not values:
+            self.require()
+            return self
         kinds = {name: isinstance(value, str) for name, value in values.items()}
         try:
             return self._made({}, kinds)
