@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import ModuleType
 
 import pytest
 
@@ -14,10 +15,10 @@ class CallCount:
         self.calls = 0
 
 
-def count_calls(monkeypatch: pytest.MonkeyPatch, *methods: tuple[type, str]) -> CallCount:
+def count_calls(monkeypatch: pytest.MonkeyPatch, *methods: tuple[type | ModuleType, str]) -> CallCount:
     """Return a counter of all calls of the given methods together, starting now.
 
-    Each method is given as its class and its name.
+    Each method is given as its class, or its module, and its name.
     """
     count = CallCount()
 

@@ -71,7 +71,7 @@ class Worlds:
         self.last = settings
         deciding = self._decisive(settings)
         if deciding != self._deciding:
-            self._last = self.language.program(self.source, settings, is_debug=True)
+            self._last = self.program.on(settings)
             self._deciding = deciding
         counts = Counts()
         result = run(

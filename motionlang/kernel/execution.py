@@ -7,11 +7,10 @@ from collections.abc import Callable, Mapping
 
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.errors import Diagnostic, ProgramError, Terminated
+from motionlang.kernel.errors import ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
 from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.literals import edited
 from motionlang.kernel.lang.machine.entries import Given, with_entries
 from motionlang.kernel.lang.machine.file import first_mistake, read_machine
 from motionlang.kernel.lang.machine.machine import Machine
@@ -109,10 +108,6 @@ def run(
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
-    remarks: list[str] = []
-    wrong: list[Diagnostic] = []
-    if overrides and compiled is None:
-        source, overrides, remarks, wrong = _with_literals(source, language, overrides)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
         settings = with_entries(settings, inputs, analog, answers, keys)
@@ -127,11 +122,8 @@ def run(
     if virtual.stop is not None:
         virtual.stop.line_of = lambda at: source.location(at)[0] if at >= 0 else 0
     result = Run(source, language, virtual)
-    if wrong:
-        result.diagnostics, result.status = wrong, "fault"
-        return result
     if compiled is None:
-        compiled = language.program(source, settings, is_debug=hook is not None)
+        compiled = language.program(source, settings, is_debug=hook is not None).with_values(overrides or {})
     if not _is_ready(compiled, language, result):
         compiled = None
     result.program = compiled
@@ -144,7 +136,7 @@ def run(
     if compiled is not None:
         last = end_of(settings) if until is None else until
         _perform(result, compiled, last, pace, outside, begun, listener, keep_crash)
-        result.notes += remarks
+        result.notes += compiled.places.notes
     _finish(result, settings)
     return result
 
@@ -194,19 +186,6 @@ def _perform(
         report_keywords_without_effect(result)
     if result.machine.nv is not None:
         save_nonvolatile(result)
-
-
-def _with_literals(
-    source: Source, language: Dialect, overrides: Mapping[str, float | str]
-) -> tuple[Source, Mapping[str, float | str] | None, list[str], list[Diagnostic]]:
-    """Return a source in which addressed literals are replaced.
-
-    Also returns the other overrides, remarks, and the errors of addresses.
-    """
-    try:
-        return *edited(source, language, overrides), []
-    except ProgramError as error:
-        return source, None, [], error.diagnostics
 
 
 def _finish(result: Run, settings: Mapping[str, object]) -> None:

@@ -7,11 +7,13 @@ from pathlib import Path
 import pytest
 from lark import Lark
 
+from motionlang import sweep
 from motionlang.cli import main
 from motionlang.ide.editor.diagnostics import findings
 from motionlang.ide.editor.hover import hover
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Source, dialect
+from motionlang.kernel.mint import program
 from tests.counted_calls import count_calls
 
 PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
@@ -20,14 +22,52 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
 @pytest.mark.parametrize(
     "command", ["check", "run", "map", "map --run", "cover", "profile", "certify", "prove"]
 )
-def test_a_command_parses_a_program_once(
+def test_a_command_reads_a_program_once(
     command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    parsed = count_calls(monkeypatch, (Lark, "parse"))
+    parsed, checked = (
+        count_calls(monkeypatch, (Lark, "parse")),
+        count_calls(monkeypatch, (program, "examined")),
+    )
     word, *options = command.split()
     assert main([word, str(PROGRAM), *options]) == 0
     assert capsys.readouterr().err == ""
-    assert parsed.calls == 1
+    assert (parsed.calls, checked.calls) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("command", "checks"),
+    [
+        ("run --set _PARTS=2", 1),
+        ("run --set SPEED[_axX]@18=700 --set ACCEL[_axX]@19=3000", 1),
+        # The text, and the program for all values.
+        ("sweep --jobs 1 --vary _PARTS=1,2,3", 2),
+        ("sweep --jobs 1 --vary SPEED[_axX]@18=700,800,900 --vary ACCEL[_axX]@19=3000,4000", 2),
+        ("improve", 2),
+    ],
+)
+def test_variants_of_a_program_are_not_read(
+    command: str, checks: int, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parsed, checked = (
+        count_calls(monkeypatch, (Lark, "parse")),
+        count_calls(monkeypatch, (program, "examined")),
+    )
+    word, *options = command.split()
+    assert main([word, str(PROGRAM), *options]) == 0
+    assert capsys.readouterr().err == ""
+    assert (parsed.calls, checked.calls) == (1, checks)
+
+
+def test_the_settings_of_a_machine_are_varied_without_a_parse(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The check depends on the number of axes."""
+    parsed, checked = (
+        count_calls(monkeypatch, (Lark, "parse")),
+        count_calls(monkeypatch, (program, "examined")),
+    )
+    rows = sweep(Source("a.mnt", "MOVER(0) = 5 : GO(0)\n"), {"controller.axes": [1, 2, 3]}, jobs=1)
+    assert all(row.ok for row in rows)
+    assert (parsed.calls, checked.calls) == (1, 3)
 
 
 def test_an_editor_parses_a_text_once_for_diagnostics_names_and_hovers(

@@ -39,7 +39,7 @@ from motionlang.kernel import (
     read_machine,
     unknown_model,
 )
-from motionlang.kernel.lang import ListedUnit, Literal, literals_of, one_sentence
+from motionlang.kernel.lang import ListedUnit, Literal, one_sentence
 from motionlang.kernel.mccl import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
@@ -170,8 +170,9 @@ examples:
     ) -> None:
         """Print what else is asked for, or keep it for the document."""
         text, colour, file = self.format == "text", wants_colour(sys.stdout), str(row["file"])
+        program = language.program(source, settings)
         if self.literals:
-            found = literals_of(source, language)
+            found = program.literals
             self._shown.literals += [(file, each) for each in found]
             if text:
                 width = max((len(each.address) for each in found), default=0)
@@ -180,7 +181,6 @@ examples:
                     line = printable(source.line(each.line).strip())
                     sys.stdout.write(f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n")
         try:
-            program = language.program(source, settings)
             if self.tree:
                 row["tree"] = tree = render_tree(program.tree)
                 sys.stdout.write(tree if text else "")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from motionlang.kernel import Run
-from motionlang.kernel.lang import literals_of
+from motionlang.kernel.lang import revalued
 
 
 @dataclass(eq=False, slots=True)
@@ -23,11 +23,11 @@ def changed_literals(old: Run, new: Run) -> list[ChangedLiteral]:
     """Return the literals with a different value, in the order of the new program.
 
     The literals of both programs are aligned by what they are assigned to. There are none if the languages
-    differ.
+    differ, or if a program has errors.
     """
-    if old.dialect.name != new.dialect.name or old.source.text == new.source.text:
+    if old.program is None or new.program is None or old.program.language != new.program.language:
         return []
-    before, after = (literals_of(each.source, each.dialect) for each in (old, new))
+    before, after = revalued(old.program), revalued(new.program)
     old_bases, new_bases = ([each.base.lower() for each in side] for side in (before, after))
     found: list[ChangedLiteral] = []
     for block in SequenceMatcher(None, old_bases, new_bases, autojunk=False).get_matching_blocks():

@@ -48,7 +48,7 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
-from motionlang.kernel.lang import Literal, constants, literals_of, number_text, replaced
+from motionlang.kernel.lang import Literal, number, number_text, replaced
 
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
@@ -151,9 +151,11 @@ class Improver:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
         self.until, self._progress, self._runs = until, progress, 0
-        named = constants(source, language)
-        own = {each.offset for each in named}
-        self.literals = [*named, *(each for each in literals_of(source, language) if each.offset not in own)]
+        # What runs the program in each world with other numbers; the numbers as they are.
+        self._worker = Worker(Job(source, language.name, (), (), world.settings, {}, {}, until, False))
+        self._numbers: dict[str, float] = {}
+        program = self._worker.program(world.settings)
+        self.literals = [*program.constants, *program.literals]
         named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
         self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
         self.skipped: list[str] = []
@@ -161,7 +163,7 @@ class Improver:
         # The axes whose speed a literal sets, and the literals that are a speed or a rate by themselves.
         self._axes: dict[str, set[int]] = {}
         self._rates: set[str] = set()
-        self._base = self._run(source, world)
+        self._base = self._run(world)
         self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
         self.before = self._cost(self._base)
         fails = self._base.status == "fault"
@@ -190,10 +192,7 @@ class Improver:
                 f"the {wrong[0].name} of axis {wrong[0].axis} exceeds its limit already",
                 "motionlang certify lists the limits",
             )
-        # What runs the program in each world with other numbers, compiled once; the numbers as they are.
-        self._workers: list[Worker] = []
-        self._numbers: dict[str, float | str] = {}
-        self._unmet = [unmet(self._run(source, each), list(each.expected)) for each in (world, *others)]
+        self._unmet = [unmet(self._run(each), list(each.expected)) for each in (world, *others)]
 
     # ------------------------------------------------------------------------------------------------ the answer
 
@@ -202,7 +201,7 @@ class Improver:
         edits = self._all()
         chosen = self._chosen(edits, by, most)
         values = {each.literal.address: each.value for each in chosen}
-        patched, result = self._patched(values)
+        patched, result = self._patched(values), self._trial(self.world, values)
         after = self._cost(result)
         self._share(chosen)
         limits = certificate(result.controller, result.machine.settings, result.time)
@@ -218,9 +217,7 @@ class Improver:
     def _all(self) -> list[Edit]:
         """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
         candidates = self._candidates()
-        whole = [each for each in candidates if each.is_whole]
-        self._numbers = {each.address: float(each.text.replace(" ", "")) for each in whole}
-        self._workers = [self._worker(each) for each in (self.world, *self.others)]
+        self._numbers = {each.address: each.value for each in candidates}
         edits: dict[str, Edit] = {}
         best, last = self.before, ""
         # Once around without a gain since the last edit, none is left.
@@ -266,7 +263,7 @@ class Improver:
             cost = self._judge(values)[0]
             each.share, last = last - cost, cost
         for each in edits:
-            was = float(each.literal.text.replace(" ", ""))
+            was = each.literal.value
             further = each.value * (FURTHER if abs(each.value) > abs(was) else 1.0 / FURTHER)
             cost, reason = self._judge({**values, each.literal.address: further})
             each.outputs = tuple(_on_in_motion(self._base, self._axes.get(each.literal.address, set()), was))
@@ -338,7 +335,7 @@ class Improver:
         self, literal: Literal, values: Mapping[str, float], best: float
     ) -> tuple[float, Edit | None]:
         """Return the shortest cycle with another value of one literal, on top of other values."""
-        was = values.get(literal.address, float(literal.text.replace(" ", "")))
+        was = values.get(literal.address, literal.value)
         if not was:
             return best, None
         found: tuple[float, Edit | None] = best, None
@@ -406,7 +403,7 @@ class Improver:
         names = {each.replace(" ", "").lower() for each in (literal.address, literal.base)}
         return bool(names & self._hold) or _HOLD.search(self.source.line(literal.line)) is not None
 
-    def _text_with(self, values: Mapping[str, float]) -> Source:
+    def _patched(self, values: Mapping[str, float]) -> Source:
         edits = {
             each.offset: (len(each.text), number_text(each.address, values[each.address]))
             for each in self.literals
@@ -414,20 +411,17 @@ class Improver:
         }
         return Source(self.source.name, replaced(self.source.text, edits))
 
-    def _patched(self, values: Mapping[str, float]) -> tuple[Source, Run]:
-        source = self._text_with(values)
-        return source, self._run(source, self.world)
-
     def _judge(self, values: Mapping[str, float]) -> tuple[float, str]:
         """Return the cycle with some values, and why they are not allowed; "" if they are."""
-        result = self._trial(0, values)
+        result = self._trial(self.world, values)
         cost = self._cost(result)
         reason = self._behaviour.difference(result) or self._beyond(result)
         if reason or not 0.0 < cost < inf:
             return cost, reason or "nothing repeats any more"
-        for number, (world, before) in enumerate(zip((self.world, *self.others), self._unmet, strict=True)):
-            if world.expected or number:
-                after = unmet(self._trial(number, values) if number else result, list(world.expected))
+        for world, before in zip((self.world, *self.others), self._unmet, strict=True):
+            if world.expected or world is not self.world:
+                run = result if world is self.world else self._trial(world, values)
+                after = unmet(run, list(world.expected))
                 new = [each for each in after if each not in before]
                 if new:
                     return cost, f"{f'scenario {world.name}: ' if world.name else ''}{new[0]}"
@@ -440,24 +434,22 @@ class Improver:
                 return f"{each.name} of axis {each.axis}: {each.limit:.6g} {each.unit}"
         return ""
 
-    def _run(self, source: Source, world: World) -> Run:
+    def _run(self, world: World) -> Run:
+        """Return the run of the program as it is in a world."""
+        self._count()
+        settings = Checked(world.settings)
+        program = self._worker.program(settings)
+        return run(self.source, dialect=self.language, machine=settings, until=self.until, compiled=program)
+
+    def _trial(self, world: World, values: Mapping[str, float]) -> Run:
+        """Return the run in a world with other values of some literals."""
+        self._count()
+        given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
+        return self._worker.run_given(given, world.settings)
+
+    def _count(self) -> None:
         self._runs += 1
         self._progress(self._runs)
-        return run(source, dialect=self.language, machine=Checked(world.settings), until=self.until)
-
-    def _worker(self, world: World) -> Worker:
-        names = list(self._numbers)
-        return Worker(
-            Job(self.source, self.language.name, names, (), world.settings, {}, {}, self.until, False)
-        )
-
-    def _trial(self, number: int, values: Mapping[str, float]) -> Run:
-        """Return the run in a world by its number with other values of some literals."""
-        if not values.keys() <= self._numbers.keys():
-            return self._run(self._text_with(values), (self.world, *self.others)[number])
-        self._runs += 1
-        self._progress(self._runs)
-        return self._workers[number].run_given({**self._numbers, **values})
 
     def _cost(self, result: Run) -> float:
         """Return the cycle of a run, s; infinite if it has none."""

@@ -31,7 +31,7 @@ def edits_table(found: Improvement) -> Table:
         {
             "literal": each.literal.address,
             "line": each.literal.line,
-            "old": float(each.literal.text.replace(" ", "")),
+            "old": each.literal.value,
             "new": each.value,
             "gain": each.share,
             "bound": each.bound,

@@ -144,7 +144,7 @@ examples:
                 guesses, result = guessed(worlds, self.until, fixed)
                 SIGNALS.end_with(result)
         try:
-            create(path, machine_text(source, guesses, reads, result, self.until, target).encode())
+            create(path, machine_text(program, guesses, reads, result, self.until, target).encode())
         except OSError as error:
             raise Refused([unwritten(path, error)], file=file) from None
         sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
@@ -157,7 +157,7 @@ examples:
         run = Run(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
         status = run.start()
-        structure = language.program(source, board).structure
+        structure = program.on(board).structure
         sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, worlds, result))
         return max(status, int(motionless(structure, result)))
 

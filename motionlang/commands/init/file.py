@@ -16,7 +16,7 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Entry, entries
-from motionlang.kernel import Dialect, Run, Source
+from motionlang.kernel import Dialect, Program, Run, Source
 from motionlang.kernel.lang import InputRead, Target
 from motionlang.kernel.report import moves
 
@@ -78,7 +78,7 @@ FAULT = """
 
 
 def machine_text(
-    source: Source,
+    program: Program,
     guesses: Guesses,
     reads: list[InputRead],
     result: Run,
@@ -86,12 +86,12 @@ def machine_text(
     target: Target,
 ) -> str:
     """Return the text of the machine file; `result` is the run with all guesses."""
-    program = os.path.basename(source.name)
-    fixed = guesses.fixed
+    source, fixed = program.source, guesses.fixed
+    name = os.path.basename(source.name)
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
-        HEAD.format(program=program, model=_model(target), **_end(result, until)),
-        *_table("input", INPUTS, _inputs(source, result.dialect, guesses, reads)),
+        HEAD.format(program=name, model=_model(target), **_end(result, until)),
+        *_table("input", INPUTS, _inputs(program.on(fixed), result.dialect, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
         *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
@@ -100,7 +100,7 @@ def machine_text(
     for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
         sections.append(_axis(number, guesses, result))
     if result.status in ("ended", "until", "stopped"):
-        folder = f"{os.path.splitext(program)[0]}{FOLDER_SUFFIX}"
+        folder = f"{os.path.splitext(name)[0]}{FOLDER_SUFFIX}"
         sections.append(EXPECT.format(folder=folder) + _status(result))
     else:
         sections.append(FAULT)
@@ -176,7 +176,7 @@ def _differs(channel: int, guesses: Guesses, below: Guesses) -> bool:
     return not below.is_fixed(channel) and guesses.inputs[channel] != below.inputs.get(channel)
 
 
-def _inputs(source: Source, language: Dialect, guesses: Guesses, reads: list[InputRead]) -> list[str]:
+def _inputs(program: Program, language: Dialect, guesses: Guesses, reads: list[InputRead]) -> list[str]:
     """Return an entry for each input of the program.
 
     Comments above an entry quote the lines that read the input, or assign it to a function.
@@ -185,13 +185,13 @@ def _inputs(source: Source, language: Dialect, guesses: Guesses, reads: list[Inp
     for read in reads:
         if read.is_input and read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
-    for each in channels_of(language.program(source, guesses.fixed), language):
+    for each in channels_of(program, language):
         if each.kind == "input" and each.number.isdecimal() and each.set_up:
             read_at.setdefault(int(each.number), {}).update(dict.fromkeys(each.set_up))
     found: list[str] = []
     for channel in sorted(read_at.keys() | guesses.inputs.keys()):
         for line in list(read_at.get(channel, ()))[:MAX_LINES]:
-            found.append(f"  # line {line}: {_quoted(source.line(line))}")
+            found.append(f"  # line {line}: {_quoted(program.source.line(line))}")
         if channel in guesses.inputs:
             found.append(_guess(guesses.inputs[channel]))
         elif guesses.is_fixed(channel):

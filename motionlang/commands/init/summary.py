@@ -76,7 +76,8 @@ def _unused(result: Run) -> list[str]:
 
     A channel whose number is only known while the program runs may be any of its kind.
     """
-    used = channels_of(result.dialect.program(result.source), result.dialect)
+    program = result.program or result.dialect.program(result.source)
+    used = channels_of(program, result.dialect)
     known = {(each.kind, each.number) for each in used}
     open_ended = {each.kind for each in used if not each.number.isdecimal()}
     return [

@@ -13,11 +13,10 @@ from typing import Any
 
 from motionlang.commands.processes.cores import cores
 from motionlang.commands.quantities import ResultValue, quantity
-from motionlang.commands.sweep.job import Job, Problem, Result
+from motionlang.commands.sweep.job import Job, Problem, Result, worker_of
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
-from motionlang.kernel.lang import edited
 from motionlang.kernel.rows import Table, transposed
 
 KEEP = ("time",)
@@ -129,9 +128,9 @@ class Sweep:
             certify,
         )
         if len(self.space):
-            self._check(source, language)
+            self._check()
 
-    def _check(self, source: Source, language: Dialect) -> None:
+    def _check(self) -> None:
         """Report the mistakes of every variant once, before any run."""
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
@@ -139,10 +138,10 @@ class Sweep:
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, given = self.job.of(values)
-        language.program(source, settings).require()
+        worker = worker_of(self.job)
+        worker.program(settings).require()
         try:
-            source, overrides, _ = edited(source, language, given)
-            language.program(source, settings).for_values(overrides)
+            worker.compiled(settings, given)
         except ProgramError as error:
             if not any(each.line for each in error.diagnostics):
                 raise ValueError(

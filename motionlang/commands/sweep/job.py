@@ -16,7 +16,7 @@ from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
-from motionlang.kernel.lang import Literal, bound, edited, has_address, layered, literals_of
+from motionlang.kernel.lang import layered
 from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.
@@ -86,10 +86,10 @@ class Worker:
         self.job, self.source = job, Source(job.name, job.text)
         self._dialect = dialect(job.dialect)
         self._readers = [quantity(name) for name in job.keep]
-        self._programs: dict[tuple[bool, str], Program] = {}
-        self._literals: list[Literal] | None = None
-        # The program with constants in place of literals, and their names; None where that is not possible.
-        self._bound: tuple[Source, dict[str, str]] | None = None
+        self._text = self._dialect.program(self.source, job.settings)
+        # The programs as they are written, and those for the names and addresses of the variants.
+        self._programs: dict[str, Program] = {self._deciding(job.settings): self._text}
+        self._compiled: dict[str, Program] = {}
 
     def result(self, variant: Variant) -> Result:
         """Return the row of one variant, including its error, if any."""
@@ -108,51 +108,27 @@ class Worker:
         settings, given = self.job.of(values)
         return self.run_given(given, settings)
 
-    def run_given(self, given: dict[str, float | str], settings: dict[str, object] | None = None) -> Run:
+    def run_given(
+        self, given: Mapping[str, float | str], settings: Mapping[str, object] | None = None
+    ) -> Run:
         """Return the run with values of literals and names, in the settings of the job or others."""
         settings = self.job.settings if settings is None else settings
-        found = self._run_literals(settings, given) if has_address(given, self._dialect) else None
-        if found is None:
-            program = self._program(self.source, settings, given)
-            found = self._run(self.source, settings, given, program)
-            if given and found.status == "fault":  # run again, since a run by itself reports the error
-                found = self._run(self.source, settings, given, None)
+        found = self._run(settings, given, self.compiled(settings, given))
+        if given and found.status == "fault":  # run again, since a run by itself reports the error
+            variant = self.program(settings).with_values(given)
+            variant.places  # noqa: B018 - it raises the error of a text in place of a number
+            found = self._run(settings, given, variant)
         return found
 
-    def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
-        """Run a variant that gives values to literals.
-
-        Returns None if no varied name is a literal. Constants replace the literals where this makes no
-        difference, so that the program is compiled only once.
-        """
-        if self._literals is None:
-            self._literals = literals_of(self.source, self._dialect)
-            self._bound = bound(self.source, self._dialect, given, self._literals)
-        if self._bound is not None and not any(isinstance(given[name], str) for name in self._bound[1]):
-            source, names = self._bound
-            values = {names.get(name, name): value for name, value in given.items()}
-            try:
-                found = self._run(source, settings, values, self._program(source, settings, values))
-            except ProgramError:
-                found = None  # the edited program says what is wrong, in its own words
-            if found is not None and found.status != "fault":
-                return found
-        source, values, _ = edited(self.source, self._dialect, given, self._literals)
-        return None if source is self.source else self._run(source, settings, values, None)
-
     def _run(
-        self,
-        source: Source,
-        settings: dict[str, object],
-        overrides: dict[str, float | str],
-        compiled: Program | None,
+        self, settings: Mapping[str, object], given: Mapping[str, float | str], compiled: Program
     ) -> Run:
         found = run(
-            source,
+            self.source,
             dialect=self._dialect,
             machine=settings,
             until=self.job.until,
-            overrides=overrides,
+            overrides=given,
             keep_crash=True,
             listener=ExpectedMotion if self.job.prove else None,
             compiled=compiled,
@@ -161,22 +137,31 @@ class Worker:
             raise KeyboardInterrupt
         return within_budget(found)
 
-    def _program(
-        self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
-    ) -> Program:
-        """Return the program compiled for a machine.
+    def program(self, settings: Mapping[str, object]) -> Program:
+        """Return the program as it is written, for a machine.
 
-        It is compiled once for all machines whose settings agree in the keys that compiled code depends on,
-        and separately with constants in place of literals.
+        One program is for all machines whose settings agree in the keys that compiled code depends on.
         """
-        deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
-        key = source is self.source, repr(sorted(deciding.items())) if deciding else ""
+        key = self._deciding(settings)
         found = self._programs.get(key)
         if found is None:
             if len(self._programs) >= MAX_PROGRAMS:
                 self._programs.clear()
-            found = self._programs[key] = self._dialect.program(source, settings).for_values(overrides)
+                self._compiled.clear()
+            found = self._programs[key] = self._text.on(settings)
         return found
+
+    def compiled(self, settings: Mapping[str, object], given: Mapping[str, float | str]) -> Program:
+        """Return the program for runs with values of some names and addresses, for a machine."""
+        key = self._deciding(settings)
+        found = self._compiled.get(key)
+        if found is None:
+            found = self._compiled[key] = self.program(settings).for_values(given)
+        return found
+
+    def _deciding(self, settings: Mapping[str, object]) -> str:
+        deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
+        return repr(sorted(deciding.items()))
 
     @staticmethod
     def _read(found: Run, row: Any, number: int) -> ResultValue:

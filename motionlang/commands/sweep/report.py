@@ -13,7 +13,7 @@ from motionlang.commands import sweep as sweeps
 from motionlang.commands.profile.periods import FORM, no_cycle_notes
 from motionlang.commands.quantities import unit_of
 from motionlang.commands.sweep.expression import Expression, pareto
-from motionlang.commands.sweep.job import Problem, Result, Worker
+from motionlang.commands.sweep.job import Problem, Result, worker_of
 from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.commands.sweep.table import Row, cell, sweep_table
 from motionlang.kernel import Diagnostic, end_of
@@ -88,7 +88,7 @@ class SweepReport:
         """Name the cycles that the first variant has, if no variant has one of those that are kept."""
         lacking = {name: None for name in self.keep if all(values[name] is None for values in good.values())}
         if good and any(FORM.fullmatch(name) for name in lacking):
-            found = Worker(sweep.job).run(sweep.space[next(iter(good))])
+            found = worker_of(sweep.job).run(sweep.space[next(iter(good))])
             for note in no_cycle_notes(found, lacking):
                 sys.stderr.write(f"note: {note}\n")
 

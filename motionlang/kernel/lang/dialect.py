@@ -78,14 +78,6 @@ class Dialect:
     first_axis: int
     # The sign that begins a comment.
     comment: str
-    # A statement that declares a constant by name and value, and takes no machine time; "" if there is none.
-    constant = ""
-    # Control words that declare a name, that a statement may follow, and that a condition follows; and the words of
-    # a counting loop, whose first one precedes its variable.
-    declaring: frozenset[str] = frozenset()
-    before_statements: frozenset[str] = frozenset()
-    before_conditions: frozenset[str] = frozenset()
-    counting: tuple[str, ...] = ()
     # What of a program changes a variable while a task waits, for hints.
     others = "another task"
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.

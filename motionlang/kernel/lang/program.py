@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.facts import Structure
+    from motionlang.kernel.lang.literals import Literal, Placed
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.step_graph import StepGraph
@@ -34,8 +35,12 @@ class Target:
 class Program:
     """A text, made once by `Dialect.program`; what it says is worked out once, when it is asked for.
 
-    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks` and `reads` raise ProgramError for a
-    text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program with any error.
+    A program made of another one by `on`, `with_values` or `for_values` shares its text, which is not read again. The
+    `values` of a program are in place of its own numbers and texts, by name or address.
+
+    Any text has its `errors`, `names`, `layout` and `literals`. `tree`, `target`, `blocks` and `reads` raise
+    ProgramError for a text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program
+    with any error.
     """
 
     # The name of its language.
@@ -43,6 +48,7 @@ class Program:
 
     def __init__(self, source: Source, settings: Mapping[str, object] | None = None) -> None:
         self.source, self.settings = source, dict(settings or {})
+        self.values: Mapping[str, float | str] = {}
 
     @property
     def tree(self) -> object:
@@ -68,6 +74,21 @@ class Program:
     def layout(self) -> list[LineLayout] | None:
         """The indentation of each line; None for a language without blocks."""
         return None
+
+    @property
+    def literals(self) -> Sequence[Literal]:
+        """The numbers of the text that have an address, in order; lines with syntax errors have none."""
+        raise NotImplementedError
+
+    @property
+    def constants(self) -> Sequence[Literal]:
+        """The numbers that the program gives to names, in order; they have a name in place of an address."""
+        return ()
+
+    @property
+    def declared(self) -> Collection[str]:
+        """The names that the program declares, in lower case; a keyword may be among them."""
+        return ()
 
     @property
     def target(self) -> Target:
@@ -129,12 +150,29 @@ class Program:
         """Chosen defaults that the motion depends on, a line each; none if the text has syntax errors."""
         return ()
 
-    def for_values(self, values: Mapping[str, float | str]) -> Program:
-        """Return the program for runs with many values of some names, such as `values`.
+    @property
+    def places(self) -> Placed:
+        """The places of the values in place of its own; raises ProgramError if an address is wrong."""
+        raise NotImplementedError
 
-        Raises ProgramError with all errors of the text with `values`.
+    def on(self, settings: Mapping[str, object]) -> Program:
+        """Return the program of the same text for a machine with other settings."""
+        raise NotImplementedError
+
+    def with_values(self, values: Mapping[str, float | str]) -> Program:
+        """Return the program with values in place of some constants, by name or address.
+
+        It has the positions of the text as it is. `require` raises ProgramError if a name or an address is wrong.
         """
-        self.require()
+        raise NotImplementedError
+
+    def for_values(self, values: Mapping[str, float | str]) -> Program:
+        """Return the program for runs with many values of some names and addresses, such as `values`.
+
+        The machine of each run has the values. Raises ProgramError with all errors if no value of them is possible.
+        """
+        made = self.with_values(values)
+        made.require()
         return self
 
     def start(self, machine: Machine) -> Task:

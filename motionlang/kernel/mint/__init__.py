@@ -55,11 +55,6 @@ class Mint(Dialect):
     first_axis = 0
     others = "another task or an Event"
     comment = "'"
-    constant = "Const {} = {}"
-    declaring = frozenset(("const", "define", "dim", "nv"))
-    before_statements = frozenset(("define", "do", "else", "loop", "repeat", "then"))
-    before_conditions = frozenset(("pause", "if", "elseif", "while", "until", "and", "or", "not"))
-    counting = ("for", "to", "step")
 
     def program(
         self, source: Source, settings: Mapping[str, object] | None = None, *, is_debug: bool = False

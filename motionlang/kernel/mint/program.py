@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import NO_NAMES, LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
@@ -18,9 +19,10 @@ from motionlang.kernel.mint.check.check import Checked, declared, examined
 from motionlang.kernel.mint.check.error_recovery import unrelated
 from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.models import MINTMT, V4, age
+from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.facts import FactsReader
-from motionlang.kernel.mint.resolve.overrides import override
+from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -31,6 +33,7 @@ from motionlang.kernel.mint.steps.program import ProgramWriter, stops
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.recovery import readable
+from motionlang.kernel.mint.syntax.traversal import copied
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
 
@@ -44,10 +47,49 @@ if TYPE_CHECKING:
 MAX_KEPT = 64
 
 
-class MintProgram(Program):
-    """A Mint program, parsed and checked once, with values in place of its own.
+class Text:
+    """A text, read once for all programs that are made of it."""
 
-    The values of the names in `given` are set when it starts. It maps each to True if its value is a text.
+    def __init__(self, source: Source) -> None:
+        self.source = source
+
+    @cached_property
+    def parsed(self) -> Module | ProgramError:
+        with StackSpace():
+            try:
+                return parse(self.source)
+            except ProgramError as error:
+                return error
+
+    @cached_property
+    def readable(self) -> tuple[Module | None, set[int], ProgramError | None]:
+        """The tree, the lines left out of it, and the syntax errors; no tree if too little can be read."""
+        if isinstance(self.parsed, Module):
+            return self.parsed, set(), None
+        with StackSpace():
+            return *readable(self.source, self.parsed), self.parsed
+
+    @cached_property
+    def literals(self) -> list[Literal]:
+        module = self.readable[0]
+        return [] if module is None else literals.literals(module)
+
+    @cached_property
+    def constants(self) -> list[Literal]:
+        module = self.readable[0]
+        return [] if module is None else literals.constants(module)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        module = self.readable[0]
+        return frozenset() if module is None else literals.declared(module)
+
+
+class MintProgram(Program):
+    """A Mint program: a text, parsed once for all programs of it, and checked for a machine with some settings.
+
+    `values` are in place of its own. Those of the names in `given` are set when it starts; it maps each to True if
+    its value is a text. The names of both may be addresses.
     """
 
     language = "mint"
@@ -56,47 +98,51 @@ class MintProgram(Program):
         self,
         source: Source,
         settings: Mapping[str, object] | None = None,
-        overrides: Mapping[str, float | str] | None = None,
+        values: Mapping[str, float | str] | None = None,
         given: Mapping[str, bool] | None = None,
         is_debug: bool = False,
+        text: Text | None = None,
     ) -> None:
         super().__init__(source, settings)
-        self.given, self.is_debug = given or {}, is_debug
-        self._overrides = overrides or {}
+        self.values, self.given, self.is_debug = dict(values or {}), dict(given or {}), is_debug
+        self._text = text or Text(source)
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
 
     # ------------------------------------------------------------------------------------- the text and its names
 
-    @cached_property
-    def _parsed(self) -> Module | ProgramError:
-        with StackSpace():
-            try:
-                return parse(self.source)
-            except ProgramError as error:
-                return error
-
-    @cached_property
-    def _read(self) -> tuple[Module | None, set[int], ProgramError | None]:
-        """The tree, the lines left out of it, and the syntax errors; no tree if too little can be read."""
-        if isinstance(self._parsed, Module):
-            return self._parsed, set(), None
-        with StackSpace():
-            return *readable(self.source, self._parsed), self._parsed
-
-    @cached_property
-    def tree(self) -> Module:
-        if isinstance(self._parsed, ProgramError):
-            raise self._parsed
-        with StackSpace():
-            override(self._parsed, self._overrides, self.given)
-        return self._parsed
-
     @property
+    def tree(self) -> Module:
+        if isinstance(self._text.parsed, ProgramError):
+            raise self._text.parsed
+        return self._readable
+
+    @cached_property
     def _readable(self) -> Module:
-        """The tree, without unreadable lines."""
-        module, _, unreadable = self._read
+        """A copy of the tree, without unreadable lines and with the values, which the check completes."""
+        module, _, unreadable = self._text.readable
         assert module is not None
-        return self.tree if unreadable is None else module
+        with StackSpace():
+            made: Module = copied(module)  # type: ignore[assignment]
+            made.source = module.source
+            if unreadable is None and (self.values or self.given):
+                self._put_values(made)
+        return made
+
+    def _put_values(self, module: Module) -> None:
+        places = self.places
+        put = {
+            at: name if name in self.given else number(name, self.values[name])
+            for at, name in places.literals.items()
+        }
+        override_literals(module, put)
+        values = {name: value for name, value in self.values.items() if name in places.names}
+        given = {name: is_text for name, is_text in self.given.items() if name in places.names}
+        override(module, values, given)
+
+    @cached_property
+    def places(self) -> Placed:
+        given: dict[str, float | str] = {name: "" if is_text else 0.0 for name, is_text in self.given.items()}
+        return placed(self, {**self.values, **given})
 
     @cached_property
     def _declared(self) -> Declared:
@@ -108,14 +154,14 @@ class MintProgram(Program):
         """The names and the problems of the readable lines."""
         with StackSpace():
             found = examined(self._readable, self._declared)
-            if isinstance(self._parsed, Module) and not found.problems.has_errors:
+            if isinstance(self._text.parsed, Module) and not found.problems.has_errors:
                 warn_of_short_ramps(self._facts.statements.values(), found.problems)
             return found
 
     @cached_property
     def mistakes(self) -> list[Diagnostic]:
         """All errors, with the warnings of the check beside them; empty if there is no error."""
-        module, taken, unreadable = self._read
+        module, taken, unreadable = self._text.readable
         has_errors = module is not None and self.checked.problems.has_errors
         found = list(self.checked.problems.found.values()) if has_errors else []
         if unreadable is not None:
@@ -131,7 +177,7 @@ class MintProgram(Program):
     def notes_on_model(self) -> list[Diagnostic]:
         """Notation and keywords that the configured controller model does not accept."""
         model = str(self.settings.get("controller.model", ""))
-        if isinstance(self._parsed, ProgramError) or not model:
+        if isinstance(self._text.parsed, ProgramError) or not model:
             return []
         problems = Problems(self.tree)
         check_model(self._bound, self.source, model, problems.add)
@@ -147,17 +193,29 @@ class MintProgram(Program):
     def names(self) -> Names:
         from motionlang.kernel.mint.resolve import definitions
 
-        module, _, unreadable = self._read
+        module, _, unreadable = self._text.readable
         if module is None:
             return NO_NAMES
         with StackSpace():
-            return definitions.names(module, self._declared.names, unreadable is None)
+            return definitions.names(self._readable, self._declared.names, unreadable is None)
 
     @property
     def layout(self) -> list[LineLayout]:
         from motionlang.kernel.mint.syntax.layout import layout
 
         return layout(self.source.text)
+
+    @property
+    def literals(self) -> list[Literal]:
+        return self._text.literals
+
+    @property
+    def constants(self) -> list[Literal]:
+        return self._text.constants
+
+    @property
+    def declared(self) -> frozenset[str]:
+        return self._text.declared
 
     @property
     def _bound(self) -> Module:
@@ -232,45 +290,60 @@ class MintProgram(Program):
 
     # --------------------------------------------------------------------------------------------- its run
 
-    def for_values(self, values: Mapping[str, float | str]) -> MintProgram:
-        """Return the program for runs with many values of some names, such as `values`.
+    def on(self, settings: Mapping[str, object]) -> MintProgram:
+        return MintProgram(self.source, settings, self.values, self.given, self.is_debug, self._text)
 
-        Names whose value the check needs, such as the size of an array, are not part of `given`: the text is checked
-        again for each of their values. Raises ProgramError with all errors of the text with `values`.
+    def with_values(
+        self, values: Mapping[str, float | str], given: Mapping[str, bool] | None = None
+    ) -> MintProgram:
+        """Return the program with values in place of some constants, and with those that it is `given`."""
+        return MintProgram(self.source, self.settings, values, given, self.is_debug, self._text)
+
+    def for_values(self, values: Mapping[str, float | str]) -> MintProgram:
+        """Return the program for runs with many values of some names and addresses, such as `values`.
+
+        Those whose value the check needs, such as the size of an array, are not part of `given`: the program is
+        checked again for each of their values. Raises ProgramError with all errors of the program with `values`.
         """
-        self._made(values)
-        given = {name: isinstance(value, str) for name, value in values.items()}
+        if not values:
+            self.require()
+            return self
+        kinds = {name: isinstance(value, str) for name, value in values.items()}
         try:
-            return self._made({}, given)
+            return self._made({}, kinds)
         except ProgramError:
-            given = {}
-        for name, value in values.items():
-            one = {name: isinstance(value, str)}
+            given: dict[str, bool] = {}
+        for name, is_text in kinds.items():
             others = {n: v for n, v in values.items() if n != name and n not in given}
             try:
-                self._made(others, given | one)
+                self._made(others, {**given, name: is_text})
             except ProgramError:
                 continue
-            given |= one
-        others = {n: v for n, v in values.items() if n not in given} if given else {}
-        return self._made(others, given)
+            given[name] = is_text
+        return self._made({name: value for name, value in values.items() if name not in given}, given)
+
+    def _made(self, values: Mapping[str, float | str], given: Mapping[str, bool]) -> MintProgram:
+        """Return the program with other values; raise ProgramError with all errors."""
+        made = self.with_values(values, given)
+        made.require()
+        return made
 
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`, which has the model of the program if it has none.
 
-        Raises ProgramError if an override names no name of the program.
+        Raises ProgramError if an override is none of a name or an address of the program.
         """
         machine.model = machine.model or self.target.model
-        overrides = machine.overrides
         values = {
-            name: overrides[name]
-            for name, is_text in self.given.items()
-            if name in overrides and isinstance(overrides[name], str) is is_text
+            name: value
+            for name, value in machine.overrides.items()
+            if name in self.given and isinstance(value, str) is self.given[name]
         }
-        others = {name: value for name, value in overrides.items() if name not in values}
         if len(values) < len(self.given):
-            return self._made(overrides).run(machine)
-        return self._with(others).run(machine, values) if others else self.run(machine, values)
+            return self._made(machine.overrides, {}).run(machine)
+        others = {name: value for name, value in machine.overrides.items() if name not in values}
+        program = self if others.items() <= self.values.items() else self._with(others)
+        return program.run(machine, values)
 
     def _with(self, values: Mapping[str, float | str]) -> MintProgram:
         """Return the program with these values in place of its own; the last few are kept."""
@@ -283,7 +356,7 @@ class MintProgram(Program):
         return found
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
-        """Return the parent task of the program as it is, with the values of its given names."""
+        """Return the parent task of the program as it is, with the values that it is given."""
         environment = Environment(machine, Places())
         environment.prepare()
 
@@ -291,7 +364,11 @@ class MintProgram(Program):
             return self.source.location(offset)[0]
 
         environment.line_of = line_of
-        writer = ProgramWriter(self.checked.names, environment, line_of, values or {}, self.is_debug)
+        given = {
+            name: number(name, value) if name in self.places.literals.values() else value
+            for name, value in (values or {}).items()
+        }
+        writer = ProgramWriter(self.checked.names, environment, line_of, given, self.is_debug)
         environment.take(writer)
         if self.is_debug:
             assert machine.hook is not None, "a debug build needs a machine with a hook"
@@ -300,14 +377,6 @@ class MintProgram(Program):
         task.timer = environment.timer
         environment.by_name[PARENT] = environment.task = task
         return task
-
-    def _made(
-        self, values: Mapping[str, float | str], given: Mapping[str, bool] | None = None
-    ) -> MintProgram:
-        """Return the program with other values; raise ProgramError with all errors."""
-        made = MintProgram(self.source, self.settings, values, given, self.is_debug)
-        made.require()
-        return made
 
 
 def port_differences(before: Program, program: Program) -> list[Diagnostic]:

@@ -36,6 +36,13 @@ def improver(text: str, settings: dict[str, object], others: list[World] = []) -
     return Improver(Source("a.mnt", text), dialect("mint"), World("", settings), others)
 
 
+def test_a_number_that_a_define_gives_is_edited_in_its_line() -> None:
+    text = SHUTTLE.replace("SPEED(0) = 100", "Define quick = 100\nSPEED(0) = quick")
+    found = improver(text, {"axis.0.limits.speed": 150.0, "axis.0.limits.acceleration": 500.0}).improved()
+    assert [(each.literal.address, each.value) for each in found.edits] == [("quick@1", 150.0)]
+    assert found.patched.text == text.replace("quick = 100", "quick = 150")
+
+
 def test_the_edits_and_the_difference_that_patch_applies(shuttle: Cell) -> None:
     """2 (50/200 + 200/1000) = 0.9 s in place of 2 (50/100 + 100/500) = 1.4 s; statements take 40 µs."""
     ran = shuttle("improve", "shuttle.mnt", "--patch", "faster.diff")

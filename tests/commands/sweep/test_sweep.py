@@ -15,7 +15,7 @@ import pytest
 
 import motionlang
 from motionlang.commands.sweep import Sweep
-from motionlang.kernel import Source
+from motionlang.kernel import Source, dialect
 
 STROKE = Source(
     "stroke.mnt",
@@ -252,7 +252,7 @@ NUMBERS = Source(
     ("address", "values", "times"),
     [
         ("SPEED[0]@1", [20.0, 10.0], [2.3, 4.2]),  # 0.2 s of ramps in addition to 40 / 20, 0.1 s to 40 / 10
-        ("WAIT@4:1", [1.0, 3.0], [2.25, 2.35]),  # only a part of a value, which no constant can replace
+        ("WAIT@4:1", [1.0, 3.0], [2.25, 2.35]),  # a part of a value
         ("WAIT@4:2", [10.0, 100.0], [2.22, 2.4]),
     ],
 )
@@ -260,6 +260,48 @@ def test_a_number_of_the_program_is_varied(address: str, values: list[float], ti
     rows = list(Sweep(NUMBERS, {address: values}, keep=["time"]).results(jobs=1))
     assert [kept[0] for _, kept, _ in rows] == pytest.approx(times, abs=1e-3)
     assert [problem for *_, problem in rows] == [None, None]
+
+
+@pytest.mark.parametrize(
+    ("text", "address", "values"),
+    [
+        ("For i = 1 To 3\nPRINT i : Next", "i@1:2", [2.0, 0.0, 4.5]),
+        ("For i = 1 To 5 Step 1\nPRINT i : Next", "i@1:3", [2.0, -1.0]),
+        ("Define n = 4\nPRINT n, 2 * n", "n@1", [5.0, 2.5]),
+        ('n = 3\nIf n > 5 Then PRINT "more" Else PRINT "less"', "n@2", [2.0, 3.0]),
+        ("SPEED(0) = 10 : JOG(0) = 10 : PAUSE POS(0) > 20 : PRINT TIME", "POS[0]@1", [10.0, 30.0]),
+        ("n = -5 + 2 : PRINT n", "n@1:1", [-3.0, 7.0]),
+        ("n = -5 : PRINT n", "n@1", [-3.0, 7.0]),
+        ("n = 0xFFFFFFFF\nPRINT n", "n@1", [4294967290.0, 5.0]),
+        ("Dim n As Integer\nn = 3 \\ 2 : PRINT n, 3 / 2", "n@2:1", [7.0, 7.9]),
+    ],
+)
+def test_a_number_acts_as_if_it_were_in_the_text(text: str, address: str, values: list[float]) -> None:
+    """The program is compiled once if the number can be bound at the start, and anew otherwise."""
+    source = Source("a.mnt", text)
+    (literal,) = (each for each in dialect("mint").program(source).literals if each.address == address)
+    begin, end = literal.offset, literal.offset + len(literal.text)
+    rows = list(motionlang.sweep(source, {address: values}, keep=["status", "time", "prints"], jobs=1))
+    for row, value in zip(rows, values, strict=True):
+        number = f"{value:.10g}"
+        edited = motionlang.run(Source("a.mnt", text[:begin] + number + text[end:]))
+        assert list(row.kept.values()) == [edited.status, edited.time, "\n".join(edited.output)]
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("Const k = 1\nFor i = 1 To 3 Step k\nNext", "k"),
+        ("For i = 1 To 3 Step 1\nNext", "i@1:3"),
+        ("Define k = 1\nFor i = 1 To 3 Step k * 2\nNext", "k@1"),
+    ],
+)
+def test_a_loop_that_never_ends_is_an_error_of_its_variant(text: str, name: str) -> None:
+    rows = motionlang.sweep(Source("a.mnt", text), {name: [1.0, 0.0]}, until=1.0, jobs=1)
+    assert [row.problem and row.problem["message"] for row in rows] == [
+        None,
+        "a For that counts by 0 never ends",
+    ]
 
 
 def test_a_number_that_stops_the_program_is_reported_at_its_line() -> None:

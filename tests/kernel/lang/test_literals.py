@@ -7,8 +7,9 @@ import re
 import pytest
 
 import motionlang
-from motionlang.kernel import ProgramError, Source, dialect
-from motionlang.kernel.lang import bound, canonical, edited, has_address, literals_of
+from motionlang.kernel import Program, ProgramError, Source, dialect
+from motionlang.kernel.lang import canonical, revalued
+from motionlang.kernel.mccl import Line, MacroFile
 from motionlang.kernel.report import text
 from tests.cases import cases
 
@@ -27,9 +28,13 @@ PRINT 10
 FEED = '1SV100,1SA1000\nMD3,1MR-5,1WS0.1,1MR5,MC4\nFT"part %d",1MA@3,WA.5 ; WA9\n'
 
 
-def addresses(program: str, language: str = "mint") -> dict[str, str]:
+def program(text: str, language: str = "mint") -> Program:
+    return dialect(language).program(Source("a", text))
+
+
+def addresses(text: str, language: str = "mint") -> dict[str, str]:
     """Return the literals of a program by address."""
-    return {each.address: each.text for each in literals_of(Source("a", program), dialect(language))}
+    return {each.address: each.text for each in program(text, language).literals}
 
 
 def test_the_literals_of_mint() -> None:
@@ -95,8 +100,8 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "SPEED(0, \\\n 1) = 5, \\ ' both\n 6\nWAIT = 7": {"SPEED[0]@1": "5", "SPEED[1]@1": "6", "WAIT@4": "7"},
     "MOVEA(0, 1) = 5, \\\n 6 : WAIT = 7": {"MOVEA[0]@1": "5", "MOVEA[1]@1": "6", "WAIT@2": "7"},
     "SPEED(0, 1) = (5 + 6), 7": {"SPEED[0]@1:1": "5", "SPEED[0]@1:2": "6", "SPEED[1]@1": "7"},
-    "If (n = 3 And k = 4) Then k = 5": {"n@1:1": "3", "n@1:2": "4", "k@1": "5"},
-    "PAUSE (POS(0) > 5 Or (INX(3) = 1)) : WAIT = 2": {"POS[0]@1:1": "5", "POS[0]@1:2": "1", "WAIT@1": "2"},
+    "If (n = 3 And k = 4) Then k = 5": {"n@1": "3", "k@1:2": "4", "k@1": "5"},
+    "PAUSE (POS(0) > 5 Or (INX(3) = 1)) : WAIT = 2": {"POS[0]@1": "5", "INX[3]@1": "1", "WAIT@1": "2"},
     "SPEED(n Mod 2) = 5 : WAIT(3) : SPEED(1) = 6": {"SPEED[nMod2]@1": "5", "WAIT@1": "3", "SPEED[1]@1": "6"},
     "x = f(1, (2 + 3), 4) : WAIT = 5": {"WAIT@1": "5"},
     "WAIT 7 : PRINT 5\nWAIT 2 + 1": {"WAIT@1": "7", "WAIT@2:1": "2", "WAIT@2:2": "1"},
@@ -114,7 +119,10 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "x = -5 : y = - 6": {"x@1": "-5", "y@1": "- 6"},
     "x = 5 - 3 : y = (6)": {"x@1:1": "5", "x@1:2": "3", "y@1:1": "6"},
     "x = 5 * (3 + f(2, a(4)))": {"x@1:1": "5", "x@1:2": "3"},
-    "SPEED(a(1)) = 5 : If a(b(2)) = 4 Then": {"SPEED[a(1)]@1": "5", "a[b(2)]@1": "4"},
+    "SPEED(a(1)) = 5\nIf a(b(2)) = 4 Then Exit": {"SPEED[a(1)]@1": "5", "a[b(2)]@2": "4"},
+    "SPEED(f(1, 2), 3) = 5, 6": {"SPEED[f(1,2)]@1": "5", "SPEED[3]@1": "6"},
+    "x = `a : SPEED(`a`) = `b` + 5": {},
+    "x = `a` + 5": {"x@1:1": "5"},
     # Settings and commands without an index take their value in brackets, or after a blank.
     "TIME(5) : WAIT(1, 2) : OUT 5 : GO(5)": {"TIME@1": "5", "WAIT@1:1": "1", "WAIT@1:2": "2"},
     "WAIT(5) 7 : SPEED(0) 5 : SPEED 5 : x 5 : 5 = x : (5) = x": {},
@@ -123,21 +131,46 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "If x Then WAIT = 5 Else WAIT = 6": {"WAIT@1:1": "5", "WAIT@1:2": "6"},
     "If x = 1 Then y = 2 : z = 3": {"x@1": "1", "y@1": "2", "z@1": "3"},
     # The operators of bits join comparisons, unless one side has none.
-    "If x = 1 & y = 2": {"x@1": "1", "y@1": "2"},
-    "If x & 3 = 1": {"x@1:1": "3", "x@1:2": "1"},
-    "If (x & 3) = 1 Then": {"x@1:1": "3", "x@1:2": "1"},
-    "If (a(3) = 4) Then": {"a[3]@1": "4"},
-    "If x & 3 : PAUSE 5 : If 5 Then : Loop 5 : Case 5": {},
-    "While x = 5 : Until 3 = x": {"x@1:1": "5", "x@1:2": "3"},
+    "If (x = 1) & (y = 2) Then Exit": {"x@1": "1", "y@1": "2"},
+    "If x & 3 = 1 Then Exit": {"x@1:1": "3", "x@1:2": "1"},
+    "If (x & 3) = 1 Then Exit": {"x@1:1": "3", "x@1:2": "1"},
+    "If (a(3) = 4) Then Exit": {"a[3]@1": "4"},
+    "If x = 1 & y = 2 Then Exit": {"x@1:1": "1", "x@1:2": "2"},  # (x = (1 & y)) = 2
+    "If Not x = 1 Xor 2 < y Then Exit": {"x@1": "1", "y@1": "2"},
+    "If x Mod 4 = 1 Then y = 9 Mod 5": {"x@1:1": "4", "x@1:2": "1", "y@1:1": "9", "y@1:2": "5"},
+    "If x & 3 Then PAUSE 5 : If 5 Then PRINT 5 > x And x < 6": {},
+    "Repeat : While x = 5 : End While : Until 3 = x": {"x@1:1": "5", "x@1:2": "3"},
+    # The right side of an assignment is no condition.
+    "x = y > 5 And z < 6": {"x@1:1": "5", "x@1:2": "6"},
     # The numbers of a For belong to its variable.
-    "For i = -1 To a(3) Step - 2": {"i@1:1": "-1", "i@1:2": "- 2"},
-    "For i = 1 To 5 : Next : To 5 : For": {"i@1:1": "1", "i@1:2": "5"},
+    "For i = -1 To a(3) Step - 2 : Next": {"i@1:1": "-1", "i@1:2": "- 2"},
+    # A name may be a control word where that is impossible.
+    "For to = 1 To 5 : Next : To = 5": {"To@1": "5", "To@1:2": "1", "To@1:3": "5"},
+    # A line with a syntax error has none.
+    "WAIT = 5\nIf x = 1 & y = 2\nWAIT = 6": {"WAIT@1": "5", "WAIT@3": "6"},
 }
 
 
 @pytest.mark.parametrize("text", STATEMENTS)
 def test_where_a_statement_ends(text: str) -> None:
     assert addresses(text) == STATEMENTS[text]
+
+
+# A program, and the numbers that it gives to names.
+CONSTANTS: dict[str, dict[str, str]] = {
+    "Const a = 5, b As Float = 6": {"a": "5", "b": "6"},
+    "Dim a = 5, b As Integer = 6, c, d": {"a": "5", "b": "6"},
+    "Dim NV a As Integer = 7": {"a": "7"},
+    # A Define has an address.
+    "Define a = 5 : x = a": {},
+    'Const a = -5, b = 5 * 2, c = 5 Mod 2, d = (5), e = "x"': {},
+    "Dim a(2) As Float = 5, 6": {},
+}
+
+
+@pytest.mark.parametrize("text", CONSTANTS)
+def test_the_constants_of_mint(text: str) -> None:
+    assert {each.address: each.text for each in program(text).constants} == CONSTANTS[text]
 
 
 def test_a_condition_is_varied() -> None:
@@ -205,24 +238,37 @@ def test_the_spellings_of_an_address(written: str, address: str | None) -> None:
         ("line:8.value", "= -15", "= 250"),
     ],
 )
-def test_a_value_is_written_into_the_text(address: str, old: str, new: str) -> None:
+def test_a_value_replaces_a_number_of_the_tree(address: str, old: str, new: str) -> None:
     key = canonical(address)
     assert key is not None
-    source, named, notes = edited(Source("a", DRILL), dialect("mint"), {key: 250.0, "other": 1.0})
-    assert source.text == DRILL.replace(old, new)
-    assert (named, notes) == ({"other": 1.0}, [])
+    made = program(DRILL).with_values({key: 250.0})
+    assert made.tree == program(DRILL.replace(old, new)).tree
+    assert made.places.notes == []
 
 
 def test_the_only_write_of_a_line_is_meant_next_to_a_loop() -> None:
     text = "For i = 1 To n : WAIT = 5 : Next"
-    source, _, _ = edited(Source("a", text), dialect("mint"), {"line:1": 7.0})
-    assert source.text == "For i = 1 To n : WAIT = 7 : Next"
+    made = program(text).with_values({"line:1": 7.0})
+    assert made.tree == program("For i = 1 To n : WAIT = 7 : Next").tree
 
 
 def test_an_address_without_a_line_is_every_write() -> None:
-    source, _, notes = edited(Source("a", DRILL), dialect("mint"), {"Wait": 7.5})
-    assert re.findall("WAIT.*", source.text) == ["WAIT = 7.5", "WAIT(7.5)"]
-    assert notes == ["WAIT = 7.5 sets 2 literals, lines 4, 5"]
+    made = program(DRILL).with_values({"Wait": 7.5})
+    assert made.tree == program(re.sub(r"(WAIT\D*)\d+", r"\g<1>7.5", DRILL)).tree
+    assert made.places.notes == ["WAIT = 7.5 sets 2 literals, lines 4, 5"]
+    assert [each.text for each in revalued(made) if each.base == "WAIT"] == ["7.5", "7.5"]
+    assert [each.text for each in made.literals if each.base == "WAIT"] == ["10", "20"]
+
+
+def test_a_value_replaces_a_parameter_of_mccl() -> None:
+    """The command shows its new text; its position is the old one."""
+    made = dialect("mccl").program(Source("a", FEED)).with_values({"1MR@2:1": 250.5, "1SV@1": -5})
+    assert isinstance(made, MacroFile)
+    lines = [line for line in made.lines if isinstance(line, Line)]
+    assert [line.text for line in lines[:2]] == ["1SV-5,1SA1000", "MD3,1MR250.5,1WS0.1,1MR5,MC4"]
+    assert [each.value for each in lines[1].commands] == [3, 250.5, 0.1, 5, 4]
+    assert [each.text for each in revalued(made)] == ["-5", "1000", "250.5", "0.1", "5", ".5"]
+    assert made.errors[0].column == 1
 
 
 def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
@@ -263,7 +309,7 @@ NO_ADDRESS = "the numbers of line 10 have no address: those of CASE, PRINT and b
 )
 def test_what_is_wrong_names_the_addresses(address: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(Source("a", DRILL), dialect("mint"), {address: 1.0})
+        program(DRILL).with_values({address: 1.0}).require()
     (found,) = wrong.value.diagnostics
     shown = hint if hint == ALL else f"{hint}; check --literals lists all"
     assert (found.code, found.message, found.hint) == ("option", message, shown)
@@ -271,7 +317,7 @@ def test_what_is_wrong_names_the_addresses(address: str, message: str, hint: str
 
 def test_all_wrong_addresses_are_reported() -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(Source("a", DRILL), dialect("mint"), {"SPEED[0]@2": 1.0, "other": 3.0, "line:9": 2.0})
+        program(DRILL).with_values({"SPEED[0]@2": 1.0, "other": 3.0, "line:9": 2.0}).require()
     assert [each.message for each in wrong.value.diagnostics] == [
         "line 2 writes no literal to SPEED[0]",
         "line 9 has no literals",
@@ -280,7 +326,7 @@ def test_all_wrong_addresses_are_reported() -> None:
 
 def test_a_program_without_literals_has_no_hint() -> None:
     with pytest.raises(ProgramError) as wrong:
-        edited(Source("a", "PRINT x"), dialect("mint"), {"line:1": 1.0})
+        program("PRINT x").with_values({"line:1": 1.0}).require()
     assert [(each.message, each.hint) for each in wrong.value.diagnostics] == [("line 1 has no literals", "")]
 
 
@@ -298,14 +344,15 @@ def test_a_program_without_literals_has_no_hint() -> None:
 )
 def test_the_notation_of_a_value(value: float, text: str) -> None:
     """Whole numbers below 1e15 have no decimal point."""
-    assert edited(Source("a", "WAIT = 7"), dialect("mint"), {"WAIT@1": value})[0].text == f"WAIT = {text}"
+    (found,) = revalued(program("WAIT = 7").with_values({"WAIT@1": value}))
+    assert found.text == text
 
 
 @cases("value", ["a", float("inf"), float("-inf"), float("nan")])
 def test_a_literal_is_a_finite_number(value: float | str) -> None:
     """An infinite value once ended in an internal error."""
     with pytest.raises(ProgramError) as wrong:
-        edited(Source("a", "WAIT = 7"), dialect("mint"), {"WAIT@1": value})
+        program("WAIT = 7").with_values({"WAIT@1": value}).require()
     assert [each.message for each in wrong.value.diagnostics] == [f"WAIT@1 is a number, not {value!r}"]
 
 
@@ -339,54 +386,3 @@ def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
         assert row["moves"] == len(run.machine.log.moves)
         errors = [each.message for each in run.diagnostics]
         assert ([] if row.problem is None else [row.problem["message"]]) == errors
-
-
-@cases(
-    "text, values, written",
-    [
-        (
-            "SPEED(0) = 3 : WAIT = 4\n",
-            {"SPEED[0]@1": 50.0, "Wait": 6.5},
-            "Const literal_1 = 50 : Const literal_2 = 6.5 : SPEED(0) = literal_1 : WAIT = literal_2\n",
-        ),
-        (
-            "WAIT = 6\nWAIT = 7\n",
-            {"WAIT": 5.0, "WAIT@2": 6.0},
-            "Const literal_1 = 5 : Const literal_2 = 6 : WAIT = literal_1\nWAIT = literal_2\n",
-        ),
-        # Not a number, no address, an expression, a condition, a variable, and a program with such a name.
-        ("WAIT = 6\n", {"WAIT": "a"}, None),
-        ("WAIT = 6\n", {"other": 5.0}, None),
-        ("WAIT = 6\n", {}, None),
-        ("WAIT = 6 + x\n", {"WAIT@1:1": 5.0}, None),
-        ("PAUSE POS(0) > 4\n", {"POS[0]@1": 5.0}, None),
-        ("d = 4\n", {"d@1": 5.0}, None),
-        ("WAIT = 6 : Literal_9 = 3\n", {"WAIT": 5.0}, None),
-    ],
-)
-def test_constants_replace_literals(text: str, values: dict[str, float | str], written: str | None) -> None:
-    source, language = Source("a", text), dialect("mint")
-    found = bound(source, language, values, literals_of(source, language))
-    assert (found and found[0].text) == written
-    if found is not None:
-        assert found[1] == {name: f"literal_{number}" for number, name in enumerate(values, 1)}
-
-
-def test_mccl_has_no_constants() -> None:
-    source, language = Source("a", FEED), dialect("mccl")
-    assert bound(source, language, {"1SV@1": 5.0}, literals_of(source, language)) is None
-
-
-def test_names_that_may_be_addresses() -> None:
-    """SPEED is a keyword of Mint alone."""
-    found = {
-        name: (has_address({name: 1.0}, dialect("mint")), has_address({name: 1.0}, dialect("mccl")))
-        for name in ("SPEED", "speed[0]", "n", "line:3", "1SV")
-    }
-    assert found == {
-        "SPEED": (True, False),
-        "speed[0]": (True, True),
-        "n": (False, False),
-        "line:3": (True, True),
-        "1SV": (True, True),
-    }

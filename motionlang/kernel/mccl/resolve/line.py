@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.resolve.decode import decoded
+from motionlang.kernel.mccl.resolve.literals import parameter
 from motionlang.kernel.mccl.syntax import tree
 from motionlang.kernel.mccl.syntax.comments import without_comment
 from motionlang.kernel.mccl.syntax.parser import MAX_LINE, parse
@@ -54,13 +56,16 @@ def line_of(text: str) -> Line | None:
     """
     _check_length(text)
     lines = parse(text).lines
-    return _line(lines[0], text, 1) if lines else None
+    return _line(lines[0], text, 1, {}) if lines else None
 
 
-def lines_of(source: Source, module: tree.Module | None = None) -> Iterator[Line | tuple[Fault, int, int]]:
+def lines_of(
+    source: Source, module: tree.Module | None = None, numbers: Mapping[int, float] | None = None
+) -> Iterator[Line | tuple[Fault, int, int]]:
     """Yield the lines of a file, whose tree is `module` if that has been made.
 
-    A line that is too long yields its fault, offset and number instead.
+    A line that is too long yields its fault, offset and number instead. `numbers` replace the parameters at some
+    offsets.
     """
     start, lengths = 0, {}
     for number, raw in source.numbered():
@@ -71,7 +76,7 @@ def lines_of(source: Source, module: tree.Module | None = None) -> Iterator[Line
         start += len(raw) + 1
     for line in (module or parse(source.text)).lines:
         number = source.before + line.number
-        yield lengths.get(number) or _line(line, source.text, number)
+        yield lengths.get(number) or _line(line, source.text, number, numbers or {})
 
 
 def _check_length(line: str) -> None:
@@ -81,9 +86,15 @@ def _check_length(line: str) -> None:
             raise too_long(len(sent))
 
 
-def _line(line: tree.Line, text: str, number: int) -> Line:
-    commands = tuple([decoded(each, text[each.start : each.end]) for each in line.commands])
+def _line(line: tree.Line, text: str, number: int, numbers: Mapping[int, float]) -> Line:
+    commands = tuple([_command(each, text, numbers) for each in line.commands])
     return Line(commands, number, text, tuple([each.start for each in line.commands]))
+
+
+def _command(node: tree.Command | tree.Wrong, text: str, numbers: Mapping[int, float]) -> Command:
+    if numbers and isinstance(node, tree.Command) and (at := parameter(node)) in numbers:
+        return decoded(replace(node, argument=numbers[at]), f"{text[node.start : at]}{numbers[at]!r}")
+    return decoded(node, text[node.start : node.end])
 
 
 def locate(source: Source, at: int) -> tuple[int, int, int]:

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.errors import Diagnostic, ProgramError, Rejected
+from motionlang.kernel.lang.dialect import dialect
+from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program, Target
@@ -19,6 +21,7 @@ from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
+from motionlang.kernel.mccl.resolve import literals
 from motionlang.kernel.mccl.resolve.line import Line, lines_of, locate
 from motionlang.kernel.mccl.runtime.board import Board
 from motionlang.kernel.mccl.runtime.debugging import Inspection
@@ -32,21 +35,47 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_graph import StepGraph
 
 
+class Text:
+    """A text, read once for all programs that are made of it."""
+
+    def __init__(self, source: Source) -> None:
+        self.source, self.module = source, parse(source.text)
+
+    @cached_property
+    def literals(self) -> list[Literal]:
+        return literals.literals(self.source, self.module, dialect(MacroFile.language).jumps)
+
+
 class MacroFile(Program):
     """The lines of a file, as a program.
 
-    A command that the board would answer with `?` runs and gets that answer.
+    A command that the board would answer with `?` runs and gets that answer. `values` are in place of parameters, by
+    address, and of registers, by name.
     """
 
     language = "mccl"
 
     def __init__(
-        self, source: Source, settings: Mapping[str, object] | None = None, is_debug: bool = False
+        self,
+        source: Source,
+        settings: Mapping[str, object] | None = None,
+        is_debug: bool = False,
+        values: Mapping[str, float | str] | None = None,
+        text: Text | None = None,
     ) -> None:
         super().__init__(source, settings)
-        self.is_debug = is_debug
-        self._module = parse(source.text)
-        self.lines = list(lines_of(source, self._module))
+        self.is_debug, self.values = is_debug, dict(values or {})
+        self._text = text or Text(source)
+
+    @cached_property
+    def lines(self) -> list[Line | tuple[Fault, int, int]]:
+        """The lines of commands; the fault, offset and number of one that is too long."""
+        numbers = {at: number(name, self.values[name]) for at, name in self.places.literals.items()}
+        return list(lines_of(self.source, self._text.module, numbers))
+
+    @cached_property
+    def places(self) -> Placed:
+        return placed(self, self.values)
 
     @property
     def _whole(self) -> list[Line]:
@@ -55,12 +84,12 @@ class MacroFile(Program):
 
     @property
     def tree(self) -> tree.Module:
-        commands = [each for line in self._module.lines for each in line.commands]
+        commands = [each for line in self._text.module.lines for each in line.commands]
         positions = {self.source.location(each.start) for each in commands if isinstance(each, tree.Wrong)}
         if positions:
             syntax = [each for each in self.errors if (each.line, each.column) in positions]
             raise ProgramError(syntax or self.errors)  # the line may be too long, too
-        return self._module
+        return self._text.module
 
     @cached_property
     def errors(self) -> list[Diagnostic]:
@@ -70,13 +99,18 @@ class MacroFile(Program):
         return sorted(found, key=lambda each: (each.line, each.column))
 
     def require(self) -> None:
-        """Do nothing: the board answers wrong commands."""
+        """Raise ProgramError for wrong addresses of values; the board answers wrong commands."""
+        self.places  # noqa: B018 - it raises the error
 
     @cached_property
     def names(self) -> Names:
         from motionlang.kernel.mccl.resolve.definitions import names
 
         return names(self.source, self.lines, self.settings)
+
+    @property
+    def literals(self) -> list[Literal]:
+        return self._text.literals
 
     @cached_property
     def target(self) -> Target:
@@ -138,6 +172,12 @@ class MacroFile(Program):
         first = self.lines[0] if self.lines else None
         return first is not None and not (isinstance(first, Line) and first.commands[0].row is not None)
 
+    def on(self, settings: Mapping[str, object]) -> MacroFile:
+        return MacroFile(self.source, settings, self.is_debug, self.values, self._text)
+
+    def with_values(self, values: Mapping[str, float | str]) -> MacroFile:
+        return MacroFile(self.source, self.settings, self.is_debug, values, self._text)
+
     def start(self, machine: Machine) -> FileTask:
         """Return the foreground task.
 
@@ -149,15 +189,18 @@ class MacroFile(Program):
             diagnostic.line, diagnostic.column, diagnostic.length = span
             machine.complain(diagnostic)
 
+        program = (
+            self if machine.overrides.items() <= self.values.items() else self.with_values(machine.overrides)
+        )
         machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)
         if self.is_debug:
             board.hook = machine.hook
             assert board.hook is not None, "a debug build needs a machine with a hook"
-        task = FileTask(self, board)
+        task = FileTask(program, board)
         if board.hook is not None:
             board.hook.inspection = Inspection(board, task)
-        task.override(machine.overrides)
+        task.override({name: program.values[name] for name in program.places.names})
         return task
 
 

@@ -20,7 +20,7 @@ def _number(b: Body, node: nodes.Number) -> Value:
     if known in (inf, -inf):
         b.problem("overflow", "the number is too large", node)
         return NOTHING
-    if type(known) is int and INT_HIGH < known < 1 << 32 and b.program.problems.is_pattern(node.start):
+    if type(known) is int and INT_HIGH < known < 1 << 32 and b.program.problems.is_pattern(node):
         known -= 1 << 32  # a 32-bit pattern is an Integer, even if its highest bit is set
     return literal(known)
 

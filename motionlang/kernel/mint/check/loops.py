@@ -6,7 +6,7 @@ from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import NUMERIC, Symbol
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import walk
+from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 
 def count(b: Body, node: nodes.For) -> None:
@@ -20,9 +20,27 @@ def count(b: Body, node: nodes.For) -> None:
     location(b, node.variable)
     b.number(node.first)
     b.number(node.stop)
-    if node.step is not None and b.number(node.step).const == 0 and not _may_end(node, symbol):
+    if node.step is not None and _may_be_0(b, node.step) and not _may_end(node, symbol):
         b.problem("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
     _body(b, "for", node.body)
+
+
+def _may_be_0(b: Body, step: nodes.Expr) -> bool:
+    """True if a step is 0, or if its value is only known when the program starts."""
+    known = b.number(step).const
+    return known == 0 or (known is None and _is_known_at_start(step))
+
+
+def _is_known_at_start(node: nodes.Expr) -> bool:
+    match meant(node):
+        case nodes.Given():
+            return True
+        case nodes.Cast(value=value) | nodes.Unary(operand=value):
+            return _is_known_at_start(value)
+        case nodes.Binary(left=left, right=right):
+            return _is_known_at_start(left) and _is_known_at_start(right)
+        case other:
+            return other.const is not None
 
 
 def _may_end(node: nodes.For, symbol: Symbol) -> bool:

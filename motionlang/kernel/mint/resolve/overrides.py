@@ -1,4 +1,4 @@
-"""`--set NAME=VALUE`: replace a constant, or the first value of a variable."""
+"""`--set NAME=VALUE`: replace a constant, the first value of a variable, or a literal."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import walk
+from motionlang.kernel.mint.syntax.traversal import replace, walk
 from motionlang.kernel.tools import nearest
 
 
@@ -28,6 +28,24 @@ def override(
     missing = [name for name in (*overrides, *(given or ())) if name.lower() not in done]
     if missing:
         raise ProgramError([_unknown(name, names) for name in missing])
+
+
+def override_literals(module: nodes.Module, values: Mapping[int, float | str]) -> None:
+    """Put numbers into the tree in place of the literals at some offsets.
+
+    A text is the name of a number that the program receives when it starts.
+    """
+
+    def change(node: object) -> object:
+        is_number = type(node) is nodes.Number or (
+            type(node) is nodes.Unary and type(node.operand) is nodes.Number
+        )
+        if not is_number or node.start not in values:  # type: ignore[attr-defined]
+            return node
+        at, value = (node.start, node.end), values[node.start]  # type: ignore[attr-defined]
+        return nodes.Given(*at, value, False) if isinstance(value, str) else nodes.Number(*at, value)
+
+    replace(module.everything, change)
 
 
 def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:

@@ -8,7 +8,8 @@ from functools import cached_property
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.mint.models import V4_SUFFIX
-from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.build import number
+from motionlang.kernel.mint.syntax.nodes import Module, Number
 from motionlang.kernel.mint.syntax.tokens import token_at, value_length
 from motionlang.kernel.mint.syntax.traversal import names_of
 from motionlang.kernel.tools import differ_little, nearest
@@ -120,9 +121,10 @@ class Problems:
         found = [each for key, each in self.found.items() if key in self.in_run]
         return sorted(found, key=lambda each: (each.line, each.column))
 
-    def is_pattern(self, at: int) -> bool:
-        """True if the number at an offset is written in hexadecimal or binary."""
-        return self.text(at)[1:2] in ("x", "X", "b", "B")
+    def is_pattern(self, node: Number) -> bool:
+        """True if a number is written in hexadecimal or binary, and not in place of one that is."""
+        text = self.text(node.start)
+        return text[1:2] in ("x", "X", "b", "B") and number(text) == node.value
 
     def text(self, at: int) -> str:
         """Return the text of the token at an offset, "" if the program has none."""

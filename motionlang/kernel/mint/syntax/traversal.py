@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from motionlang.kernel.mint.syntax import nodes
@@ -51,6 +51,17 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
                 stack.append(value)
 
 
+def replace(start: Iterable[object], change: Callable[[object], object]) -> None:
+    """Put `change(node)` in place of each node below `start`; for most it returns the node itself."""
+    for node in walk(start):
+        for slot in _CHILDREN[node.__class__]:
+            value = getattr(node, slot)
+            if value.__class__ is list:
+                value[:] = map(change, value)
+            else:
+                setattr(node, slot, change(value))
+
+
 def by_kind(start: Iterable[object]) -> dict[type, list[Any]]:
     """Return the nodes that `walk` yields by class, without literals.
 
@@ -92,15 +103,33 @@ def is_stop(node: nodes.Node) -> bool:
 
 
 def copied(node: object) -> object:
-    """Return a copy of a tree, with the same positions."""
+    """Return a copy of a tree, with the same positions; what a check has added is not copied."""
+    waiting: list[object] = []
+    found = _copy(node, waiting)
+    while waiting:
+        made = waiting.pop()
+        if made.__class__ is list:
+            made[:] = [_copy(each, waiting) for each in made]
+        else:
+            for slot in _CHILDREN[made.__class__]:
+                setattr(made, slot, _copy(getattr(made, slot), waiting))
+    return found
+
+
+def _copy(node: object, waiting: list[object]) -> object:
+    """Return a copy of a node or list with the same children, which is then among those that are waiting for theirs."""
     if node.__class__ is list:
-        return [copied(each) for each in node]
-    if node.__class__ not in _CHILDREN:
+        made: object = list(node)
+    elif node.__class__ in _CHILDREN:
+        made = node.__class__.__new__(node.__class__)
+        made.start, made.end = node.start, node.end  # type: ignore[attr-defined]
+        for slot in node.__class__.__slots__:  # type: ignore[attr-defined]
+            setattr(made, slot, getattr(node, slot))
+        if isinstance(node, For) and isinstance(made, For):
+            made.last_name = node.last_name  # it is no part of the content
+    else:
         return node
-    made = node.__class__.__new__(node.__class__)
-    made.start, made.end = node.start, node.end  # type: ignore[attr-defined]
-    for slot in node.__class__.__slots__:  # type: ignore[attr-defined]
-        setattr(made, slot, copied(getattr(node, slot)))
+    waiting.append(made)
     return made
 
 
