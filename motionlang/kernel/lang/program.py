@@ -34,8 +34,9 @@ class Target:
 class Program:
     """A text, made once by `Dialect.program`; what it says is worked out once, when it is asked for.
 
-    Any text has its `errors`, `names` and `layout`. `tree`, `target`, `blocks` and `reads` raise ProgramError for a
-    text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program with any error.
+    Any text has its `errors`, `problems`, `names` and `layout`. `tree`, `target`, `blocks` and `reads` raise
+    ProgramError for a text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program
+    with any error.
     """
 
     # The name of its language.
@@ -52,6 +53,11 @@ class Program:
     @property
     def errors(self) -> Sequence[Diagnostic]:
         """All errors, in text order."""
+        raise NotImplementedError
+
+    @property
+    def problems(self) -> Sequence[Diagnostic]:
+        """The errors, and the warnings that come with them or that need no linter."""
         raise NotImplementedError
 
     def require(self) -> None:
