@@ -45,8 +45,8 @@ HOMES: dict[str, tuple[str, ...]] = {
 WHOLE_SUMS = {
     "kernel/controller/feedback.py",
     "lab/pvt/drive/node.py",
-    "commands/check/mint/brackets.py",
-    "commands/check/mint/buffer.py",
+    "commands/check/rules/mixed_operators.py",
+    "commands/check/rules/never_started.py",
     "kernel/mint/runtime/environment.py",
     "views/table.py",
 }

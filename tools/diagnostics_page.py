@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.commands.check.silence import WARNINGS
-from motionlang.commands.help.codes import listing
-from motionlang.commands.help.explanations import EXAMPLES, FIXES
+from motionlang.commands.check.rules import RULES
+from motionlang.commands.help.codes import examples, fix, listing
 from motionlang.kernel.errors import CODES
 
 PAGE = Path(__file__).parents[1] / "docs" / "diagnostics.md"
@@ -24,13 +23,12 @@ def written() -> str:
 
 
 def _section(code: str) -> str:
-    link = f" [More](lint.md#{code})" if code in WARNINGS and code not in ("unknown-word",) else ""
+    link = f" [More](lint.md#{code})" if code in RULES else ""
     sections = [f"## {code}\n\n{CODES[code]}{link}\n"]
-    for title, example in zip(("With it", "Without it"), EXAMPLES.get(code, ()), strict=False):
-        sections.append(
-            f"\n{title}:\n\n```text\n" + "".join(f"{line}\n" for line in listing(example)) + "```\n"
-        )
-    return "".join([*sections, f"\nFix: {FIXES[code]}.\n"])
+    for title, example in examples(code):
+        text = "".join(f"{line}\n" for line in listing(example))
+        sections.append(f"\n{title[:1].upper()}{title[1:]}:\n\n```text\n{text}```\n")
+    return "".join([*sections, f"\nFix: {fix(code)}.\n"])
 
 
 def files() -> dict[Path, str]:

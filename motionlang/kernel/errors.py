@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-# The codes of diagnostics and their meanings. `commands/help/explanations.py` has an example and a fix for each.
+# The codes of diagnostics and their meanings. The rules of the linter (`commands/check/rules/`) have the examples and
+# the fix of each of their codes, `commands/help/explanations.py` those of the others.
 CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
     "language": "The file is written in the other language.",

@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.check import check
-from motionlang.commands.check.silence import WARNINGS
-from motionlang.kernel import CODES, Source, dialect_of, read_machine
+from motionlang.kernel import Source, dialect_of, read_machine
 from motionlang.views.diagnostics import render
 
 HERE = Path(__file__).parent
@@ -41,19 +40,3 @@ def test_the_diagnostics(path: Path, golden: Callable[[Path, str], None]) -> Non
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
 def test_no_program_of_the_gallery_gives_an_alarm(path: Path) -> None:
     assert diagnostics_of(path) == ""
-
-
-def test_every_warning_is_shown_by_a_program() -> None:
-    texts = "".join(path.with_suffix(".txt").read_text(encoding="utf-8") for path in PROGRAMS)
-    assert {code for code in WARNINGS if f"warning[{code}]" not in texts} == set()
-
-
-def test_every_warning_has_its_sentence() -> None:
-    assert set(WARNINGS) <= set(CODES)
-
-
-def test_every_warning_has_its_paragraph() -> None:
-    page = (HERE.parents[1] / "docs" / "lint.md").read_text(encoding="utf-8")
-    rows = [line.split("|")[1:3] for line in page.split("\n") if line.startswith("| `")]
-    assert {code.strip(" `"): languages.strip() for code, languages in rows} == WARNINGS
-    assert [code for code in WARNINGS if f"\n### {code}\n" not in page] == []

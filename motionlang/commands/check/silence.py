@@ -1,4 +1,4 @@
-"""Common code of the linters: their warnings, and comments that silence them.
+"""Comments that silence warnings, or that name a host.
 
 `lint: ignore` in a comment silences every warning of its line, `lint: ignore code, code` the listed ones. A
 comment on its own line applies to the line below it. Errors cannot be silenced.
@@ -7,83 +7,41 @@ comment on its own line applies to the line below it. Errors cannot be silenced.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
+from motionlang.commands.check.rules import RULES
 from motionlang.kernel import CODES, Diagnostic, Source
+from motionlang.kernel.mccl import COMMENT
 from motionlang.kernel.tools import nearest
 
-# Every warning of a linter, with the languages it applies to; `docs/lint.md` has a paragraph for each.
-WARNINGS: dict[str, str] = {
-    "never-started": "Mint",
-    "nothing-loaded": "Mint, MCCL",
-    "in-motion": "Mint",
-    "exact-position": "Mint, MCCL",
-    "scale-in-motion": "Mint",
-    "scale-after-speed": "Mint",
-    "time-before-speed": "Mint",
-    "short-ramp": "Mint",
-    "unused-setting": "Mint",
-    "blend-distance": "Mint",
-    "zero-speed": "Mint",
-    "zero-acceleration": "Mint",
-    "never-waits": "Mint, MCCL",
-    "buffer-overfilled": "Mint",
-    "beyond-travel": "Mint",
-    "two-tasks": "Mint",
-    "endless-wait": "Mint, MCCL",
-    "wait-condition": "Mint",
-    "endless-loop": "Mint, MCCL",
-    "busy-loop": "Mint",
-    "constant-condition": "Mint",
-    "mixed-operators": "Mint",
-    "unreachable": "Mint, MCCL",
-    "unused-label": "Mint",
-    "unused-variable": "Mint",
-    "no-value": "Mint",
-    "unused-sub": "Mint",
-    "unused-task": "Mint",
-    "no-connection": "Mint",
-    "not-simulated": "Mint, MCCL",
-    "wrong-channel": "MCCL",
-    "motor-off": "MCCL",
-    "nothing-to-wait-for": "MCCL",
-    "still-running": "MCCL",
-    "unknown-word": "MCCL",
-    "silenced": "Mint, MCCL",
+# A line up to the beginning of a comment, which is group 1. An apostrophe inside a string of Mint begins none.
+_COMMENTS = {
+    "mint": re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE),
+    "mccl": COMMENT,
 }
 _HOST = re.compile(r"lint:\s*host\b", re.IGNORECASE)
 _IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
 
 
-def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
-    """Return the digital inputs driven by a machine file; None without a file.
-
-    Without a file every input may change.
-    """
-    if all(key.startswith(("controller.", "run.")) for key in settings):
-        return None
-    found: set[int] = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
-    return found | {value for key, value in settings.items() if key.endswith("_input")}  # type: ignore[misc]
-
-
-def has_host(source: Source, comment: re.Pattern[str]) -> bool:
-    """True if a comment has `lint: host`.
+def has_host(source: Source) -> bool:
+    """True if a comment of a Mint program has `lint: host`.
 
     A host then reads and writes the global variables of the program.
     """
     if "lint:" not in source.text.lower():
         return False
-    found = ((line, comment.search(line)) for line in source.text.split("\n") if "lint:" in line.lower())
+    found = (
+        (line, _COMMENTS["mint"].search(line)) for line in source.text.split("\n") if "lint:" in line.lower()
+    )
     return any(begin is not None and _HOST.search(line, begin.end()) for line, begin in found)
 
 
-def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:
+def silence(source: Source, found: Iterable[Diagnostic], language: str) -> list[Diagnostic]:
     """Return the diagnostics without those that a comment silences.
 
-    A comment with an unknown code adds a diagnostic. `comment` matches a line up to the beginning of a
-    comment of the language; the comment is its group 1.
+    A comment with an unknown code adds a diagnostic.
     """
-    found = list(found)
+    found, comment = list(found), _COMMENTS[language]
     if "lint:" not in source.text.lower():
         return found
     ignored: dict[int, set[str]] = {}
@@ -95,7 +53,7 @@ def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str
         if begin is None or match is None:
             continue
         codes = {code for code in re.split(r"[\s,]+", match[1].strip().lower()) if code}
-        found += [_unknown(code, number, match.start(1) + 1) for code in sorted(codes - WARNINGS.keys())]
+        found += [_unknown(code, number, match.start(1) + 1) for code in sorted(codes - RULES.keys())]
         below = not line[: begin.start(1)].strip()
         ignored.setdefault(number + below, set()).update(codes or {""})
     return [each for each in found if not _is_ignored(each, ignored.get(each.line, set()))]
@@ -106,7 +64,7 @@ def _is_ignored(diagnostic: Diagnostic, codes: set[str]) -> bool:
 
 
 def _unknown(code: str, line: int, column: int) -> Diagnostic:
-    near = nearest(code, WARNINGS)
+    near = nearest(code, RULES)
     hint = f"did you mean {near}?" if near else "docs/lint.md lists all warnings"
     message = f"there is no warning {code}"
     if code in CODES:

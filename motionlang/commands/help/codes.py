@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from motionlang.commands.help.explanations import EXAMPLES, FIXES, MCCL, MINT, Example
-from motionlang.kernel import CODES
+from motionlang.commands.help.explanations import EXAMPLES, FIXES, MACHINE, MCCL, MINT, Example
+from motionlang.kernel import CODES, dialect
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.rule import Rule
 
 WIDTH = 80
 
@@ -18,10 +23,37 @@ def codes() -> str:
 def explanation(code: str) -> str:
     """Return the text about a code of `CODES`."""
     lines = [code, "", *_wrapped(CODES[code])]
-    for title, example in zip(("with it", "without it"), EXAMPLES.get(code, ()), strict=False):
+    for title, example in examples(code):
         lines += ["", f"  {title}", *(f"    {line}" for line in listing(example))]
-    lines += ["", *_wrapped(f"Fix: {FIXES[code]}.")]
+    lines += ["", *_wrapped(f"Fix: {fix(code)}.")]
     return "\n".join(lines) + "\n"
+
+
+def examples(code: str) -> Iterator[tuple[str, Example]]:
+    """Yield the examples with and without a code, each with its title, which names the language if there are two."""
+    rule = _rule(code)
+    if rule is None:
+        yield from zip(("with it", "without it"), EXAMPLES.get(code, ()), strict=False)
+        return
+    for language, case in rule.cases.items():
+        title = f", in {dialect(language).title}" if len(rule.cases) > 1 else ""
+        name = {"mint": MINT, "mccl": MCCL}[language]
+        machine = {MACHINE: case.machine} if case.machine else {}
+        yield f"with it{title}", Example({name: case.wrong, **machine}, f"check {name}")
+        yield f"without it{title}", Example({name: case.right, **machine}, f"check {name}")
+
+
+def fix(code: str) -> str:
+    """Return what to do about a code."""
+    rule = _rule(code)
+    return FIXES[code] if rule is None else rule.fix
+
+
+def _rule(code: str) -> Rule | None:
+    # Here, since help about keywords needs no rules.
+    from motionlang.commands.check.rules import RULES
+
+    return RULES.get(code)
 
 
 def listing(example: Example) -> list[str]:

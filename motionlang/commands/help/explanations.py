@@ -1,4 +1,4 @@
-"""Examples and fixes of all diagnostics, for `help` and docs/diagnostics.md.
+"""Examples and fixes of the diagnostics that no rule of the linter has, for `help` and docs/diagnostics.md.
 
 A test runs both commands of each example: the first produces the diagnostic, the second does not.
 """
@@ -22,13 +22,9 @@ class Example:
 Pair = tuple[Example, Example]
 
 
-def _checked(wrong: str, right: str, machine: str = "") -> Pair:
-    """Two programs in Mint for `check`, with the same machine file."""
-    return _programs("check", MINT, wrong, right, machine)
-
-
-def _checked_mccl(wrong: str, right: str) -> Pair:
-    return _programs("check", MCCL, wrong, right, "")
+def _checked(wrong: str, right: str) -> Pair:
+    """Two programs in Mint for `check`."""
+    return _programs("check", MINT, wrong, right, "")
 
 
 def _run(wrong: str, right: str, machine: str = "") -> Pair:
@@ -67,23 +63,14 @@ EXAMPLES: dict[str, Pair] = {
     "missing-end": _checked("If INX(1) Then\n  OUTX(1) = 1\n", "If INX(1) Then\n  OUTX(1) = 1\nEnd If\n"),
     "stray-end": _checked("OUTX(1) = 1\nEnd If\n", "OUTX(1) = 1\n"),
     "answers": _commands({"answers.txt": "hello\n"}, "probe --answers answers.txt", "probe POS"),
-    "unknown-word": _checked("SPED(0) = 100\n" + _MOVE, "SPEED(0) = 100\n" + _MOVE),
-    "not-simulated": _checked("ABSENCODERTURNS(0) = 4\n" + _MOVE, _MOVE),
-    "values": _checked(
-        "SPEED(0) = 10, 20\n" + _MOVE, "SPEED(0, 1) = 10, 20\nMOVER(0, 1) = 5, 5 : GO(0, 1)\n"
-    ),
     "read-only": _checked("IDLE(0) = 1\n", "PAUSE IDLE(0)\n"),
     "write-only": _checked("PRINT MOVER(0)\n", "PRINT POSREMAINING(0)\n"),
     "not-a-command": _checked("SPEED(0)\n" + _MOVE, "PRINT SPEED(0)\n" + _MOVE),
     "type": _checked('Dim n As Integer\nn = "five"\nPRINT n\n', "Dim n As Integer\nn = 5\nPRINT n\n"),
     "duplicate": _checked("Dim part = 1\nDim part = 2\nPRINT part\n", "Dim part = 1\npart = 2\nPRINT part\n"),
-    "range": _checked("SPEED(0) = -5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
     "axis": _checked("SPEED(40) = 5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
     "channel": _run("OUTX(1000) = 1\n", "OUTX(1) = 1\n"),
     "output": _run("COMPAREENABLE(3) = 1\n", "COMPAREOUTPUT(0) = 3\nCOMPAREENABLE(3) = 1\n"),
-    "no-connection": _run(
-        "PRINT MODBUSTCP16(5, 6)\n", "PRINT MODBUSTCP16(4, 6)\n", "[[modbus.server]]\nid = 4\n"
-    ),
     "terminal": _run("PRINT #0, 1\n", "PRINT #1, 1\n"),
     "one-terminal": _run(
         "Dim n\nTERMINAL = 3\nINPUT n\nPRINT n\n",
@@ -111,12 +98,6 @@ EXAMPLES: dict[str, Pair] = {
         "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nMOVER(0) = -1 : GO(0)\n",
         "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nCANCEL(0)\nMOVER(0) = -1 : GO(0)\n",
     ),
-    "blend-distance": _checked(
-        "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 6\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\n",
-        "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\n",
-    ),
-    "zero-speed": _checked("SPEED(0) = 0\n" + _MOVE, "SPEED(0) = 10\n" + _MOVE),
-    "zero-acceleration": _checked("ACCEL(0) = 0\n" + _MOVE, "ACCEL(0) = 100\n" + _MOVE),
     "moving": _run_mccl("1MN,1MR1000\n1CM1\n", "1MN,1MR1000,1WS\n1CM1\n"),
     "contour-and-blend": _run(
         "CONTOURMODE(0) = 1\nBLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
@@ -195,84 +176,6 @@ EXAMPLES: dict[str, Pair] = {
         f"check {MINT} --model mintmt",
         "check new.mnt --model mintmt",
     ),
-    "never-started": _checked("MOVER(0) = 5\n", "MOVER(0) = 5\nGO(0)\n"),
-    "in-motion": _checked(
-        "MOVER(0) = 5 : GO(0)\nPRINT POS(0)\n",
-        "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n",
-    ),
-    "scale-in-motion": _checked(
-        "MOVER(0) = 5 : GO(0)\nSCALE(0) = 2\n", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nSCALE(0) = 2\n"
-    ),
-    "scale-after-speed": _checked(
-        "SPEED(0) = 250\nSCALE(0) = 1200\n" + _MOVE, "SCALE(0) = 1200\nSPEED(0) = 250\n" + _MOVE
-    ),
-    "time-before-speed": _checked(
-        "ACCELTIME(0) = 100\nSPEED(0) = 50\n" + _MOVE, "SPEED(0) = 50\nACCELTIME(0) = 100\n" + _MOVE
-    ),
-    "short-ramp": _checked(
-        "SPEED(0) = 50\nACCELTIME(0) = 0.2\n" + _MOVE, "SPEED(0) = 50\nACCELTIME(0) = 200\n" + _MOVE
-    ),
-    "unused-setting": _checked("SPEED(0) = 100\n", "SPEED(0) = 100\n" + _MOVE),
-    "nothing-loaded": _checked("GO(0)\nPAUSE IDLE(0)\n", _MOVE),
-    "exact-position": _checked(
-        "MOVER(0) = 200 : GO(0)\nPAUSE POS(0) = 100\nOUT(1) = 1\n",
-        "MOVER(0) = 200 : GO(0)\nPAUSE POS(0) >= 100\nOUT(1) = 1\n",
-    ),
-    "wait-condition": _checked("MOVER(0) = 5 : GO(0)\nWAIT IDLE(0)\n", _MOVE),
-    "busy-loop": _checked(
-        "Dim n\nLoop\n  n = n + 1\n  PRINT n\nEnd Loop\n",
-        "Dim n\nLoop\n  n = n + 1\n  PRINT n\n  WAIT = 10\nEnd Loop\n",
-    ),
-    "buffer-overfilled": _checked(
-        "MOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",
-        "MOVEBUFFERSIZE(0) = 3\nMOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",
-    ),
-    "beyond-travel": _checked(
-        "MOVEA(0) = 500 : GO(0)\n", "MOVEA(0) = 300 : GO(0)\n", "[axis.0]\ntravel = [0, 400]\n"
-    ),
-    "two-tasks": _checked(
-        "Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(0) = 9 : GO(0)\nEnd Task\n",
-        "Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(1) = 9 : GO(1)\nEnd Task\n",
-    ),
-    "endless-wait": _checked(
-        "JOG(0) = 5\nPAUSE IDLE(0)\n", "JOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\n"
-    ),
-    "endless-loop": _checked(
-        "Dim n\nWhile n < 5\n  OUTX(1) = 1\nEnd While\n",
-        "Dim n\nWhile n < 5\n  OUTX(1) = 1\n  n = n + 1\nEnd While\n",
-    ),
-    "constant-condition": _checked(
-        "Dim n = INX(1)\nIf n = 1 Or 2 Then OUTX(1) = 1\n",
-        "Dim n = INX(1)\nIf n = 1 Or n = 2 Then OUTX(1) = 1\n",
-    ),
-    "mixed-operators": _checked(
-        "If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n", "If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n"
-    ),
-    "unreachable": _checked("End\nPRINT 1\n", "PRINT 1\nEnd\n"),
-    "unused-label": _checked("#again\nPRINT 1\n", "PRINT 1\n"),
-    "unused-variable": _checked("Dim part = 1\n", "Dim part = 1\nPRINT part\n"),
-    "no-value": _checked("Dim part\nPRINT part\n", "Dim part = 1\nPRINT part\n"),
-    "never-waits": _checked(
-        "Dim k\nFor k = 1 To 50\n  JOG(0) = k\nNext\nJOG(0) = 0\n",
-        "Dim k\nFor k = 1 To 50\n  JOG(0) = k\n  WAIT = 10\nNext\nJOG(0) = 0\n",
-    ),
-    "wrong-channel": _checked_mccl("CN1\n", "CT1,CN1\n"),
-    "unused-sub": _checked(
-        "Sub Feed()\n  OUTX(1) = 1\nEnd Sub\n", "Feed\nSub Feed()\n  OUTX(1) = 1\nEnd Sub\n"
-    ),
-    "unused-task": _checked(
-        "Task Feed\n  OUTX(1) = 1\nEnd Task\n", "Run Feed\nTask Feed\n  OUTX(1) = 1\nEnd Task\n"
-    ),
-    "motor-off": _checked_mccl("1MR100\n", "1MN,1MR100\n"),
-    "nothing-to-wait-for": _checked_mccl("1MN\n1WS\n", "1MN,1MR100\n1WS\n"),
-    "still-running": _checked_mccl("1MN,1VM,1GO\n1WS\n", "1MN,1VM,1GO\n1ST,1WS\n"),
-    "else-if": _checked(
-        "Dim n = INX(1)\nIf n = 1 Then\n  OUTX(1) = 1\nElse If n = 2 Then OUTX(2) = 1\n  OUTX(3) = 1\nEnd If\n",
-        "Dim n = INX(1)\nIf n = 1 Then\n  OUTX(1) = 1\nElseIf n = 2 Then\n  OUTX(2) = 1\n  OUTX(3) = 1\nEnd If\n",
-    ),
-    "silenced": _checked(
-        "PRINT 1 ' lint: ignore unused-varable\n", "PRINT 1 ' lint: ignore unused-variable\n"
-    ),
 }
 
 # By code: what to do about it.
@@ -283,20 +186,14 @@ FIXES: dict[str, str] = {
     "missing-end": "close the block with the End, Next or Until that the hint names",
     "answers": "pass the text that the probe program printed on the controller, from its first line to its last",
     "stray-end": "delete the line, or open the block before it",
-    "unknown-word": "write the keyword that the hint names, or declare a variable with Dim; motionlang help TEXT "
-    "searches keywords by what they do, and [mint.words] of the machine file names those of an older Mint",
-    "not-simulated": "remove the keyword for a run, or give its value in [mint.values] of the machine file",
-    "values": "give as many axes, arguments or values as motionlang help WORD shows",
     "read-only": "read the keyword instead of writing it",
     "write-only": "read another keyword; motionlang help WORD names related ones",
     "not-a-command": "write the value with =, or read it in an expression",
     "type": "convert the value, or declare the variable with the type of the value",
     "duplicate": "rename one of the two, or assign to the one that exists",
-    "range": "choose a value within the range that the hint names",
     "axis": "use an axis of this controller; controller.axes of the machine file sets their number",
     "channel": "use a channel of this controller; the hint names the range",
     "output": "assign the output to the keyword first",
-    "no-connection": "add the node or server to the machine file, or correct its number",
     "terminal": "use a terminal that exists; the hint lists them",
     "one-terminal": "choose one terminal with TERMINAL before INPUT",
     "index": "keep the subscript within the bounds of its Dim",
@@ -308,9 +205,6 @@ FIXES: dict[str, str] = {
     "enable-input": "wait for the input before you enable the drive",
     "brake": "release the brake before the move",
     "axis-error": "clear the error with CANCEL or RESET before the next move",
-    "blend-distance": "set BLENDDISTANCE to at most half of the shorter path",
-    "zero-speed": "set SPEED above zero before GO",
-    "zero-acceleration": "set ACCEL and DECEL above zero before GO",
     "moving": "wait for standstill, or stop the axis first",
     "contour-and-blend": "choose either CONTOURMODE or BLENDMODE",
     "stopping": "wait for standstill with PAUSE IDLE before the next move",
@@ -348,35 +242,4 @@ FIXES: dict[str, str] = {
     "command-error": "bring the axis into the state that the hint names before the command, such as 1PM for position "
     "mode or 1MN to switch it on",
     "model": "write it in the notation of the model, or choose another model; --fix converts Mint v4",
-    "never-started": "write GO after the move",
-    "in-motion": "wait for the end of the move with PAUSE IDLE before you use the position",
-    "scale-in-motion": "change the scale while the axis is at rest",
-    "scale-after-speed": "set the scale first",
-    "time-before-speed": "set SPEED first",
-    "short-ramp": "write the time in milliseconds, or the rate in user units/s²",
-    "unused-setting": "remove the setting, or move it in front of the motion that needs it",
-    "nothing-loaded": "load a move first, or remove the GO",
-    "exact-position": "compare with >= or <=, or wait for the end of the move",
-    "wait-condition": "write PAUSE instead of WAIT; check --fix does",
-    "busy-loop": "add a WAIT, a PAUSE or an Exit to the loop",
-    "buffer-overfilled": "write GO sooner, or increase MOVEBUFFERSIZE",
-    "beyond-travel": "move less far, or correct the travel in the machine file",
-    "two-tasks": "let one task command the axis, or use a Semaphore",
-    "endless-wait": "wait for something that changes, or stop the axis first",
-    "endless-loop": "change the condition in the loop, or leave it with Exit",
-    "constant-condition": "compare each value, as in n = 1 Or n = 2",
-    "mixed-operators": "add brackets",
-    "unreachable": "remove the statement, or the one before it that never continues",
-    "unused-label": "remove the label",
-    "unused-variable": "remove the variable, or correct the name where it is meant",
-    "no-value": "assign a value first, or correct the name",
-    "never-waits": "wait for each move, or let time pass in the loop",
-    "wrong-channel": "make the channel an output with CT first",
-    "unused-sub": "call the sub, or remove it",
-    "unused-task": "start the task with Run, or remove it",
-    "motor-off": "switch the motor on with MN",
-    "nothing-to-wait-for": "move the axis before you wait for it",
-    "still-running": "stop the axis with ST before you wait for it",
-    "else-if": "write ElseIf, or Else on a line of its own",
-    "silenced": "write a code that check shows in brackets, as in lint: ignore unused-variable",
 }

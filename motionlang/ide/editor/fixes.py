@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from motionlang.commands.check.silence import WARNINGS
+from motionlang.commands.check.rules import RULES
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang import Span
@@ -59,8 +59,10 @@ def silencing(page: Page, diagnostic: Diagnostic) -> Edit | None:
 
     A line that continues on the next one cannot have a comment.
     """
-    titles = WARNINGS.get(diagnostic.code, "")
-    if diagnostic.severity != "warning" or page.language.title not in titles or diagnostic.code == "silenced":
+    rule = RULES.get(diagnostic.code)
+    if diagnostic.severity != "warning" or rule is None or page.language.name not in rule.cases:
+        return None
+    if diagnostic.code == "silenced":
         return None
     start, end = page.line_of(page.offset(diagnostic.line, 1))
     line = page.text[start:end]

@@ -38,9 +38,9 @@ class Program:
     A program made of another one by `on`, `with_values` or `for_values` shares its text, which is not read again. The
     `values` of a program are in place of its own numbers and texts, by name or address.
 
-    Any text has its `errors`, `names`, `layout` and `literals`. `tree`, `target`, `blocks` and `reads` raise
-    ProgramError for a text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a program
-    with any error.
+    Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target`, `blocks` and `reads`
+    raise ProgramError for a text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a
+    program with any error.
     """
 
     # The name of its language.
@@ -58,6 +58,11 @@ class Program:
     @property
     def errors(self) -> Sequence[Diagnostic]:
         """All errors, in text order."""
+        raise NotImplementedError
+
+    @property
+    def problems(self) -> Sequence[Diagnostic]:
+        """The errors, and the warnings that come with them or that need no linter."""
         raise NotImplementedError
 
     def require(self) -> None:

@@ -173,6 +173,11 @@ class MintProgram(Program):
         found = [each for each in self.mistakes if each.severity == "error"]
         return sorted(found, key=lambda each: (each.line, each.column, each.code, each.message))
 
+    @property
+    def problems(self) -> list[Diagnostic]:
+        found = self.mistakes or list(self.checked.problems.found.values())
+        return [*found, *self.notes_on_model]
+
     @cached_property
     def notes_on_model(self) -> list[Diagnostic]:
         """Notation and keywords that the configured controller model does not accept."""

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 import motionlang
+from motionlang.commands.check.rules import RULES
+from motionlang.commands.help.codes import fix
 from motionlang.commands.help.explanations import EXAMPLES, FIXES, Example
 from motionlang.kernel import CODES
 from tests.cli.programs import Cell
@@ -51,10 +53,11 @@ def test_an_example_has_its_diagnostic_and_its_fix_none(
         assert codes(cell, right) == set()
 
 
-def test_every_code_has_a_fix_and_an_example_or_a_reason() -> None:
-    assert FIXES.keys() == CODES.keys()
+def test_every_code_is_that_of_a_rule_or_has_a_fix_and_an_example_or_a_reason() -> None:
+    assert not FIXES.keys() & RULES.keys()
+    assert FIXES.keys() | RULES.keys() == CODES.keys()
     assert not EXAMPLES.keys() & WITHOUT_EXAMPLE.keys()
-    assert EXAMPLES.keys() | WITHOUT_EXAMPLE.keys() == CODES.keys()
+    assert EXAMPLES.keys() | WITHOUT_EXAMPLE.keys() == FIXES.keys()
 
 
 def test_every_code_that_is_raised_exists() -> None:
@@ -68,7 +71,7 @@ def test_every_code_that_is_raised_exists() -> None:
 def test_every_code_is_explained_in_80_columns(code: str, cell: Cell) -> None:
     shown = cell("help", f"error[{code}]").out
     assert shown.startswith(f"{code}\n\n  ")
-    assert f"Fix: {FIXES[code].split()[0]}" in shown
+    assert f"Fix: {fix(code).split()[0]}" in shown
     assert max(map(len, shown.splitlines())) <= 80
 
 

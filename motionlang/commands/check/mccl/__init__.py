@@ -1,1 +1,1 @@
-"""Static checks of MCCL programs."""
+"""The facts about files in MCCL, and what several rules ask of them."""

@@ -1,71 +1,59 @@
-"""Check for lines that repeat for ever without a wait.
-
-Such a line cuts short the motion that it starts, or blocks the controller.
-"""
+"""Lines that repeat forever without a wait, for the rules about them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.kernel.mccl import Command, Fault, Line
-from motionlang.kernel.mccl.resolve.flow import Flow
+from motionlang.commands.check.mccl.verbs import POSITIONING
 
-Add = Callable[[int, Fault], None]
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.kernel.mccl import Command, Line
 
-_MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
-# Commands that jump, leave the line or skip commands, and those that take time.
+# Verbs of commands that jump, leave the line or skip commands, and of those that take time.
 _LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait", "find_", "path", "get_")
 
 
-def endless_lines(lines: Iterable[Line], flow: Flow, add: Add) -> None:
-    """Warn, once per line, of an endless loop in which nothing takes time."""
-    for line in lines:
-        for k, command in enumerate(line.commands):
-            begin = _repeats_from(line, k, command, flow)
-            if begin is not None:
-                _check(line, begin, k, add)
+class EndlessLine(NamedTuple):
+    """A line whose command `last` always jumps back to command `first`, in which nothing takes time."""
+
+    line: Line
+    first: int
+    last: int
+
+    @property
+    def moves(self) -> list[tuple[Command, int]]:
+        """The moves that are repeated, with their offsets."""
+        repeated = slice(self.first, self.last)
+        commands = zip(self.line.commands[repeated], self.line.offsets[repeated], strict=True)
+        return [(command, at) for command, at in commands if command.verb in POSITIONING]
+
+
+def endless_lines(facts: MacroFacts) -> Iterator[EndlessLine]:
+    """Yield each line that repeats forever without a wait."""
+    for line in facts.lines:
+        for last in range(len(line.commands)):
+            first = _repeats_from(facts, line, last)
+            if first is not None:
+                if first == last or not any(each.verb.startswith(_LEAVES) for each in line.commands[:last]):
+                    yield EndlessLine(line, first, last)
                 break
 
 
-def _repeats_from(line: Line, k: int, command: Command, flow: Flow) -> int | None:
+def _repeats_from(facts: MacroFacts, line: Line, k: int) -> int | None:
     """Return the index to which a command always jumps back, or its own, or None.
 
     An `MJ` to the macro that contains it repeats the macro.
     """
-    verb, number = command.verb, command.number
+    verb, number = line.commands[k].verb, line.commands[k].number
     is_macro = line.commands[0].verb == "define_macro"
     first = int(is_macro)
-    if verb == "repeat" and number == 0 and flow.endless:
+    if verb == "repeat" and number == 0 and facts.flow.endless:
         return first
     if verb == "jump_macro" and is_macro and number is not None and number == line.commands[0].number:
         return first
     if verb in ("jump", "jump_by") and number is not None:
-        target = first + flow.target(verb, number, k - first)
+        target = first + facts.flow.target(verb, number, k - first)
         return target if target <= k else None
     return None
-
-
-def _check(line: Line, begin: int, k: int, add: Add) -> None:
-    if begin == k:
-        message = f"{line.commands[k].text} jumps to itself forever"
-        add(line.offsets[k], Fault(0, message, "jump to another command", "endless-loop"))
-        return
-    if any(each.verb.startswith(_LEAVES) for each in line.commands[:k]):
-        return
-    word = line.commands[k].name
-    moves = [
-        (each, at)
-        for each, at in zip(line.commands[begin:k], line.offsets[begin:k], strict=True)
-        if each.verb in _MOVES
-    ]
-    if moves:
-        command, at = moves[-1]
-        message = f"{word} repeats {command.text} without waiting for its end"
-        hint = f"add {command.axis or ''}WS after it"
-        add(at, Fault(0, message, hint, "never-waits"))
-    else:
-        message = f"{word} repeats the line forever, without a wait or an exit"
-        hint = "add WA0.1 before it"
-        if line.commands[k].verb == "repeat":
-            hint += f", or end after ten repetitions with {word}10"
-        add(line.offsets[k], Fault(0, message, hint, "endless-loop"))

@@ -7,26 +7,24 @@ from typing import TypeVar
 
 from motionlang.commands.check.axis_state import IDLE, MOVES, State
 from motionlang.commands.check.facts import Facts, Part
+from motionlang.commands.check.silence import has_host
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
 from motionlang.kernel.mint import MintProgram
-from motionlang.kernel.mint.resolve.facts import axes_of, changed, meaning
+from motionlang.kernel.mint.resolve.facts import axes_of
 from motionlang.kernel.mint.resolve.folding import Known, binary, fold
 from motionlang.kernel.mint.resolve.handlers import handled, label_handlers
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import by_kind, meant, walk
+from motionlang.kernel.mint.syntax.traversal import by_kind, changed, meaning, meant, walk
 
 AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
 
 class MintFacts(Facts):
-    """The facts about a Mint program.
+    """The facts about a Mint program."""
 
-    If it `has_host`, a host reads and writes its declared global variables.
-    """
-
-    def __init__(self, program: MintProgram, has_host: bool = False) -> None:
+    def __init__(self, program: MintProgram) -> None:
         self.module, self.names = program.tree, program.checked.names
         self.functions = self.names.functions
         # The nodes of each function by their classes.
@@ -60,7 +58,8 @@ class MintFacts(Facts):
         }
         self.retained, self.begun = self._find_retained()
         variables = self.names.module.names.values()
-        self.hosted = {each for each in variables if each.kind == "variable" and each.declared and has_host}
+        hosted = has_host(program.source)
+        self.hosted = {each for each in variables if each.kind == "variable" and each.declared and hosted}
         self.retained |= self.hosted
 
     # ---------------------------------------------------------------------------------------------- the tree

@@ -1,15 +1,16 @@
-"""All errors in a file that can be found without running it, in one pass."""
+"""All errors in a file that can be found without running it, and commands without effect, in one pass."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
 from motionlang.kernel.lang.typography import plain
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
+from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.resolve.decode import problem
@@ -21,15 +22,18 @@ from motionlang.kernel.source import Source
 # Jumps within a line.
 _JUMPS = frozenset({"jump", "jump_by"})
 DEFINES = "define_macro"
+# Verbs that need a defined macro.
+CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 _WORD = re.compile("[A-Za-z]+")
 
 
-def errors_of(
-    source: Source, lines: Iterable[Line | tuple[Fault, int, int]], settings: Mapping[str, object]
+def problems_of(
+    source: Source, lines: Sequence[Line | tuple[Fault, int, int]], settings: Mapping[str, object]
 ) -> Iterator[Diagnostic]:
-    """Yield the errors of the lines of a file."""
+    """Yield the errors of the lines of a file, and a warning for each other command without effect."""
     model, flow = model_of(source, settings), flow_of(settings)
     axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    macros = {line.commands[0].number for line in lines if isinstance(line, Line) and defines(line)}
     for line in lines:
         if not isinstance(line, Line):
             fault, at, _ = line
@@ -38,8 +42,11 @@ def errors_of(
         for k, command in enumerate(line.commands):
             wrong = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
             wrong = wrong or _wrong_here(line, k, command, model, flow)
+            idle = _not_simulated(command) or _undefined(command, macros)
             if wrong is not None:
                 yield diagnostic(source, line.offsets[k], wrong)
+            elif idle is not None:
+                yield diagnostic(source, line.offsets[k], idle, "warning")
 
 
 def model_of(source: Source, settings: Mapping[str, object]) -> Model:
@@ -85,6 +92,26 @@ def _unknown_to(model: Model, command: Command) -> Fault | None:
     """Return the fault of a command that this board does not have, or None."""
     row = command.row
     return missing(model, row) if row is not None and row.family in model.lacks else None
+
+
+def _not_simulated(command: Command) -> Fault | None:
+    """Return the warning about a command that is not simulated, or None."""
+    if command.row is None or command.row.simulated:
+        return None
+    message = f"{command.name} is not simulated: the command has no effect"
+    return Fault(0, message, command.row.help, "not-simulated")
+
+
+def _undefined(command: Command, macros: set[int | None]) -> Fault | None:
+    """Return the warning about a call of a macro that no line defines, or None.
+
+    It is no error, because the controller may already have the macro.
+    """
+    if command.verb not in CALLS or command.number is None or command.number in macros:
+        return None
+    message = f"no line of this file defines macro {command.number}"
+    hint = f"{table().doing(DEFINES)}{command.number},... defines it"
+    return Fault(0, message, hint, "unknown-word")
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:

@@ -78,7 +78,7 @@ class MacroFile(Program):
         return placed(self, self.values)
 
     @property
-    def _whole(self) -> list[Line]:
+    def whole(self) -> list[Line]:
         """The lines that are not too long."""
         return [line for line in self.lines if isinstance(line, Line)]
 
@@ -92,11 +92,15 @@ class MacroFile(Program):
         return self._text.module
 
     @cached_property
-    def errors(self) -> list[Diagnostic]:
-        from motionlang.kernel.mccl.resolve.errors import errors_of
+    def problems(self) -> list[Diagnostic]:
+        from motionlang.kernel.mccl.resolve.errors import problems_of
 
-        found = errors_of(self.source, self.lines, self.settings)
+        found = problems_of(self.source, self.lines, self.settings)
         return sorted(found, key=lambda each: (each.line, each.column))
+
+    @property
+    def errors(self) -> list[Diagnostic]:
+        return [each for each in self.problems if each.severity == "error"]
 
     def require(self) -> None:
         """Raise ProgramError for wrong addresses of values; the board answers wrong commands."""
@@ -116,19 +120,19 @@ class MacroFile(Program):
     def target(self) -> Target:
         from motionlang.kernel.mccl.resolve.board import written_for as target_of
 
-        return target_of(self.source, self._whole)
+        return target_of(self.source, self.whole)
 
     @cached_property
     def reads(self) -> list[InputRead]:
         from motionlang.kernel.mccl.resolve.wait_causes import input_reads
 
-        return input_reads(self._whole)
+        return input_reads(self.whole)
 
     @cached_property
     def polls(self) -> Callable[[int], LoopDependencies | None]:
         from motionlang.kernel.mccl.resolve.wait_causes import asked
 
-        return asked(self._whole)
+        return asked(self.whole)
 
     @property
     def graph(self) -> StepGraph:
@@ -138,13 +142,13 @@ class MacroFile(Program):
     def structure(self) -> Structure:
         from motionlang.kernel.mccl.runtime.structure import structure
 
-        return structure(self.source, self._whole, self.polls, self.settings)
+        return structure(self.source, self.whole, self.polls, self.settings)
 
     @cached_property
     def step_list(self) -> list[ListedUnit]:
         from motionlang.kernel.mccl.runtime.listing import step_list
 
-        return step_list(self.source, self._whole, self.settings)
+        return step_list(self.source, self.whole, self.settings)
 
     @property
     def remarks(self) -> list[str]:
@@ -156,13 +160,13 @@ class MacroFile(Program):
 
     @property
     def offsets(self) -> list[int]:
-        return [at for line in self._whole for at in line.offsets]
+        return [at for line in self.whole for at in line.offsets]
 
     @property
     def entries(self) -> list[int]:
         """The first command of each macro that is defined within a line."""
         found = []
-        for line in self._whole:
+        for line in self.whole:
             defining = [each.verb == "define_macro" for each in line.commands]
             found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
         return found

@@ -18,7 +18,7 @@ Invariants.
   Define at each of its uses, and each `Link` of a chain. What names a variable, an array or a task is no expression: a
   variable has the type of its declaration, a task has none.
 - Nothing here knows how the program will be run. Every diagnostic of a program that can be parsed comes from here or
-  from name resolution; warnings about programs without errors come from `commands/check/mint`.
+  from name resolution; warnings about programs without errors come from `commands/check/rules/`.
 
 Cost. One visit of each node, without recursion over statements in a row.
 """

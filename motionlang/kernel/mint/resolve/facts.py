@@ -21,7 +21,7 @@ from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function, Symbol
 from motionlang.kernel.mint.resolve.wait_causes import keys
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import children, is_stop, meant, walk
+from motionlang.kernel.mint.syntax.traversal import changed, children, is_stop, meaning, meant, walk
 from motionlang.kernel.source import Source
 
 # Words that the program has for "not known before the run".
@@ -284,30 +284,6 @@ def axis_of(node: nodes.Expr, changed: Container[Symbol | None]) -> AxisKey:
     if symbol is None or symbol.kind != "parameter" or symbol.by_ref or symbol.is_array or symbol in changed:
         return None
     return symbol.name
-
-
-def changed(node: nodes.Node) -> Iterator[nodes.Name]:
-    """Yield the names of variables that a node changes, including arrays and ByRef arguments."""
-    found: list[nodes.Expr] = []
-    if isinstance(node, nodes.Assign | nodes.Input):
-        found.append(node.target)
-    elif isinstance(node, nodes.For):
-        found.append(node.variable)
-    elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
-        parameters = node.symbol.home.parameters
-        given = zip(node.args or (), parameters, strict=False)
-        found += [each for each, parameter in given if parameter.by_ref or parameter.is_array]
-    for target in found:
-        while isinstance(target, nodes.Member):
-            target = target.value
-        if isinstance(target, nodes.Name):
-            yield target
-
-
-def meaning(name: nodes.Name) -> Symbol | None:
-    """Return the variable that a name refers to, directly or through a Define."""
-    found = meant(name)
-    return found.symbol if isinstance(found, nodes.Name) else name.symbol
 
 
 def _number(node: nodes.Expr) -> str:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Assign, Binary, For, Given, Input, Name, Number, String
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.resolve.symbols import Symbol
 
 # Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
 _NOT_NODES = frozenset(("args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
@@ -206,3 +209,27 @@ def names_of(module: nodes.Module) -> Iterator[nodes.Name]:
     for node in walk(module.everything):
         if type(node) is nodes.Name:
             yield node
+
+
+def changed(node: nodes.Node) -> Iterator[nodes.Name]:
+    """Yield the names of variables that a node changes, including arrays and ByRef arguments."""
+    found: list[nodes.Expr] = []
+    if isinstance(node, nodes.Assign | nodes.Input):
+        found.append(node.target)
+    elif isinstance(node, nodes.For):
+        found.append(node.variable)
+    elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
+        parameters = node.symbol.home.parameters
+        given = zip(node.args or (), parameters, strict=False)
+        found += [each for each, parameter in given if parameter.by_ref or parameter.is_array]
+    for target in found:
+        while isinstance(target, nodes.Member):
+            target = target.value
+        if isinstance(target, nodes.Name):
+            yield target
+
+
+def meaning(name: nodes.Name) -> Symbol | None:
+    """Return the variable that a name refers to, directly or through a Define."""
+    found = meant(name)
+    return found.symbol if isinstance(found, nodes.Name) else name.symbol

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.check.facts import Facts, Part
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import CALL, ENTER, Use
 from motionlang.kernel.lang import AxisKey as Key
-from motionlang.kernel.mccl import Line, MacroFile
+from motionlang.kernel.mccl import Command, MacroFile
+from motionlang.kernel.mccl.resolve.errors import model_of
+from motionlang.kernel.mccl.resolve.flow import flow_of
 
 
 @dataclass(eq=False)
@@ -23,13 +25,14 @@ class Background:
     parameters: Sequence[Part] = ()
 
 
-class BoardFacts(Facts):
-    """The facts about a file in MCCL."""
+class MacroFacts(Facts):
+    """The facts about a file in MCCL without errors."""
 
     names_all = True
 
     def __init__(self, program: MacroFile) -> None:
-        self.lines = [line for line in program.lines if isinstance(line, Line)]
+        self.lines, self.flow = program.whole, flow_of(program.settings)
+        self.model = model_of(program.source, program.settings)
         structure, graph = program.structure, program.structure.graph
         main, *macros = structure.units
         started = {name for each in structure.statements.values() for name in each.starts}
@@ -47,6 +50,16 @@ class BoardFacts(Facts):
         points = {part: sorted(graph.reached_within(*begin)) for part, begin in entries.items()}
         super().__init__(structure, program.settings, entries, points, {})
         self.polling = set().union(*graph.cycles())
+
+    @property
+    def commands(self) -> Iterator[tuple[Command, int]]:
+        """The commands of all lines, each with its offset."""
+        for line in self.lines:
+            yield from zip(line.commands, line.offsets, strict=True)
+
+    def text(self, act: Use) -> str:
+        """Return the command of a use in source form."""
+        return self.structure.statements[act.at].text
 
     def resolved(self, part: Part, found: dict[int, list[Use]]) -> dict[int, list[Use]]:
         points = self.graph.points

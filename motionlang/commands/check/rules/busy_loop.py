@@ -1,13 +1,14 @@
-"""The check for endless loops that compute and never wait.
+"""An endless loop computes and never waits.
 
-Such a loop takes all the time of its task, and nothing outside the program can influence it.
+Such a loop takes all the time of its task, and nothing outside the program can influence it. Programs with tasks, event
+handlers or a host are not checked, because these may use or change its variables.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.lang import STOP
 from motionlang.kernel.mint.resolve.symbols import TIME, Function
 from motionlang.kernel.mint.syntax import nodes
@@ -16,29 +17,24 @@ from motionlang.kernel.mint.syntax.traversal import walk
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.facts import MintFacts
 
-Add = Callable[..., None]
-
 # Statements that let time pass or start another task.
 _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
 _COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 
 
-def check_busy_loops(facts: MintFacts, add: Add) -> None:
-    """Report each endless loop that only computes.
-
-    Programs with tasks, event handlers or a host are not checked, because these may use or change its variables.
-    """
+def check(facts: MintFacts, warn: Warn) -> None:
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
     for function in facts.functions:
         if facts.entries[function][1:]:
             return
-        for region in _endless(facts, function):
-            inside = _with_subs(facts, region)
+        for loop in _endless(facts, function):
+            inside = _with_subs(facts, loop)
             computes = any(isinstance(facts.nodes_at.get(p), _COMPUTES) for p in inside)
             if computes and all(_is_quiet(facts, p) for p in inside):
+                first = min(facts.graph.points[p].at for p in loop)
                 message = "this loop computes forever: it never waits, and nothing can end it"
-                add("busy-loop", message, _first(facts, region), "add a WAIT, a PAUSE or an Exit to it")
+                warn(message, first, "add a WAIT, a PAUSE or an Exit to it")
 
 
 def _endless(facts: MintFacts, function: Function) -> list[set[int]]:
@@ -67,13 +63,24 @@ def _is_quiet(facts: MintFacts, p: int) -> bool:
     return True
 
 
-def _with_subs(facts: MintFacts, region: set[int]) -> set[int]:
+def _with_subs(facts: MintFacts, loop: set[int]) -> set[int]:
     """Return the points of a loop and of all subs that it calls."""
-    callees = [facts.callee(act) for p in region for act in facts.acts.get(p, ()) if act.callee]
+    callees = [facts.callee(act) for p in loop for act in facts.acts.get(p, ()) if act.callee]
     called = [each for callee in callees for each in facts.called(callee)]
-    return region.union(*(facts.points[each] for each in called))
+    return loop.union(*(facts.points[each] for each in called))
 
 
-def _first(facts: MintFacts, region: set[int]) -> int:
-    """Return the first offset of a loop."""
-    return min(facts.graph.points[p].at for p in region)
+RULE = Rule(
+    code="busy-loop",
+    group="Control flow",
+    text="""\
+A loop without an end that only computes or prints: it never waits, reads nothing that changes by itself, and nothing
+leads out of it. There is no warning if the program has tasks, events or a host, which may use what the loop computes.
+""",
+    fix="add a WAIT, a PAUSE or an Exit to the loop",
+    mint=Case(
+        check,
+        wrong="Dim n\nLoop\n  n = n + 1\n  PRINT n\nEnd Loop\n",
+        right="Dim n\nLoop\n  n = n + 1\n  PRINT n\n  WAIT = 10\nEnd Loop\n",
+    ),
+)

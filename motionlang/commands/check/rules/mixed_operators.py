@@ -1,51 +1,50 @@
-"""The check for `&` and `|` next to a comparison.
+"""`&` or `|` is an operand of a comparison, without brackets that say which of them comes first.
 
-Languages differ in precedence: in some of them the comparison binds more tightly.
+Languages differ in precedence: in some of them the comparison binds more tightly. The hint shows the line with brackets
+for both interpretations.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel import Source
-from motionlang.kernel.mint.resolve.symbols import STRING, Function
+from motionlang.commands.check.mint.conditions import COMPARISONS
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.resolve.symbols import STRING
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.kernel.mint.syntax.tokens import Tokens
 
-_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(facts: MintFacts, function: Function, source: Source, add: Callable[..., None]) -> None:
-    """Report each comparison that has an `&` or `|` without brackets as an operand.
+def check(facts: MintFacts, warn: Warn) -> None:
+    # Here, since it loads the grammar of Mint, which programs in MCCL do not need.
+    from motionlang.kernel.mint.syntax.tokens import Tokens
 
-    The hint shows the line with brackets for both interpretations.
-    """
-    inner: set[int] = set()
+    text = facts.module.source.text
     tokens: Tokens | None = None
-    for node in facts.of_kind(nodes.Binary, function):  # a node comes before its children
-        if node.op not in _COMPARED or id(node) in inner:
+    inner: set[int] = set()
+    for node in facts.of_kind(nodes.Binary):  # a node comes before its children
+        if node.op not in COMPARISONS or id(node) in inner:
             continue
         if not any(type(each) is nodes.Binary and each.op in _BITS for each in walk([node])):
             continue
-        tokens = tokens or Tokens(source.text)
-        chain = _Chain(source.text, tokens, node)
+        tokens = tokens or Tokens(text)
+        chain = _Chain(text, tokens, node)
         inner |= chain.inner
         bits = [op for op in chain.ops if tokens.texts[op] in _BITS]
         if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
-            sign = tokens.texts[bits[0]]
-            add(
-                "mixed-operators",
-                f"{sign} binds tighter than a comparison here, unlike in other languages",
+            warn(
+                f"{tokens.texts[bits[0]]} binds tighter than a comparison here, unlike in other languages",
                 tokens.starts[bits[0]],
-                f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
+                f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(COMPARISONS)}",
             )
 
 
@@ -86,7 +85,7 @@ class _Chain:
         self._side(node.right, op)
 
     def _side(self, node: nodes.Expr, outer: int) -> None:
-        if type(node) is nodes.Binary and node.op in _COMPARED | _BITS and not self._bracketed(node, outer):
+        if type(node) is nodes.Binary and node.op in COMPARISONS | _BITS and not self._bracketed(node, outer):
             self.inner.add(id(node))
             self._add(node)
         else:
@@ -165,3 +164,20 @@ class _Chain:
             before = end
             at += 1
         return "".join(texts)
+
+
+RULE = Rule(
+    code="mixed-operators",
+    group="Control flow",
+    text="""\
+`&` or `|` is used with a comparison, without brackets that say which comes first. In Mint, `If a & 2 = 2 Then` tests
+`(a & 2) = 2`; in C and similar languages it would be `a & (2 = 2)`. The hint shows the line both ways. There is no
+warning for an `&` that joins texts.
+""",
+    fix="add brackets",
+    mint=Case(
+        check,
+        wrong="If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n",
+        right="If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n",
+    ),
+)

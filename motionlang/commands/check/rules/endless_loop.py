@@ -1,0 +1,53 @@
+"""A loop that nothing ends: in Mint nothing changes its condition, in MCCL a line repeats itself without a wait."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.mccl.loops import endless_lines
+from motionlang.commands.check.mint.changes import unchanging_loops
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    for function in facts.functions:
+        for loop, inputs in unchanging_loops(facts, function):
+            if not inputs:  # those with inputs are an endless-wait
+                word = "While" if type(loop) is nodes.While else "Repeat"
+                message = f"nothing in this {word} changes what its condition depends on"
+                warn(message, loop.start, "the program never leaves it")
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    for found in endless_lines(facts):
+        command, at = found.line.commands[found.last], found.line.offsets[found.last]
+        if found.first == found.last:
+            warn(f"{command.text} jumps to itself forever", at, "jump to another command")
+        elif not found.moves:  # those with moves are never-waits
+            hint = "add WA0.1 before it"
+            if command.verb == "repeat":
+                hint += f", or end after ten repetitions with {command.name}10"
+            warn(f"{command.name} repeats the line forever, without a wait or an exit", at, hint)
+
+
+RULE = Rule(
+    code="endless-loop",
+    group="Control flow",
+    text="""\
+Nothing in a While or Repeat changes the values in its condition, and no Exit leads out of it. In MCCL: a line that `RP`
+repeats forever, or that a `JP`, a `JR` or an `MJ` to its own macro does, in which nothing takes time and nothing leads
+out.
+""",
+    fix="change the condition in the loop, or leave it with Exit",
+    mint=Case(
+        check_mint,
+        wrong="Dim n\nWhile n < 5\n  OUTX(1) = 1\nEnd While\n",
+        right="Dim n\nWhile n < 5\n  OUTX(1) = 1\n  n = n + 1\nEnd While\n",
+    ),
+    mccl=Case(check_mccl, wrong="1MN\nTP,RP\n", right="1MN\nTP,WA0.1,RP\n"),
+)

@@ -1,0 +1,146 @@
+"""A wait for a condition that cannot change, or that the motion of the axes never makes true.
+
+Nothing changes a variable that no other task and no event sets, the position of an axis at rest, or an input that no
+entry of the machine file drives. Motion never leads to standstill in a jog that nothing stops, nor to a position beyond
+the ends of all moves so far.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.inputs import driven_inputs
+from motionlang.commands.check.mccl.verbs import ELSEWHERE, WAITS
+from motionlang.commands.check.mint.changes import may_change, unchanging_loops
+from motionlang.commands.check.mint.conditions import Unattainable, awaited
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl import NUMBER
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.axis_state import State
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.kernel.mccl import Command
+    from motionlang.kernel.mint.resolve.symbols import Function
+
+# Waits of MCCL for an input, and commands that change neither the target nor the position of an axis.
+_INPUT_WAITS = frozenset({"wait_on", "wait_off"})
+_HARMLESS = frozenset({"motor_on", "position_mode", "shape_trapezoid", "shape_scurve", "shape_parabolic"})
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    unattainable = Unattainable(facts)
+    for function in facts.functions:
+        reached = facts.reached(function)
+        for p, node in facts.nodes_of(function):
+            state = facts.axes.before[function].get(p)
+            if p in reached and state is not None and type(node) is nodes.Pause:
+                _pause(facts, function, node, state, warn)
+        for loop, inputs in unchanging_loops(facts, function):
+            if inputs:
+                word = "While" if type(loop) is nodes.While else "Repeat"
+                why = "no entry of the machine file drives it"
+                message = f"this {word} waits for a condition that cannot change: {why}"
+                warn(message, inputs[0].start, "it ends at once or never")
+        for each in awaited(facts, function):
+            found = unattainable.why(each.condition, each.truth, each.state) if each.polls else None
+            if found is not None:
+                warn(f"this waits for a condition that cannot change: {found[0]}", each.at, found[1])
+
+
+def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: State, warn: Warn) -> None:
+    """Report a PAUSE if nothing that its condition depends on may change."""
+    names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
+    if not names or facts.value(node.condition) is not None:
+        return
+    words = [each for name in names for each in _inner(name)]
+    if any(may_change(facts, function, each, state) for each in words):
+        return
+    moving = [each for each in words if each.row is not None and each.row.changes == "motion"]
+    if all(each.symbol is not None for each in words):
+        why = "no other task and no event changes it"
+    elif moving:
+        why = f"axis {facts.key_of(moving[0])} is at rest"
+    else:
+        why = "no entry of the machine file drives it"
+    warn(
+        f"this waits for a condition that cannot change: {why}",
+        node.start,
+        "it continues at once or never",
+    )
+
+
+def _inner(name: nodes.Name) -> list[nodes.Name]:
+    """Return a name or, if it is a Define, the names in its expression."""
+    if name.definition is None:
+        return [name]
+    return [each for each in walk([name.definition]) if type(each) is nodes.Name]
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    _check_inputs(facts, warn)
+    # The distance of the only move of an axis since it was last at rest, None if unknown.
+    distances: dict[int, float | None] = {}
+    for line in facts.lines:
+        if any(command.verb in ELSEWHERE for command in line.commands):
+            distances = dict.fromkeys(distances)
+            continue
+        for command, at in zip(line.commands, line.offsets, strict=True):
+            for axis in list(distances) if command.axis == 0 else [command.axis]:
+                distance = distances.setdefault(axis, 0.0)
+                beyond = command.verb == "wait_relative" and command.kind == NUMBER
+                if beyond and distance and abs(float(command.value)) > distance:
+                    message = f"{command.text} never ends: axis {axis} moves only {distance:.10g}"
+                    warn(message, at, f"wait for less, or for the end of the move with {axis}WS")
+                distances[axis] = _distance(distance, command)
+
+
+def _distance(before: float | None, command: Command) -> float | None:
+    """Return the distance of the only move since the axis was last at rest, after a command."""
+    row, verb = command.row, command.verb
+    if verb == "move_by":
+        return abs(float(command.value)) if before == 0.0 and command.kind == NUMBER else None
+    if verb in WAITS:
+        return 0.0
+    moves = row is not None and row.kind in ("move", "command")
+    return None if moves and verb not in _HARMLESS | {"wait_relative"} else before
+
+
+def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
+    """Report waits for inputs that no entry of the machine file drives."""
+    driven = driven_inputs(facts.settings)
+    outputs = {command.number for command, _ in facts.commands if command.verb == "channel_output"}
+    if driven is None or None in outputs:
+        return
+    for command, at in facts.commands:
+        channel = command.number
+        if command.verb not in _INPUT_WAITS or channel is None or channel in outputs | driven:
+            continue
+        if channel not in facts.model.outputs:
+            message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
+            warn(message, at, "it continues at once or never; add an [[input]] entry")
+
+
+RULE = Rule(
+    code="endless-wait",
+    group="Control flow",
+    text="""\
+PAUSE waits for a value that cannot change meanwhile: a variable that no other task and no event sets, the position of
+an axis at rest, or an input that no entry of the machine file drives. The wait ends at once or never. The warning
+also covers a While or Repeat that only polls such an input, and WN and WF in MCCL. If there is no machine file, or it
+has only `controller` and `run` keys, every input may change, and there is no warning for inputs.
+
+Two more waits never end. One is for standstill while the axis jogs and nothing stops it: no input, limit, error or
+handler of the program, and no machine file. The other is for a position that no move so far leads to, such as
+`PAUSE POS(0) > 300` after a move from 0 to 200; in MCCL, a WR for more than the distance of its move.
+""",
+    fix="wait for something that changes, or stop the axis first",
+    mint=Case(
+        check_mint,
+        wrong="JOG(0) = 5\nPAUSE IDLE(0)\n",
+        right="JOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\n",
+    ),
+    mccl=Case(check_mccl, wrong="1MN,1MR100,1WR200\n", right="1MN,1MR100,1WR50\n"),
+)

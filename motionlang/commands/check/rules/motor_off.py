@@ -1,0 +1,39 @@
+"""A command moves an axis that the file never switches on; the first one of each axis is reported."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.mccl.verbs import MOVES
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+
+
+def check(facts: MacroFacts, warn: Warn) -> None:
+    on = {command.axis for command, _ in facts.commands if command.verb == "motor_on"}
+    reported: set[int] = set()
+    for command, at in facts.commands:
+        if command.verb not in MOVES or command.axis in reported:
+            continue
+        if not on if command.axis == 0 else not on & {0, command.axis}:
+            reported.add(command.axis)
+            which = "an axis" if command.axis == 0 else f"axis {command.axis}"
+            warn(f"no line of this file switches {which} on", at, f"{command.axis or ''}MN does")
+
+
+RULE = Rule(
+    code="motor-off",
+    group="Machine",
+    text="""\
+A command moves an axis that no line of the file enables with MN. The axis may already be on if you load the file into a
+controller that is in use.
+""",
+    fix="switch the motor on with MN",
+    mccl=Case(
+        check,
+        wrong="1MR100\n",
+        right="1MN,1MR100\n",
+    ),
+)

@@ -1,0 +1,49 @@
+"""A variable is read, and nothing gives it a value, so it is always 0 or empty."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.mint.variables import Suggestions, variables
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+
+# Types of variables that have a value without an assignment.
+_WITH_VALUE = frozenset((TIME, SEMAPHORE, CONTROLLER, RECORD))
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    given = facts.writers.keys() | facts.retained | facts.begun
+    suggestions = Suggestions()
+    for symbol, is_used in variables(facts):
+        if not is_used or symbol in given or symbol.is_array or symbol.type.name in _WITH_VALUE:
+            continue
+        value = "empty" if symbol.type.name == STRING else "0"
+        near = suggestions.most_similar(symbol, lambda each: each in facts.writers and each.uses <= 1)
+        warn(
+            f"{symbol.name} is read but never assigned: it is always {value}",
+            symbol.at,
+            f"did you mean {near} in its assignment?"
+            if near
+            else "assign it in its Dim or before it is read",
+            candidates=(near,) if near else (),
+        )
+
+
+RULE = Rule(
+    code="no-value",
+    group="Names",
+    text="""\
+A variable is read, but nothing gives it a value: not its Dim, no statement, and no sub to which it is passed. It is
+always 0 or an empty text. There is no warning for arrays and records.
+""",
+    fix="assign a value first, or correct the name",
+    mint=Case(
+        check,
+        wrong="Dim part\nPRINT part\n",
+        right="Dim part = 1\nPRINT part\n",
+    ),
+)

@@ -1,0 +1,46 @@
+"""A GO starts nothing: no move is loaded, or in MCCL no mode is selected whose motion GO starts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
+
+# Commands of MCCL that select a mode whose motion GO starts.
+_STARTED = frozenset({"velocity_mode", "contour_mode"})
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    for act, _, _ in facts.axes.problems.get("nothing-loaded", ()):
+        axes = ", ".join(map(spelt, act.axes))
+        warn("this GO starts nothing: no move is loaded", act.at, f"load one first, as in MOVER({axes}) = 10")
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    modes = {command.axis for command, _ in facts.commands if command.verb in _STARTED}
+    for command, at in facts.commands:
+        if command.verb == "go" and not modes & {0, command.axis} and (command.axis or not modes):
+            message = f"{command.text} starts nothing: no line of this file selects velocity mode"
+            warn(message, at, f"{command.axis or ''}VM before it, or MA or MR for a move")
+
+
+RULE = Rule(
+    code="nothing-loaded",
+    group="Motion",
+    text="""\
+A GO of axes for which no move is loaded: nothing was loaded, or an earlier GO has started it. In MCCL: a GO of an axis
+for which the file selects neither velocity mode nor a contour; the board answers `?-2`.
+""",
+    fix="load a move first, or remove the GO",
+    mint=Case(
+        check_mint,
+        wrong="GO(0)\nPAUSE IDLE(0)\n",
+        right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+    mccl=Case(check_mccl, wrong="1MN,1GO\n", right="1MN,1VM,1GO\n"),
+)

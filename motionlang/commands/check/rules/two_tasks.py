@@ -1,0 +1,105 @@
+"""Two tasks, or a task and its parent, command the same axis without any coordination.
+
+A Semaphore, a keyword that asks for the state of a task or suspends it, and `End task` coordinate the tasks of a
+program. A task that tests a shared variable may be controlled by others.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.kernel.lang import AxisKey as Key
+
+_COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
+# Verbs of the keywords by which tasks coordinate.
+_COORDINATION = frozenset(("task_status", "task_suspend", "task_resume"))
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    if _are_coordinated(facts):
+        return
+    main = facts.names.main
+    first: dict[Key, Function] = {}
+    for task in (function for function in facts.functions if function.kind == "task"):
+        if _is_coordinated(facts, task):
+            continue
+        for key in sorted(facts.touched(task, _COMMANDS) - {None}, key=str):
+            other = first.setdefault(key, task)
+            if other is not task:
+                _report(facts, task, f"the task {other.name}", key, warn)
+            elif key in _after_run(facts, main, task):
+                _report(facts, task, "the parent", key, warn)
+
+
+def _report(facts: MintFacts, task: Function, who: str, key: Key, warn: Warn) -> None:
+    at = next(
+        act.at
+        for function in facts.called(task)
+        for act in facts.acts_of[function]
+        if act.role in _COMMANDS
+        and (key in act.axes or None in act.axes or any(isinstance(k, str) for k in act.axes))
+    )
+    message = f"axis {key} is commanded by the task {task.name} and by {who}"
+    warn(message, at, "command it from one task, or synchronise the tasks")
+
+
+def _are_coordinated(facts: MintFacts) -> bool:
+    symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
+    if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
+        return True
+    if any(row.verb in _COORDINATION for row in facts.used):
+        return True
+    return any(node.name is not None for node in facts.of_kind(nodes.End))
+
+
+def _is_coordinated(facts: MintFacts, task: Function) -> bool:
+    """True if the task tests a shared variable, through which others can control it."""
+    for part in facts.called(task):
+        for node in walk(part.body if isinstance(part, Function) else ()):
+            condition = getattr(node, "condition", None)
+            for name in walk([condition]) if condition is not None else ():
+                symbol = name.symbol if type(name) is nodes.Name else None
+                if symbol is not None and symbol.shared:
+                    return True
+    return False
+
+
+def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
+    """Return the axes that the parent task may command after it has started a task."""
+    begin = [
+        p
+        for p, node in facts.nodes_of(main)
+        if type(node) is nodes.Run and node.name.lower() == task.name.lower()
+    ]
+    found: set[Key] = set()
+    for p in facts.graph.reached_within(*begin):
+        for act in facts.acts.get(p, ()):
+            if act.role in _COMMANDS:
+                found.update(act.axes)
+            elif act.callee:
+                found.update(facts.outer(act, key) for key in facts.touched(facts.callee(act), _COMMANDS))
+    return found
+
+
+RULE = Rule(
+    code="two-tasks",
+    group="Motion",
+    text="""\
+Two tasks command moves of the same axis; or a task and its parent do, after the parent has started the task. There is
+no warning if the program makes them take turns: by a Semaphore, by TASKSTATUS, TASKSUSPEND or `End task`, or by a
+variable that the task checks before it moves.
+""",
+    fix="let one task command the axis, or use a Semaphore",
+    mint=Case(
+        check,
+        wrong=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(0) = 9 : GO(0)\nEnd Task\n"),
+        right=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(1) = 9 : GO(1)\nEnd Task\n"),
+    ),
+)

@@ -1,0 +1,74 @@
+"""No path leads to a statement; the first one of each unreachable stretch is reported."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.mccl.verbs import LEAVES, REPEATS
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.kernel.mccl import Line
+
+# Statements that do nothing themselves, or that are commonly written as a precaution at the end of a block.
+_SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    for function in facts.functions:
+        reached = facts.reached(function)
+        is_reported = False
+        for p, node in facts.nodes_of(function):
+            if p in reached:
+                is_reported = False
+            elif not is_reported and not isinstance(node, _SILENT):
+                is_reported = True
+                warn("this statement is unreachable", node.start, "the code before it never ends")
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    graph = facts.structure.graph
+    reached = {graph.points[p].at for p in graph.reached(*(unit.entry for unit in facts.structure.units))}
+    is_reported = False
+    for line in facts.lines:
+        if line.offsets[0] in reached:
+            is_reported = is_reported and line.commands[0].verb == "define_macro"
+            _check_commands(line, reached, warn)
+        elif not is_reported:
+            is_reported = True
+            warn("this line can never run: the line before repeats forever", line.offsets[0])
+
+
+def _check_commands(line: Line, reached: set[int], warn: Warn) -> None:
+    is_reported = False
+    for k, (command, at) in enumerate(zip(line.commands, line.offsets, strict=True)):
+        if at in reached or command.verb == "nothing":
+            is_reported = is_reported and at not in reached
+        elif not is_reported:
+            is_reported = True
+            # The first command runs, so there is one between that does not lead to the next.
+            before = next(each for each in reversed(line.commands[:k]) if each.verb in REPEATS | LEAVES)
+            repeats = before.verb == "repeat"
+            why = "repeats the commands before it forever" if repeats else "always jumps elsewhere"
+            warn(f"this command can never run: {before.text} {why}", at)
+
+
+RULE = Rule(
+    code="unreachable",
+    group="Control flow",
+    text="""\
+The statement can never be reached: it follows a Goto, an Exit, an End or a loop without an end. Only the first
+statement of a section is reported; an extra End or Return is not. In MCCL: commands after `RP` without a number,
+`JP`, `MJ` and `BK` if nothing skips these, and the line below one that repeats itself forever.
+""",
+    fix="remove the statement, or the one before it that never continues",
+    mint=Case(
+        check_mint,
+        wrong="End\nPRINT 1\n",
+        right="PRINT 1\nEnd\n",
+    ),
+    mccl=Case(check_mccl, wrong="1MN,BK,1MR100\n", right="1MN,1MR100,BK\n"),
+)

@@ -1,0 +1,149 @@
+"""A speed or a rate is set, and set again, or the program ends, before any move uses it.
+
+Going backward from every end of a part, each point gets the set of settings, one bit for each property of each axis,
+that a move behind it may use. Axes that another task or handler uses are left out.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.axis_state import COMMANDS, IDLE
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.kernel.lang import AxisKey as Key
+    from motionlang.kernel.lang import Use
+    from motionlang.kernel.mint.resolve.symbols import Function
+
+# A bit for each property of each axis.
+Bits = dict[tuple["Key", str], int]
+
+TOUCHES = COMMANDS | {"read", "slot", "use"}
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    for function in facts.functions:
+        bits = _slot_bits(facts, function)
+        if not bits:
+            continue
+        everything = (1 << len(bits)) - 1
+        last = _left_over(facts, function, bits) if function.kind == "main" else everything
+        behind = facts.graph.backward(
+            facts.points[function],
+            lambda p, last=last: last,  # type: ignore[misc]
+            partial(_used, facts, bits, everything),
+        )
+        for p, _ in facts.nodes_of(function):
+            if p in facts.axes.before[function]:
+                _check_point(facts, p, behind[p], bits, warn)
+
+
+def _slot_bits(facts: MintFacts, function: Function) -> Bits:
+    """Assign a bit to each property of each axis that only this function uses."""
+    found: Bits = {}
+    mine = facts.roots[function]
+    if len(mine) > 1:  # it runs in more than one task or handler
+        return found
+    others = facts.touched_by(
+        (root for root in facts.functions if root.kind != "sub" and root not in mine), TOUCHES
+    )
+    for act in facts.acts_of[function]:
+        if act.role == "slot":
+            assert act.row is not None
+            for key in act.axes:
+                alone = not {key, None} & others and not (isinstance(key, str) and others)
+                if key is not None and alone:
+                    found.setdefault((key, act.row.gives), 1 << len(found))
+    return found
+
+
+def _left_over(facts: MintFacts, function: Function, bits: Bits) -> int:
+    """Return the settings that still matter at the end of the parent task.
+
+    These are the settings of axes that may still be in motion.
+    """
+    found = 0
+    for p, state in facts.axes.before[function].items():
+        if not facts.graph.within[p]:
+            for (key, _), bit in bits.items():
+                if facts.axes.known(state, key).motion != IDLE:
+                    found |= bit
+    return found
+
+
+def _used(facts: MintFacts, bits: Bits, everything: int, p: int, behind: int) -> int:
+    """Return the settings that are used from a point on, of those that are used behind it."""
+    if type(facts.nodes_at.get(p)) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
+        return everything
+    for act in reversed(facts.acts.get(p, ())):
+        assert act.row is not None or act.role == "call"
+        if act.role == "slot" and act.row is not None:
+            if len(set(act.axes)) == len(act.axes):
+                for key in act.axes:
+                    behind &= ~bits.get((key, act.row.gives), 0)
+        elif act.role == "call" or None in act.axes or (act.row is not None and act.row.verb == "wait"):
+            behind = everything
+        elif act.role != "scale":
+            for (key, _), bit in bits.items():
+                if key in act.axes or any(isinstance(each, str) for each in act.axes):
+                    behind |= bit
+    return behind
+
+
+def _check_point(facts: MintFacts, p: int, behind: int, bits: Bits, warn: Warn) -> None:
+    for act in facts.acts[p]:
+        if act.role != "slot":
+            continue
+        assert act.row is not None
+        slot, word = act.row.gives, act.row.name
+        dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
+        # `SPEED(0, 1, 2) = 10;` followed by an exception for one of the axes is good style.
+        if not dead or len(dead) < len(act.axes):
+            continue
+        later = _next_setting(facts, p, dead[0], slot)
+        if later is None:
+            message = f"{word} of axis {spelt(dead[0])} is set but no longer used"
+            warn(message, act.at, "remove it, or set it before the move that needs it")
+        else:
+            assert later.row is not None
+            by = f"{later.row.name} in line {facts.module.line(later.at)}"
+            message = f"{word} of axis {spelt(dead[0])} is replaced by {by} before any move"
+            warn(message, act.at, "remove one of the two")
+
+
+def _next_setting(facts: MintFacts, p: int, key: Key, slot: str) -> Use | None:
+    """Return the use that replaces a setting."""
+    seen: set[int] = set()
+    stack = list(reversed(facts.graph.within[p]))
+    while stack:
+        each = stack.pop()
+        if each in seen:
+            continue
+        seen.add(each)
+        for act in facts.acts.get(each, ()):
+            if act.role == "slot" and key in act.axes and act.row is not None and act.row.gives == slot:
+                return act
+        stack.extend(reversed(facts.graph.within[each]))
+    return None
+
+
+RULE = Rule(
+    code="unused-setting",
+    group="Motion",
+    text="""\
+The program sets a speed, a rate, a jerk or the shape of moves, and sets it again, or ends, before any motion can use
+it. ACCEL and ACCELTIME are the same setting: the later one counts. While the axis moves, and if another task uses the
+axis, every setting counts as used.
+""",
+    fix="remove the setting, or move it in front of the motion that needs it",
+    mint=Case(
+        check,
+        wrong="SPEED(0) = 100\n",
+        right="SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+)

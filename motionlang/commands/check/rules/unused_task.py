@@ -1,0 +1,34 @@
+"""No Run starts a task."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    run = {node.name.lower() for node in facts.of_kind(nodes.Run)}
+    for function in facts.functions:
+        if function.kind == "task" and function.name.lower() not in run:
+            name = function.name
+            warn(f"task {name} is never run", function.at, f"start it with Run {name}")
+
+
+RULE = Rule(
+    code="unused-task",
+    group="Names",
+    text="""\
+No Run starts the task.
+""",
+    fix="start the task with Run, or remove it",
+    mint=Case(
+        check,
+        wrong="Task Feed\n  OUTX(1) = 1\nEnd Task\n",
+        right="Run Feed\nTask Feed\n  OUTX(1) = 1\nEnd Task\n",
+    ),
+)

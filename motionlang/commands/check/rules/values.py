@@ -1,0 +1,35 @@
+"""A relative move of MCCL has no number, so it moves by 0."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl import codes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+
+
+def check(facts: MacroFacts, warn: Warn) -> None:
+    for command, at in facts.commands:
+        if command.verb == "move_by" and command.is_bare:
+            fault = codes.no_distance(command.text)
+            warn(fault.message, at, fault.hint)
+
+
+RULE = Rule(
+    code="values",
+    group="Names",
+    text="""\
+MR without a number moves by 0. In Mint, a number of axes, arguments or values that does not fit the keyword is an
+error.
+""",
+    fix="give as many axes, arguments or values as motionlang help WORD shows",
+    mint=Case(
+        None,
+        wrong="SPEED(0) = 10, 20\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+        right="SPEED(0, 1) = 10, 20\nMOVER(0, 1) = 5, 5 : GO(0, 1)\n",
+    ),
+    mccl=Case(check, wrong="1MN,1MR,1WS\n", right="1MN,1MR100,1WS\n"),
+)

@@ -1,0 +1,35 @@
+"""A move is started while the acceleration or the deceleration of its axis is 0."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    for _, key, axis in facts.axes.problems.get("zeros", ()):
+        if "speed" not in axis.zeros:  # zero-speed is the better warning if both are 0
+            assert axis.loaded is not None
+            rate = "acceleration" if "accel" in axis.zeros else "deceleration"
+            message = f"the move cannot run: the {rate} of axis {spelt(key)} is 0 at its GO"
+            warn(message, axis.loaded, "set it above zero first")
+
+
+RULE = Rule(
+    code="zero-acceleration",
+    group="Motion",
+    text="""\
+A move starts while ACCEL or DECEL of its axis is 0. It could not start or could not stop, so a run ends there.
+""",
+    fix="set ACCEL and DECEL above zero before GO",
+    mint=Case(
+        check,
+        wrong="ACCEL(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+        right="ACCEL(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+)

@@ -1,0 +1,35 @@
+"""A move is started while the speed of its axis is 0."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.facts import MintFacts
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    for _, key, axis in facts.axes.problems.get("zeros", ()):
+        if "speed" in axis.zeros:
+            assert axis.loaded is not None
+            message = f"the move holds: the speed of axis {spelt(key)} is 0 at its GO"
+            warn(message, axis.loaded, "set it above zero first")
+
+
+RULE = Rule(
+    code="zero-speed",
+    group="Motion",
+    text="""\
+A move starts while the SPEED of its axis is 0. It holds where it is until SPEED rises, so a wait for its end may never
+end. A run warns of it, too, and names the line that set SPEED to 0.
+""",
+    fix="set SPEED above zero before GO",
+    mint=Case(
+        check,
+        wrong="SPEED(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+        right="SPEED(0) = 10\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+)
