@@ -69,6 +69,8 @@ class Axis(NamedTuple):
     - `mode`: the mode that decides what a start does: TARGETS, ENDLESS or another, "" if unknown.
     - `pending`: the offset of the first change of the scale that waits for the axis to be switched on, NONE if
       there is none, None if unknown.
+    - `limited`: the sides on which a software limit has certainly been set, or in MCCL enabled.
+    - `shape`: the keyword of the last shape of moves, "" if unknown.
     - `unmoved`: nothing has moved the axis.
     - `distance`: the length of the only move since the axis was at rest, None if unknown.
     """
@@ -90,6 +92,8 @@ class Axis(NamedTuple):
     jogs: bool = False
     mode: str = ""
     pending: int | None = None
+    limited: frozenset[str] = frozenset()
+    shape: str = ""
     unmoved: bool = False
     distance: float | None = None
 
@@ -115,6 +119,8 @@ class Axis(NamedTuple):
             jogs=self.jogs and other.jogs,
             mode=self.mode if self.mode == other.mode else "",
             pending=self.pending if self.pending == other.pending else None,
+            limited=self.limited & other.limited,
+            shape=self.shape if self.shape == other.shape else "",
             unmoved=self.unmoved and other.unmoved,
             distance=self.distance if self.distance == other.distance else None,
         )
@@ -476,6 +482,7 @@ class Follower:
             set=axis.set | {slot} if in_units else axis.set - {slot},
             stale=axis.stale - {slot},
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
+            shape=act.row.name if slot == "shape" else axis.shape,
         )
 
     def _scale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
@@ -503,6 +510,8 @@ class Follower:
             self._report_problem("scale-pending", act, key, axis)
         elif axis.stale and axis.scaled is not None:
             self._report_problem("scale-after-speed", act, key, axis)
+        if axis.jogs and axis.mode == TARGETS and self.facts.needs_rest(axis.shape):
+            self._report_problem("still-running", act, key, axis)
         axis = axis._replace(stale=frozenset(), unmoved=False)
         if axis.mode != TARGETS:
             return axis._replace(
@@ -521,7 +530,7 @@ class Follower:
         is_first = axis.motion == IDLE and axis.distance == 0.0
         started = axis._replace(
             motion=MOVES,
-            fresh=True,
+            fresh=axis.motion == IDLE,
             target=target,
             span=axis.reaching(target),
             jogs=False,
@@ -538,11 +547,11 @@ class Follower:
         """Start the motion of the mode."""
         if axis.mode == TARGETS:
             self._report_problem("nothing-loaded", act, key, axis)
-            return axis
+            return axis._replace(unmoved=False)
         runs = axis.mode == ENDLESS
         return axis._replace(
             motion=MOVES if runs else UNKNOWN,
-            fresh=runs,
+            fresh=runs and axis.motion == IDLE,
             target=None,
             span=None,
             jogs=runs,
@@ -597,7 +606,7 @@ class Follower:
                 unmoved=False,
                 distance=None,
             )
-        return axis
+        return axis._replace(limited=self.facts.limited(act, number, axis.limited))
 
 
 def _after_call(inner: Axis) -> Axis:

@@ -11,7 +11,8 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Protocol
 
-from motionlang.commands.check.axis_state import Follower, State
+from motionlang.commands.check.axis_state import Axis, Follower, State
+from motionlang.commands.check.reach import LOWER, UPPER
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Statement, Structure, Use
 from motionlang.kernel.lang import AxisKey as Key
@@ -48,6 +49,10 @@ class Facts:
 
     # True if a use without an axis means all axes, False if it may mean any.
     names_all = False
+    # True if a software limit is in force, at 0, once the program has set the other one.
+    one_limit_arms_both = False
+    # What happens at a limit.
+    at_limit = "the axis stops there with an error"
 
     def __init__(
         self,
@@ -161,9 +166,18 @@ class Facts:
         """True if nothing is known of an axis after a keyword without a role was written for it."""
         return row.kind in ("command", "move") or row.does("switch")
 
-    def has_soft_limits(self, key: Key) -> bool:
-        """True if the software limits of an axis may be in force."""
-        return True
+    def needs_rest(self, shape: str) -> bool:
+        """True if a move with a shape, by its keyword, can only start at rest."""
+        return False
+
+    def limited(self, act: Use, number: int, sides: frozenset[str]) -> frozenset[str]:
+        """Return the sides on which a software limit is set after a use, of those on which one was."""
+        side = next((each for each in (UPPER, LOWER) if act.row is not None and act.row.does(each)), None)
+        return sides | {side} if side is not None and act.number(number) else sides
+
+    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+        """Return the sides on which the software limit of an axis acts if it is set."""
+        return frozenset((UPPER, LOWER))
 
     def refined(self, p: int, truth: bool, state: State) -> State:
         """Return the state of the axes after the condition that is tested, or waited for, at a point was `truth`."""

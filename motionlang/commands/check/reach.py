@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.kernel.lang import AxisKey as Key
 
 if TYPE_CHECKING:
     from motionlang.commands.check.axis_state import Axis
     from motionlang.commands.check.facts import Facts
+
+UPPER, LOWER = "upper", "lower"
+
+
+class Limit(NamedTuple):
+    """A limit of an axis, as shown in a message, and what happens there."""
+
+    text: str
+    hint: str
 
 
 class Reach:
@@ -18,36 +27,42 @@ class Reach:
     """
 
     def __init__(self, facts: Facts) -> None:
-        self.settings = facts.settings
         self.facts = facts
-        self.forward = facts.values(lambda row: row.does("upper"))
-        self.reverse = facts.values(lambda row: row.does("lower"))
+        # The known values of the software limits of each axis, None if one of them is not known.
+        self.values = {side: facts.values(lambda row, side=side: row.does(side)) for side in (UPPER, LOWER)}  # type: ignore[misc]
         self.wrapped = facts.named("POSWRAP")
 
-    def beyond(self, key: Key, axis: Axis) -> str:
-        """Return a text that names the limit which an axis's target exceeds, "" for none."""
-        target = axis.target
-        assert target is not None
+    def beyond(self, key: Key, axis: Axis) -> Limit | None:
+        """Return the limit that the target of an axis exceeds, None if there is none."""
         if {key, None} & self.wrapped:
-            return ""
-        forward, reverse = self._software(key)
-        if forward is not None and target > forward:
-            return f"the software limit at {forward:.10g}"
-        if reverse is not None and target < reverse:
-            return f"the software limit at {reverse:.10g}"
-        travel = self.settings.get(f"axis.{key}.travel")
+            return None
+        return self._software(key, axis) or self._switch(key, axis)
+
+    def _software(self, key: Key, axis: Axis) -> Limit | None:
+        assert axis.target is not None
+        in_force = self.facts.limits_in_force(key, axis)
+        for side, is_beyond in ((UPPER, float.__gt__), (LOWER, float.__lt__)):
+            values = self.values[side].get(key) if side in in_force else None
+            limit = None if not values else max(values) if side == UPPER else min(values)
+            if limit is not None and is_beyond(float(axis.target), float(limit)):
+                return Limit(f"the software limit at {limit:.10g}", "the axis stops there with an error")
+            # The program has set the other limit, which puts this one in force, too.
+            is_armed = self.facts.one_limit_arms_both and axis.limited and side in in_force
+            is_unset = not {key, None} & self.values[side].keys()
+            if is_armed and is_unset and is_beyond(float(axis.target), 0.0):
+                hint = "it is 0 until it is set, and the other limit puts it in force"
+                return Limit("the software limit at 0", hint)
+        return None
+
+    def _switch(self, key: Key, axis: Axis) -> Limit | None:
+        assert axis.target is not None
+        travel = self.facts.settings.get(f"axis.{key}.travel")
         if not isinstance(travel, list) or axis.frame is None:
-            return ""
-        start = self.settings.get(f"axis.{key}.start", 0.0)
+            return None
+        start = self.facts.settings.get(f"axis.{key}.start", 0.0)
         assert isinstance(start, (int, float))
         zero = start + axis.frame
-        if travel[0] <= zero + target <= travel[1]:
-            return ""
-        switch = travel[1] if zero + target > travel[1] else travel[0]
-        return f"the limit switch at {switch - zero:.10g}"
-
-    def _software(self, key: Key) -> tuple[float | None, float | None]:
-        if not self.facts.has_soft_limits(key):
-            return None, None
-        forward, reverse = self.forward.get(key), self.reverse.get(key)
-        return (max(forward) if forward else None, min(reverse) if reverse else None)
+        if travel[0] <= zero + axis.target <= travel[1]:
+            return None
+        switch = travel[1] if zero + axis.target > travel[1] else travel[0]
+        return Limit(f"the limit switch at {switch - zero:.10g}", self.facts.at_limit)

@@ -23,15 +23,17 @@ _HOST = re.compile(r"lint:\s*host\b", re.IGNORECASE)
 _IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
 
 
-def has_host(source: Source) -> bool:
-    """True if a comment of a Mint program has `lint: host`.
+def has_host(source: Source, language: str) -> bool:
+    """True if a comment has `lint: host`.
 
-    A host then reads and writes the global variables of the program.
+    A host then reads and writes the global variables, or the registers, of the program.
     """
     if "lint:" not in source.text.lower():
         return False
     found = (
-        (line, _COMMENTS["mint"].search(line)) for line in source.text.split("\n") if "lint:" in line.lower()
+        (line, _COMMENTS[language].search(line))
+        for line in source.text.split("\n")
+        if "lint:" in line.lower()
     )
     return any(begin is not None and _HOST.search(line, begin.end()) for line, begin in found)
 

@@ -5,13 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from motionlang.commands.check.axis_state import Axis
 from motionlang.commands.check.facts import Facts, Part
+from motionlang.commands.check.reach import LOWER, UPPER
+from motionlang.commands.check.silence import has_host
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import CALL, ENTER, Use
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mccl import Command, MacroFile
 from motionlang.kernel.mccl.resolve.errors import model_of
 from motionlang.kernel.mccl.resolve.flow import flow_of
+
+# The bits of LN and LF for the high and the low software limit.
+HIGH, LOW = 4, 8
 
 
 @dataclass(eq=False)
@@ -29,10 +35,12 @@ class MacroFacts(Facts):
     """The facts about a file in MCCL without errors."""
 
     names_all = True
+    at_limit = "the axis stops there with an error if LN enables its limits"
 
     def __init__(self, program: MacroFile) -> None:
         self.lines, self.flow = program.whole, flow_of(program.settings)
         self.model = model_of(program.source, program.settings)
+        self.has_host = has_host(program.source, program.language)
         structure, graph = program.structure, program.structure.graph
         main, *macros = structure.units
         started = {name for each in structure.statements.values() for name in each.starts}
@@ -63,17 +71,30 @@ class MacroFacts(Facts):
 
     def resolved(self, part: Part, found: dict[int, list[Use]]) -> dict[int, list[Use]]:
         points = self.graph.points
-        unknown = {
-            points[p].at for p in self.points[part] if points[p].kind in (CALL, ENTER) and points[p].calls < 0
-        }
+        unknown = {points[p].at for p in self.points[part] if self._calls_unknown(p)}
         for p, uses in found.items():
             if points[p].at in unknown:  # it may be any macro of the board
                 found[p] = [*uses, Use("act", uses[0].row, points[p].at, (None,))]
         return found
 
+    def _calls_unknown(self, p: int) -> bool:
+        """True if a macro is called that no line of the file defines."""
+        point = self.graph.points[p]
+        goes_on = point.next == (self.graph.ranges[point.key[0]][-1],)
+        return point.calls < 0 and (point.kind == CALL or (point.kind == ENTER and goes_on))
+
     def disturbs(self, row: Keyword) -> bool:
         return any(map(row.does, ("switch", "follows", "hands-over", "datum")))
 
-    def has_soft_limits(self, key: Key) -> bool:
-        enabled = self.written_by(lambda row: row.verb == "limits_on")
-        return any({key, None} & {*act.axes} and act.number(0) in (None, 0, 4, 8, 12, 15) for act in enabled)
+    def needs_rest(self, shape: str) -> bool:
+        return shape in ("PS", "PP")
+
+    def limited(self, act: Use, number: int, sides: frozenset[str]) -> frozenset[str]:
+        if act.row is None or act.row.verb not in ("limits_on", "limits_off"):
+            return sides
+        bits = int(act.number(0) or 0) or HIGH | LOW
+        meant = frozenset(side for side, bit in ((UPPER, HIGH), (LOWER, LOW)) if bits & bit)
+        return sides | meant if act.row.verb == "limits_on" else sides - meant
+
+    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+        return axis.limited

@@ -1,59 +1,42 @@
-"""Lines that repeat forever without a wait, for the rules about them."""
+"""Cycles of commands that nothing leaves and in which nothing takes time, for the rules about them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.commands.check.mccl.verbs import POSITIONING
-
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.kernel.mccl import Command, Line
+    from motionlang.kernel.lang import Use
+    from motionlang.kernel.mccl import Command
 
-# Verbs of commands that jump, leave the line or skip commands, and of those that take time.
-_LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait", "find_", "path", "get_")
+# Commands that take time, or after which anything may happen.
+_UNSURE = ("get_", "start_task", "find_", "path")
 
 
-class EndlessLine(NamedTuple):
-    """A line whose command `last` always jumps back to command `first`, in which nothing takes time."""
+class EndlessCycle(NamedTuple):
+    """The commands of a cycle, by their offsets, in the order of the text; `last` is the one that leads back."""
 
-    line: Line
-    first: int
+    commands: dict[int, Command]
     last: int
-
-    @property
-    def moves(self) -> list[tuple[Command, int]]:
-        """The moves that are repeated, with their offsets."""
-        repeated = slice(self.first, self.last)
-        commands = zip(self.line.commands[repeated], self.line.offsets[repeated], strict=True)
-        return [(command, at) for command, at in commands if command.verb in POSITIONING]
+    moves: list[Use]
 
 
-def endless_lines(facts: MacroFacts) -> Iterator[EndlessLine]:
-    """Yield each line that repeats forever without a wait."""
-    for line in facts.lines:
-        for last in range(len(line.commands)):
-            first = _repeats_from(facts, line, last)
-            if first is not None:
-                if first == last or not any(each.verb.startswith(_LEAVES) for each in line.commands[:last]):
-                    yield EndlessLine(line, first, last)
-                break
-
-
-def _repeats_from(facts: MacroFacts, line: Line, k: int) -> int | None:
-    """Return the index to which a command always jumps back, or its own, or None.
-
-    An `MJ` to the macro that contains it repeats the macro.
-    """
-    verb, number = line.commands[k].verb, line.commands[k].number
-    is_macro = line.commands[0].verb == "define_macro"
-    first = int(is_macro)
-    if verb == "repeat" and number == 0 and facts.flow.endless:
-        return first
-    if verb == "jump_macro" and is_macro and number is not None and number == line.commands[0].number:
-        return first
-    if verb in ("jump", "jump_by") and number is not None:
-        target = first + facts.flow.target(verb, number, k - first)
-        return target if target <= k else None
-    return None
+def endless_cycles(facts: MacroFacts) -> Iterator[EndlessCycle]:
+    """Yield each cycle that a part of the file reaches and never leaves, and in which no task waits."""
+    points, within = facts.graph.points, facts.graph.within
+    known = {at: command for command, at in facts.commands}
+    reached = set().union(*(facts.reached(part) for part in facts.parts))
+    for cycle in facts.graph.cycles():
+        if not cycle <= reached or any(after not in cycle for p in cycle for after in within[p]):
+            continue
+        commands = {at: known[at] for at in sorted({points[p].at for p in cycle}) if at in known}
+        statements = [facts.structure.statements[at] for at in commands]
+        if any(each.waits or (each.condition and each.condition != each.text) for each in statements):
+            continue
+        if not commands or any(each.verb.startswith(_UNSURE) for each in commands.values()):
+            continue
+        back = [points[p].at for p in cycle for after in within[p] if after <= p and points[p].at in commands]
+        uses = (act for p in sorted(cycle) for act in facts.acts.get(p, ()))
+        moves = [act for act in uses if act.role in ("start", "act")]
+        yield EndlessCycle(commands, max(back), moves)

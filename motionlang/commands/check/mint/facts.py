@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
-from motionlang.commands.check.axis_state import IDLE, MOVES, State
+from motionlang.commands.check.axis_state import IDLE, MOVES, Axis, State
 from motionlang.commands.check.facts import Facts, Part
 from motionlang.commands.check.silence import has_host
 from motionlang.kernel.lang import AxisKey as Key
@@ -23,6 +23,8 @@ AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
 class MintFacts(Facts):
     """The facts about a Mint program."""
+
+    one_limit_arms_both = True
 
     def __init__(self, program: MintProgram) -> None:
         self.module, self.names = program.tree, program.checked.names
@@ -58,7 +60,7 @@ class MintFacts(Facts):
         }
         self.retained, self.begun = self._find_retained()
         variables = self.names.module.names.values()
-        hosted = has_host(program.source)
+        hosted = has_host(program.source, program.language)
         self.hosted = {each for each in variables if each.kind == "variable" and each.declared and hosted}
         self.retained |= self.hosted
 
@@ -144,8 +146,9 @@ class MintFacts(Facts):
             self._apart.update(each for each in part.parameters if each.name in keys)
         return super().resolved(part, found)
 
-    def has_soft_limits(self, key: Key) -> bool:
-        return not {key, None} & self.named("SOFTLIMITMODE")
+    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+        changed_mode = {key, None} & self.named("SOFTLIMITMODE")
+        return frozenset() if changed_mode else super().limits_in_force(key, axis)
 
     def refined(self, p: int, truth: bool, state: State) -> State:
         node = self.nodes_at[p]

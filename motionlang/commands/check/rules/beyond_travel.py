@@ -8,14 +8,15 @@ from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.facts import Facts
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
+def check(facts: Facts, warn: Warn) -> None:
     for act, key, axis in facts.axes.problems.get("beyond-travel", ()):
         limit = facts.axes.reach.beyond(key, axis)
-        message = f"the move ends at {axis.target:.10g}, beyond {limit} of axis {spelt(key)}"
-        warn(message, act.at, "the axis stops there with an error")
+        assert limit is not None
+        message = f"the move ends at {axis.target:.10g}, beyond {limit.text} of axis {spelt(key)}"
+        warn(message, act.at, limit.hint)
 
 
 RULE = Rule(
@@ -23,9 +24,11 @@ RULE = Rule(
     group="Motion",
     text="""\
 A move ends beyond the limit switch of its axis (`axis.0.travel` of the machine file), or beyond a SOFTLIMITFORWARD or
-SOFTLIMITREVERSE of the program. The warning appears if the end of the move is known: for constants, and for moves by a
-distance from a known position. A POS that gives the axis a new zero is taken into account. After HOME the zero depends
-on the switches, and only the software limits are checked.
+SOFTLIMITREVERSE of the program; in MCCL beyond an HL or LL that LN enables. The warning appears if the end of the move
+is known: for constants, and for moves by a distance from a known position. A POS or DH that gives the axis a new zero
+is taken into account. After a search for the home switch only the software limits are checked.
+
+In Mint, a program that sets one software limit puts the other one in force, too, and that is 0 until it is set.
 """,
     fix="move less far, or correct the travel in the machine file",
     mint=Case(
@@ -33,5 +36,11 @@ on the switches, and only the software limits are checked.
         wrong="MOVEA(0) = 500 : GO(0)\n",
         right="MOVEA(0) = 300 : GO(0)\n",
         machine="[axis.0]\ntravel = [0, 400]\n",
+    ),
+    mccl=Case(
+        check,
+        wrong="1MN,1MA500,1WS\n",
+        right="1MN,1MA300,1WS\n",
+        machine="[axis.1]\ntravel = [0, 400]\n",
     ),
 )

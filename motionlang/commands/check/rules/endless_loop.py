@@ -1,10 +1,10 @@
-"""A loop that nothing ends: in Mint nothing changes its condition, in MCCL a line repeats itself without a wait."""
+"""A loop that nothing ends: in Mint nothing changes its condition, in MCCL commands repeat without a wait."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mccl.loops import endless_lines
+from motionlang.commands.check.mccl.loops import endless_cycles
 from motionlang.commands.check.mint.changes import unchanging_loops
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.mint.syntax import nodes
@@ -24,24 +24,26 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
-    for found in endless_lines(facts):
-        command, at = found.line.commands[found.last], found.line.offsets[found.last]
-        if found.first == found.last:
-            warn(f"{command.text} jumps to itself forever", at, "jump to another command")
-        elif not found.moves:  # those with moves are never-waits
+    for cycle in endless_cycles(facts):
+        command = cycle.commands[cycle.last]
+        if len(cycle.commands) == 1 and command.verb != "repeat":
+            warn(f"{command.text} jumps to itself forever", cycle.last, "jump to another command")
+        elif not cycle.moves:  # those with moves are never-waits
             hint = "add WA0.1 before it"
             if command.verb == "repeat":
                 hint += f", or end after ten repetitions with {command.name}10"
-            warn(f"{command.name} repeats the line forever, without a wait or an exit", at, hint)
+            what = "macros" if command.verb == "jump_macro" else "line"
+            message = f"{command.name} repeats the {what} forever, without a wait or an exit"
+            warn(message, cycle.last, hint)
 
 
 RULE = Rule(
     code="endless-loop",
     group="Control flow",
     text="""\
-Nothing in a While or Repeat changes the values in its condition, and no Exit leads out of it. In MCCL: a line that `RP`
-repeats forever, or that a `JP`, a `JR` or an `MJ` to its own macro does, in which nothing takes time and nothing leads
-out.
+Nothing in a While or Repeat changes the values in its condition, and no Exit leads out of it. In MCCL:
+commands that RP, JP, JR or MJ repeat forever, also through several macros, in which nothing takes time, nothing is
+tested and nothing leads out.
 """,
     fix="change the condition in the loop, or leave it with Exit",
     mint=Case(

@@ -10,24 +10,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.inputs import driven_inputs
-from motionlang.commands.check.mccl.verbs import ELSEWHERE, WAITS
 from motionlang.commands.check.mint.changes import may_change, unchanging_loops
-from motionlang.commands.check.mint.conditions import Unattainable, awaited
+from motionlang.commands.check.mint.conditions import MARGIN, Unattainable, awaited
 from motionlang.commands.check.rule import Case, Rule, Warn
-from motionlang.kernel.mccl import NUMBER
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.axis_state import State
+    from motionlang.commands.check.axis_state import Axis, State
     from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
-    from motionlang.kernel.mccl import Command
+    from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
 
-# Waits of MCCL for an input, and commands that change neither the target nor the position of an axis.
+# Waits of MCCL for an input, and for a position.
 _INPUT_WAITS = frozenset({"wait_on", "wait_off"})
-_HARMLESS = frozenset({"motor_on", "position_mode", "shape_trapezoid", "shape_scurve", "shape_parabolic"})
+_POSITION_WAITS = frozenset({"wait_relative", "wait_position"})
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -81,31 +79,28 @@ def _inner(name: nodes.Name) -> list[nodes.Name]:
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     _check_inputs(facts, warn)
-    # The distance of the only move of an axis since it was last at rest, None if unknown.
-    distances: dict[int, float | None] = {}
-    for line in facts.lines:
-        if any(command.verb in ELSEWHERE for command in line.commands):
-            distances = dict.fromkeys(distances)
-            continue
-        for command, at in zip(line.commands, line.offsets, strict=True):
-            for axis in list(distances) if command.axis == 0 else [command.axis]:
-                distance = distances.setdefault(axis, 0.0)
-                beyond = command.verb == "wait_relative" and command.kind == NUMBER
-                if beyond and distance and abs(float(command.value)) > distance:
-                    message = f"{command.text} never ends: axis {axis} moves only {distance:.10g}"
-                    warn(message, at, f"wait for less, or for the end of the move with {axis}WS")
-                distances[axis] = _distance(distance, command)
+    for part, states in facts.axes.before.items():
+        for p, statement in facts.statements_of(part):
+            for use in statement.uses if p in states else ():
+                if use.row is not None and use.row.verb in _POSITION_WAITS and use.number(0) is not None:
+                    axis = facts.axes.known(states[p], use.axes[0])
+                    _check_position(use, statement.text, axis, warn)
 
 
-def _distance(before: float | None, command: Command) -> float | None:
-    """Return the distance of the only move since the axis was last at rest, after a command."""
-    row, verb = command.row, command.verb
-    if verb == "move_by":
-        return abs(float(command.value)) if before == 0.0 and command.kind == NUMBER else None
-    if verb in WAITS:
-        return 0.0
-    moves = row is not None and row.kind in ("move", "command")
-    return None if moves and verb not in _HARMLESS | {"wait_relative"} else before
+def _check_position(use: Use, text: str, axis: Axis, warn: Warn) -> None:
+    """Report a WR for more than the only move since standstill, and a WP beyond the ends of all moves so far."""
+    key, number = use.axes[0], use.number(0)
+    assert use.row is not None
+    assert number is not None
+    if use.row.verb == "wait_relative" and axis.distance and abs(number) > axis.distance:
+        message = f"{text} never ends: axis {key} moves only {axis.distance:.10g}"
+        warn(message, use.at, f"wait for less, or for the end of the move with {key}WS")
+    if use.row.verb == "wait_position" and axis.span is not None:
+        low, high = axis.span
+        margin = MARGIN * (high - low)
+        if low < high and not low - margin <= number <= high + margin:
+            message = f"{text} never ends: axis {key} moves between {low:.10g} and {high:.10g}"
+            warn(message, use.at, "wait for a position that a move reaches")
 
 
 def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
@@ -134,7 +129,8 @@ has only `controller` and `run` keys, every input may change, and there is no wa
 
 Two more waits never end. One is for standstill while the axis jogs and nothing stops it: no input, limit, error or
 handler of the program, and no machine file. The other is for a position that no move so far leads to, such as
-`PAUSE POS(0) > 300` after a move from 0 to 200; in MCCL, a WR for more than the distance of its move.
+`PAUSE POS(0) > 300` after a move from 0 to 200; in MCCL, a WR for more than the distance of its move, and a WP for a
+position that no move leads to.
 """,
     fix="wait for something that changes, or stop the axis first",
     mint=Case(

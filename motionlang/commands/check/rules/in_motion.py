@@ -8,14 +8,22 @@ from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.facts import Facts
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
+def check_mint(facts: Facts, warn: Warn) -> None:
+    _check(facts, warn, "PAUSE IDLE({}) waits for its end")
+
+
+def check_mccl(facts: Facts, warn: Warn) -> None:
+    _check(facts, warn, "{}WS before it waits for its end")
+
+
+def _check(facts: Facts, warn: Warn, hint: str) -> None:
     for act, key, _ in facts.axes.problems.get("in-motion", ()):
         what = "set" if act.role == "zero" else "read"
         message = f"the position of axis {spelt(key)} is {what} while the move just started is in motion"
-        warn(message, act.at, f"PAUSE IDLE({spelt(key)}) waits for its end")
+        warn(message, act.at, hint.format(spelt(key)))
 
 
 RULE = Rule(
@@ -24,12 +32,13 @@ RULE = Rule(
     text="""\
 The program reads or sets the position immediately after the GO that started a move, when no time has passed. It gets
 the start of the move, where it probably needs the end. If a PAUSE, a WAIT or a loop comes in between, the position is
-meant to be read during the move, and there is no warning.
+meant to be read during the move, and there is no warning. In MCCL: a TP or DH directly behind a move, outside a loop.
 """,
     fix="wait for the end of the move with PAUSE IDLE before you use the position",
     mint=Case(
-        check,
+        check_mint,
         wrong="MOVER(0) = 5 : GO(0)\nPRINT POS(0)\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n",
     ),
+    mccl=Case(check_mccl, wrong="1MN,1MR100,1TP\n", right="1MN,1MR100,1WS,1TP\n"),
 )

@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mint.buffers import LOADS, triggered
 from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl import table
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from motionlang.commands.check.facts import Part
+    from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
@@ -27,9 +29,11 @@ if TYPE_CHECKING:
 Bits = dict["Key", int]
 
 _GO = frozenset(("go",))
+# What starts the motion of a mode of MCCL, by the verb that selects the mode.
+_STARTS = {"velocity_mode": "go", "contour_mode": "path"}
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
+def check_mint(facts: MintFacts, warn: Warn) -> None:
     started: dict[Part, set[Key]] = {
         root: facts.touched(root, _GO) for root in facts.functions if root.kind != "sub"
     }
@@ -105,6 +109,36 @@ def _is_started_elsewhere(
     return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 
 
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    """Report each mode whose motion nothing starts; what a macro prepares that nothing calls, a host may start."""
+    for part in facts.parts:
+        for p, _ in facts.statements_of(part) if part.kind != "sub" else ():
+            for act in facts.acts[p] if p in facts.axes.before[part] else ():
+                verb = _STARTS.get(act.row.verb if act.row is not None else "")
+                # The axis that controls a contour, the parameter of CM, starts its paths.
+                axis = act.number(0) if verb == "path" else act.axes[0]
+                if verb is not None and not _is_followed(facts, part, p, verb, axis):
+                    word = table().doing(verb)
+                    message = (
+                        f"{facts.text(act)} selects a mode, and no {word} that starts its motion follows"
+                    )
+                    number = "" if axis is None else f"{axis:.0f}"
+                    warn(
+                        message,
+                        act.at,
+                        f"{number}{word}{'1 begins a path' if verb == 'path' else ' starts it'}",
+                    )
+
+
+def _is_followed(facts: MacroFacts, part: Part, p: int, verb: str, axis: float | str | None) -> bool:
+    """True if something behind a point, or in another part, starts the motion of a mode."""
+    behind = facts.graph.reached_within(*facts.graph.within[p])
+    uses = [use for q in behind for use in facts.acts.get(q, ())]
+    uses += (use for other in facts.parts if other is not part for use in facts.acts_of[other])
+    starts = [use for use in uses if use.row is not None and use.row.verb == verb]
+    return any(axis is None or {axis, None} & {*use.axes} for use in starts)
+
+
 RULE = Rule(
     code="never-started",
     group="Motion",
@@ -113,11 +147,15 @@ A move is loaded into the buffer, and on every path from there the buffer is emp
 program ends before a GO of its axis. These count as a GO: another task, a handler, the caller of the sub, and a
 TRIGGERMODE that starts moves by itself. A move of several axes needs the GO of only one of them. A run that ends with
 such a move in a buffer also warns of it.
+
+In MCCL, VM selects velocity mode and no GO of the axis follows, or CM joins a contour and no CP of the controlling axis
+follows.
 """,
     fix="write GO after the move",
     mint=Case(
-        check,
+        check_mint,
         wrong="MOVER(0) = 5\n",
         right="MOVER(0) = 5\nGO(0)\n",
     ),
+    mccl=Case(check_mccl, wrong="1MN,1VM\n", right="1MN,1VM,1GO\n"),
 )

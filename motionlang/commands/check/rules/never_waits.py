@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.mccl.loops import endless_lines
+from motionlang.commands.check.mccl.loops import endless_cycles
 from motionlang.commands.check.mint.buffers import LOADS
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.mint.syntax import nodes
@@ -70,12 +70,11 @@ def _depends(value: nodes.Expr, on: set[Symbol | None]) -> bool:
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
-    for found in endless_lines(facts):
-        if found.moves:
-            command, at = found.moves[-1]
-            word = found.line.commands[found.last].name
-            message = f"{word} repeats {command.text} without waiting for its end"
-            warn(message, at, f"add {command.axis or ''}WS after it")
+    for cycle in endless_cycles(facts):
+        if cycle.moves:
+            move, word = cycle.moves[-1], cycle.commands[cycle.last].name
+            message = f"{word} repeats {facts.text(move)} without waiting for its end"
+            warn(message, move.at, f"add {move.axes[0] or ''}WS after it")
 
 
 RULE = Rule(
@@ -84,8 +83,8 @@ RULE = Rule(
     text="""\
 A loop starts a new motion in each iteration and never waits, so each motion is cut short by the next one ten
 microseconds later. In Mint, the warning is for a jog whose value changes in each iteration of a loop without a WAIT, a
-PAUSE, a branch or an exit. In MCCL, it is for a move in a line that ends with `RP` without a number and has no wait, no
-skip and no jump. A run also warns if it starts several hundred motions from the same few lines within milliseconds,
+PAUSE, a branch or an exit. In MCCL, it is for a move in commands that RP, JP, JR or MJ repeat forever without a wait,
+a test and an exit. A run also warns if it starts several hundred motions from the same few lines within milliseconds,
 whatever the loop looks like.
 """,
     fix="wait for each move, or let time pass in the loop",

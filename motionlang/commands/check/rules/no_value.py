@@ -6,16 +6,18 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.variables import Suggestions, variables
 from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of
 from motionlang.kernel.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME
 
 if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
 
 # Types of variables that have a value without an assignment.
 _WITH_VALUE = frozenset((TIME, SEMAPHORE, CONTROLLER, RECORD))
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
+def check_mint(facts: MintFacts, warn: Warn) -> None:
     given = facts.writers.keys() | facts.retained | facts.begun
     suggestions = Suggestions()
     for symbol, is_used in variables(facts):
@@ -33,17 +35,34 @@ def check(facts: MintFacts, warn: Warn) -> None:
         )
 
 
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    uses = [(uses_of(command), command, at) for command, at in facts.commands]
+    if facts.has_host or any(found is None for found, _, _ in uses):
+        return
+    given = {number for found, _, _ in uses if found is not None for number in found.sets}
+    for found, command, at in uses:
+        for number in sorted((found.reads if found is not None else frozenset()) - given - {ACCUMULATOR}):
+            register = number if number >= 0 else -1 - number
+            stored = "no line of this file stores a value there: it is 0"
+            message = f"{command.text} reads register {register}, and {stored}"
+            warn(message, at, f"AR{register} stores the accumulator in it")
+
+
 RULE = Rule(
     code="no-value",
     group="Names",
     text="""\
 A variable is read, but nothing gives it a value: not its Dim, no statement, and no sub to which it is passed. It is
 always 0 or an empty text. There is no warning for arrays and records.
+
+In MCCL: a register that no AR stores. There is no warning if a comment has `lint: host`, or if a register is known only
+at run time.
 """,
     fix="assign a value first, or correct the name",
     mint=Case(
-        check,
+        check_mint,
         wrong="Dim part\nPRINT part\n",
         right="Dim part = 1\nPRINT part\n",
     ),
+    mccl=Case(check_mccl, wrong="RA10,TR0\n", right="AL5,AR10\nRA10,TR0\n"),
 )

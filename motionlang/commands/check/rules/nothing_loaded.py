@@ -11,9 +11,6 @@ if TYPE_CHECKING:
     from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
 
-# Commands of MCCL that select a mode whose motion GO starts.
-_STARTED = frozenset({"velocity_mode", "contour_mode"})
-
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
     for act, _, _ in facts.axes.problems.get("nothing-loaded", ()):
@@ -22,11 +19,9 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
-    modes = {command.axis for command, _ in facts.commands if command.verb in _STARTED}
-    for command, at in facts.commands:
-        if command.verb == "go" and not modes & {0, command.axis} and (command.axis or not modes):
-            message = f"{command.text} starts nothing: no line of this file selects velocity mode"
-            warn(message, at, f"{command.axis or ''}VM before it, or MA or MR for a move")
+    for act, key, _ in facts.axes.problems.get("nothing-loaded", ()):
+        message = f"{facts.text(act)} starts nothing: axis {key} is in position mode"
+        warn(message, act.at, f"{key}VM before it, or MA or MR for a move")
 
 
 RULE = Rule(
@@ -34,7 +29,7 @@ RULE = Rule(
     group="Motion",
     text="""\
 A GO of axes for which no move is loaded: nothing was loaded, or an earlier GO has started it. In MCCL: a GO of an axis
-for which the file selects neither velocity mode nor a contour; the board answers `?-2`.
+in position mode; the board answers `?-2`.
 """,
     fix="load a move first, or remove the GO",
     mint=Case(

@@ -6,17 +6,35 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl import table
 
 if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
 
+# The settings that a scale changes, in the order of a message.
+_ORDER = ("speed", "accel", "decel", "minimum")
 
-def check(facts: MintFacts, warn: Warn) -> None:
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
     for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
         words = ", ".join(sorted(each.upper() for each in axis.stale))
         message = f"the scale of axis {spelt(key)} is set after {words}, whose value it changes"
         assert axis.scaled is not None
         warn(message, axis.scaled, "set the scale first")
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    names = {row.gives: row.name for row in table()}
+    for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
+        *others, last = (names[slot] for slot in _ORDER if slot in axis.stale)
+        words = f"{', '.join(others)} and {last} before it are" if others else f"{last} before it is"
+        assert axis.scaled is not None
+        message = f"the scale of axis {key} is in force only from MN on: {words} in counts"
+        warn(message, axis.scaled, f"{key}MN directly behind it puts it in force")
+    for act, key, _ in facts.axes.problems.get("scale-pending", ()):
+        message = f"{facts.text(act)} is in the old unit: the scale of axis {key} is in force only from the next MN on"
+        warn(message, act.at, f"{key}MN before it puts it in force")
 
 
 RULE = Rule(
@@ -27,11 +45,19 @@ SPEED, ACCEL and similar settings are stored in counts, so a later SCALEFACTOR c
 example, 250 mm/s set at scale 1 is 250 counts per second; after `SCALE(0) = 1200` it is about a fifth of a millimetre
 per second. Set the scale first. The warning is at the scale, and appears only if a move uses such a setting before it
 is set again.
+
+In MCCL a US is in force only from the next MN on. Speeds, rates and moves between the two are in counts: behind
+`1US1200,1SV250,1SA1250,1MN` an axis moves at 250 counts per second, a fifth of a millimetre.
 """,
     fix="set the scale first",
     mint=Case(
-        check,
+        check_mint,
         wrong="SPEED(0) = 250\nSCALE(0) = 1200\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SCALE(0) = 1200\nSPEED(0) = 250\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+    mccl=Case(
+        check_mccl,
+        wrong="1US1200,1SV250,1SA1250,1DS1250,1MN\n1MR200,1WS\n",
+        right="1US1200,1MN,1SV250,1SA1250,1DS1250\n1MR200,1WS\n",
     ),
 )

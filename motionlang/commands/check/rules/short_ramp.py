@@ -2,7 +2,34 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.rule import Case, Rule
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.kernel.lang import AxisKey as Key
+
+# One trajectory update, s, and the ramp that a hint suggests instead.
+_UPDATE = 1e-3
+_USUAL = 0.2
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    """Compare each rate with the greatest velocity of its axis; in another unit of time the quotient is no ramp."""
+    if any(row.verb == "rate" for row in facts.used):
+        return
+    speeds: dict[Key, list[float] | None] = facts.values(lambda row: row.gives == "speed")
+    for act in facts.written_by(lambda row: row.gives in ("accel", "decel")):
+        known, rate = speeds.get(act.axes[0]), act.number(0)
+        if not known or not rate or None in speeds:
+            continue
+        speed = max(known)
+        if 0.0 < speed / rate < _UPDATE:
+            ramp = f"a ramp of {speed / rate * 1e3:.3g} ms to SV{speed:.10g}"
+            message = f"{ramp} is shorter than one trajectory update, 1 ms"
+            warn(message, act.at, f"for a ramp of {_USUAL * 1e3:.0f} ms write {speed / _USUAL:.10g}")
+
 
 RULE = Rule(
     code="short-ramp",
@@ -10,12 +37,18 @@ RULE = Rule(
     text="""\
 An ACCELTIME or DECELTIME below one millisecond, or an ACCEL or DECEL that reaches SPEED in less, is a ramp of no
 trajectory update: the axis would jump to its speed. The times are in milliseconds, so 0.2 for 0.2 s is such a ramp. A
-rate is compared with the greatest literal SPEED of its axis. `run` also shows this warning.
+rate is compared with the greatest literal SPEED of its axis. `run` also shows this warning. In MCCL: an SA or DS that
+reaches the greatest SV of its axis within a millisecond.
 """,
     fix="write the time in milliseconds, or the rate in user units/s²",
     mint=Case(
         None,
         wrong="SPEED(0) = 50\nACCELTIME(0) = 0.2\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 50\nACCELTIME(0) = 200\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
+    ),
+    mccl=Case(
+        check_mccl,
+        wrong="1MN,1SV20000,1SA100000000\n1MR100,1WS\n",
+        right="1MN,1SV20000,1SA100000\n1MR100,1WS\n",
     ),
 )

@@ -14,15 +14,21 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.commands.check.mccl.facts import MacroFacts
     from motionlang.commands.check.mint.facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
+    from motionlang.kernel.lang import Use
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
+_COMMANDS_MCCL = frozenset(("start", "run", "act", "stop"))
+_COORDINATION_MCCL = frozenset(("store", "end_task"))
 # Verbs of the keywords by which tasks coordinate.
 _COORDINATION = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
+def check_mint(facts: MintFacts, warn: Warn) -> None:
     if _are_coordinated(facts):
         return
     main = facts.names.main
@@ -88,6 +94,40 @@ def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
     return found
 
 
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    """Report a background task and the foreground that command an axis; a shared register may coordinate them."""
+    if any(command.verb in _COORDINATION_MCCL for command, _ in facts.commands):
+        return
+    for task in (part for part in facts.parts if part.kind == "task"):
+        axes = _axes_of(facts.acts_of[task])
+        for p, statement in facts.statements_of(facts.parts[0]):
+            if task.name not in statement.starts:
+                continue
+            for key in sorted(axes & _axes_of(_behind(facts, p)), key=str):
+                at = next(
+                    act.at for act in facts.acts_of[task] if act.role in _COMMANDS_MCCL and key in act.axes
+                )
+                message = f"axis {key} is commanded by the background {task.name} and by the foreground"
+                warn(message, at, "command it from one task, or let one wait for the other")
+
+
+def _behind(facts: MacroFacts, p: int) -> Iterator[Use]:
+    """Yield what follows the start of a task before the next wait."""
+    seen: set[int] = set()
+    stack = list(facts.graph.within[p])
+    while stack:
+        q = stack.pop()
+        statement = facts.statement_at.get(q)
+        if q not in seen and not (statement is not None and statement.waits):
+            seen.add(q)
+            yield from facts.acts.get(q, ())
+            stack += facts.graph.within[q]
+
+
+def _axes_of(uses: Iterable[Use]) -> set[Key]:
+    return {key for use in uses if use.role in _COMMANDS_MCCL for key in use.axes} - {None}
+
+
 RULE = Rule(
     code="two-tasks",
     group="Motion",
@@ -95,11 +135,19 @@ RULE = Rule(
 Two tasks command moves of the same axis; or a task and its parent do, after the parent has started the task. There is
 no warning if the program makes them take turns: by a Semaphore, by TASKSTATUS, TASKSUSPEND or `End task`, or by a
 variable that the task checks before it moves.
+
+In MCCL: a macro that GT runs in the background moves an axis that the foreground commands before its next wait. There
+is no warning if the file stores a register or ends a task.
 """,
     fix="let one task command the axis, or use a Semaphore",
     mint=Case(
-        check,
+        check_mint,
         wrong=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(0) = 9 : GO(0)\nEnd Task\n"),
         right=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(1) = 9 : GO(1)\nEnd Task\n"),
+    ),
+    mccl=Case(
+        check_mccl,
+        wrong="MD1,1MR100,1WS\n1MN,2MN\nGT1,1MR50,1WS\n",
+        right="MD1,1MR100,1WS\n1MN,2MN\nGT1,2MR50,2WS\n",
     ),
 )

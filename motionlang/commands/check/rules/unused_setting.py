@@ -12,47 +12,48 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.axis_state import COMMANDS, IDLE
 from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
-from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.lang import RETURN
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.facts import Facts, Part
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
-    from motionlang.kernel.mint.resolve.symbols import Function
 
 # A bit for each property of each axis.
 Bits = dict[tuple["Key", str], int]
 
 TOUCHES = COMMANDS | {"read", "slot", "use"}
+# Roles of keywords that use no setting.
+_IDLE = frozenset(("scale", "rescale", "enable", "mode"))
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
-    for function in facts.functions:
-        bits = _slot_bits(facts, function)
+def check(facts: Facts, warn: Warn) -> None:
+    for part in facts.parts:
+        bits = _slot_bits(facts, part)
         if not bits:
             continue
         everything = (1 << len(bits)) - 1
-        last = _left_over(facts, function, bits) if function.kind == "main" else everything
+        last = _left_over(facts, part, bits) if part.kind == "main" else everything
         behind = facts.graph.backward(
-            facts.points[function],
+            facts.points[part],
             lambda p, last=last: last,  # type: ignore[misc]
             partial(_used, facts, bits, everything),
         )
-        for p, _ in facts.nodes_of(function):
-            if p in facts.axes.before[function]:
+        for p, _ in facts.statements_of(part):
+            if p in facts.axes.before[part]:
                 _check_point(facts, p, behind[p], bits, warn)
 
 
-def _slot_bits(facts: MintFacts, function: Function) -> Bits:
-    """Assign a bit to each property of each axis that only this function uses."""
+def _slot_bits(facts: Facts, part: Part) -> Bits:
+    """Assign a bit to each property of each axis that only this part uses."""
     found: Bits = {}
-    mine = facts.roots[function]
+    mine = facts.roots[part]
     if len(mine) > 1:  # it runs in more than one task or handler
         return found
     others = facts.touched_by(
-        (root for root in facts.functions if root.kind != "sub" and root not in mine), TOUCHES
+        (root for root in facts.parts if root.kind != "sub" and root not in mine), TOUCHES
     )
-    for act in facts.acts_of[function]:
+    for act in facts.acts_of[part]:
         if act.role == "slot":
             assert act.row is not None
             for key in act.axes:
@@ -62,13 +63,13 @@ def _slot_bits(facts: MintFacts, function: Function) -> Bits:
     return found
 
 
-def _left_over(facts: MintFacts, function: Function, bits: Bits) -> int:
+def _left_over(facts: Facts, part: Part, bits: Bits) -> int:
     """Return the settings that still matter at the end of the parent task.
 
     These are the settings of axes that may still be in motion.
     """
     found = 0
-    for p, state in facts.axes.before[function].items():
+    for p, state in facts.axes.before[part].items():
         if not facts.graph.within[p]:
             for (key, _), bit in bits.items():
                 if facts.axes.known(state, key).motion != IDLE:
@@ -76,9 +77,12 @@ def _left_over(facts: MintFacts, function: Function, bits: Bits) -> int:
     return found
 
 
-def _used(facts: MintFacts, bits: Bits, everything: int, p: int, behind: int) -> int:
+def _used(facts: Facts, bits: Bits, everything: int, p: int, behind: int) -> int:
     """Return the settings that are used from a point on, of those that are used behind it."""
-    if type(facts.nodes_at.get(p)) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
+    statement = facts.statement_at.get(p)
+    if facts.graph.points[p].kind == RETURN or (
+        statement is not None and (statement.waits or statement.starts)
+    ):
         return everything
     for act in reversed(facts.acts.get(p, ())):
         assert act.row is not None or act.role == "call"
@@ -88,14 +92,14 @@ def _used(facts: MintFacts, bits: Bits, everything: int, p: int, behind: int) ->
                     behind &= ~bits.get((key, act.row.gives), 0)
         elif act.role == "call" or None in act.axes or (act.row is not None and act.row.verb == "wait"):
             behind = everything
-        elif act.role != "scale":
+        elif act.role not in _IDLE:
             for (key, _), bit in bits.items():
                 if key in act.axes or any(isinstance(each, str) for each in act.axes):
                     behind |= bit
     return behind
 
 
-def _check_point(facts: MintFacts, p: int, behind: int, bits: Bits, warn: Warn) -> None:
+def _check_point(facts: Facts, p: int, behind: int, bits: Bits, warn: Warn) -> None:
     for act in facts.acts[p]:
         if act.role != "slot":
             continue
@@ -111,12 +115,12 @@ def _check_point(facts: MintFacts, p: int, behind: int, bits: Bits, warn: Warn) 
             warn(message, act.at, "remove it, or set it before the move that needs it")
         else:
             assert later.row is not None
-            by = f"{later.row.name} in line {facts.module.line(later.at)}"
+            by = f"{later.row.name} in line {facts.structure.line(later.at)}"
             message = f"{word} of axis {spelt(dead[0])} is replaced by {by} before any move"
             warn(message, act.at, "remove one of the two")
 
 
-def _next_setting(facts: MintFacts, p: int, key: Key, slot: str) -> Use | None:
+def _next_setting(facts: Facts, p: int, key: Key, slot: str) -> Use | None:
     """Return the use that replaces a setting."""
     seen: set[int] = set()
     stack = list(reversed(facts.graph.within[p]))
@@ -132,6 +136,21 @@ def _next_setting(facts: MintFacts, p: int, key: Key, slot: str) -> Use | None:
     return None
 
 
+def check_mint(facts: Facts, warn: Warn) -> None:
+    check(facts, warn)
+    modes = facts.values(lambda row: row.verb == "feedrate_mode")
+    for act in facts.written_by(lambda row: row.verb == "override"):
+        for k, key in enumerate(act.axes):
+            known = [modes.get(each, []) for each in (key, None)]
+            acts = any(each is None or any(int(value) & 2 for value in each) for each in known)
+            if key is not None and not acts and act.number(k) not in (None, 100):
+                assert act.row is not None
+                message = (
+                    f"{act.row.name} of axis {spelt(key)} has no effect: bit 1 of FEEDRATEMODE is never set"
+                )
+                warn(message, act.at, f"FEEDRATEMODE({spelt(key)}) = 2 makes it act")
+
+
 RULE = Rule(
     code="unused-setting",
     group="Motion",
@@ -139,11 +158,15 @@ RULE = Rule(
 The program sets a speed, a rate, a jerk or the shape of moves, and sets it again, or ends, before any motion can use
 it. ACCEL and ACCELTIME are the same setting: the later one counts. While the axis moves, and if another task uses the
 axis, every setting counts as used.
+
+In Mint also: FEEDRATEOVERRIDE, where no statement sets bit 1 of FEEDRATEMODE, without which it does not act. In MCCL
+the settings are SV, SA, DS, MV and the shape of profiles.
 """,
     fix="remove the setting, or move it in front of the motion that needs it",
     mint=Case(
-        check,
+        check_mint,
         wrong="SPEED(0) = 100\n",
         right="SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
+    mccl=Case(check, wrong="1MN,1SV1000,1SV2000\n1MR100,1WS\n", right="1MN,1SV2000\n1MR100,1WS\n"),
 )

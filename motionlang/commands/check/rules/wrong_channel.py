@@ -27,7 +27,7 @@ def check(facts: MacroFacts, warn: Warn) -> None:
         if not made & {None, command.number} and command.number not in outputs
     ]
     word, other_models = table().doing("channel_output"), _other_models(facts, made)
-    for command, at in wrong:
+    for command, at in wrong[:1] if other_models else wrong:  # one model is one cause
         channel = command.number
         hint = f"{word}{channel} makes it an output; {outputs.start} to {outputs.stop - 1} are outputs at power-up"
         warn(
@@ -35,7 +35,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
             at,
             other_models or hint,
         )
-        other_models = ""  # the first warning is enough for it
 
 
 def _other_models(facts: MacroFacts, made: set[int | None]) -> str:

@@ -8,15 +8,16 @@ from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.facts import Facts
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
-    for _, key, axis in facts.axes.problems.get("zeros", ()):
+def check(facts: Facts, warn: Warn) -> None:
+    for act, key, axis in facts.axes.problems.get("zeros", ()):
         if "speed" not in axis.zeros:  # zero-speed is the better warning if both are 0
             assert axis.loaded is not None
             rate = "acceleration" if "accel" in axis.zeros else "deceleration"
-            message = f"the move cannot run: the {rate} of axis {spelt(key)} is 0 at its GO"
+            then = "at its GO" if act.role == "go" else "when it starts"
+            message = f"the move cannot run: the {rate} of axis {spelt(key)} is 0 {then}"
             warn(message, axis.loaded, "set it above zero first")
 
 
@@ -24,7 +25,8 @@ RULE = Rule(
     code="zero-acceleration",
     group="Motion",
     text="""\
-A move starts while ACCEL or DECEL of its axis is 0. It could not start or could not stop, so a run ends there.
+A move starts while ACCEL or DECEL (in MCCL SA or DS) of its axis is 0. It could not start or could not stop, so a run
+ends there.
 """,
     fix="set ACCEL and DECEL above zero before GO",
     mint=Case(
@@ -32,4 +34,5 @@ A move starts while ACCEL or DECEL of its axis is 0. It could not start or could
         wrong="ACCEL(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="ACCEL(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
+    mccl=Case(check, wrong="1MN,1SA0\n1MR100,1WS\n", right="1MN,1SA1000\n1MR100,1WS\n"),
 )

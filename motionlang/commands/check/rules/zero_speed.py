@@ -8,14 +8,15 @@ from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.facts import Facts
 
 
-def check(facts: MintFacts, warn: Warn) -> None:
-    for _, key, axis in facts.axes.problems.get("zeros", ()):
+def check(facts: Facts, warn: Warn) -> None:
+    for act, key, axis in facts.axes.problems.get("zeros", ()):
         if "speed" in axis.zeros:
             assert axis.loaded is not None
-            message = f"the move holds: the speed of axis {spelt(key)} is 0 at its GO"
+            then = "at its GO" if act.role == "go" else "when it starts"
+            message = f"the move holds: the speed of axis {spelt(key)} is 0 {then}"
             warn(message, axis.loaded, "set it above zero first")
 
 
@@ -24,7 +25,7 @@ RULE = Rule(
     group="Motion",
     text="""\
 A move starts while the SPEED of its axis is 0. It holds where it is until SPEED rises, so a wait for its end may never
-end. A run warns of it, too, and names the line that set SPEED to 0.
+end. A run warns of it, too, and names the line that set SPEED to 0. In MCCL the board rejects a move at SV0.
 """,
     fix="set SPEED above zero before GO",
     mint=Case(
@@ -32,4 +33,5 @@ end. A run warns of it, too, and names the line that set SPEED to 0.
         wrong="SPEED(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 10\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
+    mccl=Case(check, wrong="1MN,1SV0\n1MR100,1WS\n", right="1MN,1SV1000\n1MR100,1WS\n"),
 )

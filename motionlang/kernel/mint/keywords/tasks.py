@@ -59,7 +59,9 @@ _TASK_PRIORITY = Actions(
 _TASK_QUANTUM = Actions(
     read=of(Environment, lambda e, name: e.quanta.get(name, 100)), write=of(Environment, write_quantum)
 )
-_TIMER_EVENT = Actions(read=of(Events, lambda events: events.timer), write=of(Events, Events.set_timer))
+_TIMER_EVENT = Actions(
+    "timer_event", read=of(Events, lambda events: events.timer), write=of(Events, Events.set_timer)
+)
 _EVENT_DISABLE = Actions(read=of(Events, lambda events: events.disabled), write=of(Events, Events.disable))
 
 _BLINK = "\nWAIT = 50\nEnd\nTask Blink\n  Loop\n    WAIT = 20\n  End Loop\nEnd Task"

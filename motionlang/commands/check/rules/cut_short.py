@@ -1,0 +1,29 @@
+"""A motion is stopped in the moment in which it starts, so that nothing moves."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+
+
+def check(facts: MacroFacts, warn: Warn) -> None:
+    for act, key, _ in facts.axes.problems.get("cut-short", ()):
+        text = facts.structure.statements[act.at].text
+        message = f"{text} stops axis {key} in the moment in which its motion starts"
+        warn(message, act.at, f"{key}WS before it waits for the end of a move, WA for a time")
+
+
+RULE = Rule(
+    code="cut-short",
+    group="Motion",
+    text="""\
+MF, AB or ST comes directly behind the command that starts a motion, without any time between: the axis does not move.
+WS waits for the end of a move; in velocity mode a WA lets the axis run.
+""",
+    fix="wait for the end of the motion before you stop it",
+    mccl=Case(check, wrong="1MN,1MR100,1MF\n", right="1MN,1MR100,1WS,1MF\n"),
+)

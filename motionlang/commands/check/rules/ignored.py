@@ -1,0 +1,49 @@
+"""A part of a line has no effect: a number behind a command that takes none, or commands behind a semicolon."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.mccl import NUMBER, line_of
+from motionlang.kernel.mccl.resolve.decode import problem
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
+
+# A comment directly behind a command.
+_BEHIND = re.compile(r"(?<=\w);(?=\S)(.*)")
+
+
+def check(facts: MacroFacts, warn: Warn) -> None:
+    for command, at in facts.commands:
+        if command.row is not None and command.row.access == "C" and command.kind == NUMBER:
+            name = f"{command.axis or ''}{command.name}"
+            warn(f"{command.text}: {command.name} takes no number, which is ignored", at, f"write {name}")
+    text = facts.structure.source.text
+    for line in facts.lines:
+        end = text.find("\n", line.offsets[-1])
+        found = _BEHIND.search(text, line.offsets[-1], end if end >= 0 else len(text))
+        if found is not None and _are_commands(found[1]):
+            message = "the semicolon begins a comment: the commands behind it are not carried out"
+            warn(message, found.start(), "separate commands by commas", length=1, fix=",")
+
+
+def _are_commands(text: str) -> bool:
+    """True if a text consists of valid commands."""
+    line = line_of(text.strip())
+    return line is not None and not any(problem(each) for each in line.commands)
+
+
+RULE = Rule(
+    code="ignored",
+    group="Control flow",
+    text="""\
+A part of a line has no effect. A command that takes no number, such as PT, ignores one. A semicolon begins a comment,
+so it does not separate commands: `1MR100;1WS0` moves and does not wait. The second warning is only for a semicolon
+directly between two commands.
+""",
+    fix="remove the number, or separate the commands by a comma",
+    mccl=Case(check, wrong="1MN,1PT1,1MR100;1WS0\n", right="1MN,1PT,1MR100,1WS0\n"),
+)
