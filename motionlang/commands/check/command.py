@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unwritten
@@ -17,9 +17,6 @@ from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, Unfixable, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table
 from motionlang.commands.check.tree_view import render_tree
-from motionlang.commands.probe.assumption import Assumption
-from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.view import assumptions_table, listing
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.kernel import (
     DEFAULT_AXES,
@@ -44,6 +41,9 @@ from motionlang.kernel.mccl import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of
+
+if TYPE_CHECKING:
+    from motionlang.commands.probe.assumption import Assumption
 
 
 @dataclass
@@ -191,6 +191,9 @@ examples:
         except ProgramError:  # its errors are among the findings
             pass
         if self.evidence:
+            from motionlang.commands.probe.entries import assumptions
+            from motionlang.commands.probe.view import listing
+
             known = assumptions()
             open_ones = [known[name] for name in depended_on(language, source.text, settings)]
             self._shown.assumptions += [({"file": file}, each) for each in open_ones]
@@ -198,6 +201,8 @@ examples:
 
     def _document(self, findings: Sequence[Found]) -> Document:
         """Return the findings, and the tables that are asked for."""
+        from motionlang.commands.probe.view import assumptions_table
+
         shown = self._shown
         about = [(each.file, diagnostic) for each in findings for diagnostic in each.diagnostics]
         names = ("file", "dialect", "notes", *(["tree"] if self.tree else []))
