@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.kernel.lang import AxisKey as Key
@@ -39,19 +40,19 @@ class Reach:
         return self._software(key, axis) or self._switch(key, axis)
 
     def _software(self, key: Key, axis: Axis) -> Limit | None:
-        assert axis.target is not None
-        in_force = self.facts.limits_in_force(key, axis)
-        for side, is_beyond in ((UPPER, float.__gt__), (LOWER, float.__lt__)):
-            values = self.values[side].get(key) if side in in_force else None
-            limit = None if not values else max(values) if side == UPPER else min(values)
-            if limit is not None and is_beyond(float(axis.target), float(limit)):
-                return Limit(f"the software limit at {limit:.10g}", "the axis stops there with an error")
-            # The program has set the other limit, which puts this one in force, too.
-            is_armed = self.facts.one_limit_arms_both and axis.limited and side in in_force
-            is_unset = not {key, None} & self.values[side].keys()
-            if is_armed and is_unset and is_beyond(float(axis.target), 0.0):
-                hint = "it is 0 until it is set, and the other limit puts it in force"
-                return Limit("the software limit at 0", hint)
+        target, in_force = float(axis.target or 0.0), self.facts.limits_in_force(key, axis)
+        known = {side: self.values[side].get(key) or () for side in in_force}
+        upper, lower = max(known.get(UPPER, ()), default=inf), min(known.get(LOWER, ()), default=-inf)
+        if not lower <= target <= upper:
+            limit = upper if target > upper else lower
+            return Limit(f"the software limit at {limit:.10g}", "the axis stops there with an error")
+        if not self.facts.one_limit_arms_both or not axis.limited or not in_force:
+            return None
+        # The program has set one limit, which puts the other one in force, too.
+        unset = {side for side in in_force if not {key, None} & self.values[side].keys()}
+        if (target > 0.0 and UPPER in unset) or (target < 0.0 and LOWER in unset):
+            hint = "it is 0 until it is set, and the other limit puts it in force"
+            return Limit("the software limit at 0", hint)
         return None
 
     def _switch(self, key: Key, axis: Axis) -> Limit | None:

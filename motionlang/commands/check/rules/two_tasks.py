@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang import Use
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
-_COMMANDS_MCCL = frozenset(("start", "run", "act", "stop"))
+_COMMANDS_MCCL = frozenset(("start", "run", "act"))
 _COORDINATION_MCCL = frozenset(("store", "end_task"))
 # Verbs of the keywords by which tasks coordinate.
 _COORDINATION = frozenset(("task_status", "task_suspend", "task_resume"))
