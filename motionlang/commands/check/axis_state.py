@@ -1,7 +1,8 @@
-"""Data-flow analysis: the facts known about each axis before each step.
+"""Data-flow analysis: the facts known about each axis before each statement, for both languages.
 
-The checks of motion use this. Only certain facts are stored. Where two paths of execution join, facts on
-which they disagree are dropped.
+The rules about motion ask for these facts. Only certain ones are stored: where two paths of execution join, those on
+which they disagree are dropped. What a keyword does to its axis is its role (`keyword.ROLES`), and each role has a
+method here, so a rule and a language need no further knowledge of keywords.
 """
 
 from __future__ import annotations
@@ -20,23 +21,9 @@ if TYPE_CHECKING:
     from motionlang.commands.check.facts import Facts, Part
 
 # Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
-COMMANDS = frozenset(
-    (
-        "move",
-        "entry",
-        "course",
-        "path",
-        "go",
-        "act",
-        "zero",
-        "scale",
-        "start",
-        "run",
-        "mode",
-        "enable",
-        "rescale",
-    )
-)
+COMMANDS = frozenset((
+    "move", "entry", "course", "path", "go", "act", "zero", "scale", "start", "run", "mode", "enable", "rescale",
+))  # fmt: skip
 # What was wrong at a use of a keyword, for one of its axes, and what was known of that.
 Problem = tuple[Use, Key, "Axis"]
 
@@ -275,9 +262,7 @@ class Follower:
 
     def _states(self, part: Part) -> After:
         graph, own = self.facts.graph, self.facts.points[part]
-        first = ANYTHING
-        if part.kind == "main":
-            first = State(AT_POWER_UP, {})
+        first = State(AT_POWER_UP, {}) if part.kind == "main" else ANYTHING
         found: dict[int, State] = {}
 
         def follow(p: int, state: State) -> tuple[State, State]:

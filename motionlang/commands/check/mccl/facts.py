@@ -14,7 +14,6 @@ from motionlang.kernel.lang import CALL, ENTER, Use
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mccl import Command, MacroFile
 from motionlang.kernel.mccl.resolve.errors import model_of
-from motionlang.kernel.mccl.resolve.flow import flow_of
 
 # The bits of LN and LF for the high and the low software limit.
 HIGH, LOW = 4, 8
@@ -38,7 +37,7 @@ class MacroFacts(Facts):
     at_limit = "the axis stops there with an error if LN enables its limits"
 
     def __init__(self, program: MacroFile) -> None:
-        self.lines, self.flow = program.whole, flow_of(program.settings)
+        self.lines = program.whole
         self.model = model_of(program.source, program.settings)
         self.has_host = has_host(program.source, program.language)
         structure, graph = program.structure, program.structure.graph
