@@ -16,8 +16,9 @@ def check(facts: Facts, warn: Warn) -> None:
         if "speed" not in axis.zeros:  # zero-speed is the better warning if both are 0
             assert axis.loaded is not None
             rate = "acceleration" if "accel" in axis.zeros else "deceleration"
-            then = "at its GO" if act.role == "go" else "when it starts"
-            message = f"the move cannot run: the {rate} of axis {spelt(key)} is 0 {then}"
+            waits = act.role == "go"  # a move without a buffer is rejected
+            what, then = ("the move cannot run", " at its GO") if waits else ("the move is rejected", "")
+            message = f"{what}: the {rate} of axis {spelt(key)} is 0{then}"
             warn(message, axis.loaded, "set it above zero first")
 
 

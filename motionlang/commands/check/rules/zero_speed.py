@@ -15,8 +15,9 @@ def check(facts: Facts, warn: Warn) -> None:
     for act, key, axis in facts.axes.problems.get("zeros", ()):
         if "speed" in axis.zeros:
             assert axis.loaded is not None
-            then = "at its GO" if act.role == "go" else "when it starts"
-            message = f"the move holds: the speed of axis {spelt(key)} is 0 {then}"
+            waits = act.role == "go"  # a move without a buffer is rejected
+            what, then = ("the move holds", " at its GO") if waits else ("the move is rejected", "")
+            message = f"{what}: the speed of axis {spelt(key)} is 0{then}"
             warn(message, axis.loaded, "set it above zero first")
 
 
