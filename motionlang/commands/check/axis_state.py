@@ -8,7 +8,7 @@ method here, so a rule and a language need no further knowledge of keywords.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
@@ -138,37 +138,64 @@ _NEEDED = frozenset(("speed", "accel", "decel"))
 
 @dataclass(eq=False, slots=True)
 class State:
-    """The facts about all axes: `axes` by key, and `rest` for all axes not in it."""
+    """The facts about all axes: `axes` by key, and `rest` for all axes not in it.
+
+    `skipped` is the state of a run in which a command of line `line` was rejected, so that the rest of that line is
+    not carried out; None if none can have been. `is_sure`: the command was certainly rejected.
+    """
 
     rest: Axis
     axes: dict[Key, Axis]
+    skipped: State | None = None
+    line: int = 0
+    is_sure: bool = False
 
     __hash__ = None  # type: ignore[assignment]
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, State) and self.rest == other.rest and self.axes == other.axes
+        return (
+            isinstance(other, State)
+            and self.rest == other.rest
+            and self.axes == other.axes
+            and self.skipped == other.skipped
+            and self.is_sure == other.is_sure
+        )
 
     def joined(self, other: State, at_loop_head: bool) -> State:
         if self is other and not at_loop_head:
             return self
         keys = self.axes.keys() | other.axes.keys()
         axes = {key: self[key].joined(other[key], at_loop_head) for key in keys}
-        return State(self.rest.joined(other.rest, at_loop_head), axes)
+        skipped = self.skipped or other.skipped
+        if self.skipped is not None and other.skipped is not None:
+            skipped = self.skipped.joined(other.skipped, at_loop_head)
+        is_sure, line = self.is_sure and other.is_sure, self.line or other.line
+        return State(self.rest.joined(other.rest, at_loop_head), axes, skipped, line, is_sure)
 
     def __getitem__(self, key: Key) -> Axis:
         return self.axes.get(key, self.rest)
 
     def put(self, key: Key, axis: Axis) -> State:
-        return State(self.rest, {**self.axes, key: axis})
+        return replace(self, axes={**self.axes, key: axis})
 
     def passed(self) -> State:
         """Return the state after time has passed."""
         if not any(axis.fresh for axis in self.axes.values()):
             return self
-        return State(
-            self.rest,
-            {key: axis._replace(fresh=False) if axis.fresh else axis for key, axis in self.axes.items()},
-        )
+        axes = {key: axis._replace(fresh=False) if axis.fresh else axis for key, axis in self.axes.items()}
+        return replace(self, axes=axes)
+
+    def rejected(self, before: State, line: int, is_sure: bool) -> State:
+        """Return the state behind a command that may have been rejected in the state `before`."""
+        one = State(before.rest, before.axes)
+        skipped = one if before.skipped is None else one.joined(before.skipped, False)
+        return replace(self, skipped=skipped, line=line, is_sure=before.is_sure or is_sure)
+
+    def in_line(self, line: int) -> State:
+        """Return the state at a command of a line: behind the line before, all its runs come together."""
+        if self.skipped is None or self.line == line:
+            return self
+        return self.skipped if self.is_sure else State(self.rest, self.axes).joined(self.skipped, False)
 
 
 ANYTHING = State(ANY, {})
@@ -191,8 +218,8 @@ class Follower:
         self.stopped = self._stopped_by_handlers()
         self.led = self._led()
         self.before_act = ANYTHING
-        # True while a statement is followed that reads again and again.
-        self._polls = False
+        # The line of the statement that is followed, and True if it reads again and again.
+        self._line, self._polls = 0, False
         self._at_work: set[Part] = set()
         self.problems: dict[str, list[Problem]] = {}
         self._reports = False
@@ -235,7 +262,7 @@ class Follower:
             return ANY
         axis = state[key]
         if {key, None} & self.led or (isinstance(key, str) and self.led):
-            return axis._replace(motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False)
+            return axis._replace(motion=UNKNOWN, fresh=False, empty=False, span=None, jogs=False, mode="")
         return axis
 
     def _led(self) -> set[Key]:
@@ -262,7 +289,7 @@ class Follower:
 
     def _states(self, part: Part) -> After:
         graph, own = self.facts.graph, self.facts.points[part]
-        first = State(AT_POWER_UP, {}) if part.kind == "main" else ANYTHING
+        first = State(self.facts.at_power_up, {}) if part.kind == "main" else ANYTHING
         found: dict[int, State] = {}
 
         def follow(p: int, state: State) -> tuple[State, State]:
@@ -284,7 +311,8 @@ class Follower:
         statement = self.facts.statement_at.get(p)
         if statement is None:
             return state, state
-        self._polls = p in self.facts.polling
+        self._polls, self._line = p in self.facts.polling, statement.line
+        state = state.in_line(statement.line)
         for act in self.facts.acts[p]:
             state = self._act(act, state)
         if statement.waits or statement.starts:
@@ -314,8 +342,12 @@ class Follower:
             if key is None:
                 if act.role not in ("read", "slot"):
                     state = ANYTHING
-            elif new != old:
-                state = state.put(key, new)
+            else:
+                after = state if new == old else state.put(key, new)
+                fails, is_sure = self.facts.may_fail(act, old)
+                # What waits for a move that was rejected is not reported a second time.
+                before = state.put(key, old._replace(unmoved=False)) if fails and old.unmoved else state
+                state = after.rejected(before, self._line, is_sure) if fails else after
         return state
 
     def _all(self, follow: Callable[..., Axis], act: Use, number: int, state: State) -> State:
@@ -324,7 +356,7 @@ class Follower:
         reports, self._reports = self._reports, False
         rest = follow(self, act, number, None, state.rest)
         self._reports = reports
-        return State(rest, axes)
+        return replace(state, rest=rest, axes=axes)
 
     def _call(self, call: Use, state: State) -> State:
         callee = self.facts.callee(call)
@@ -509,9 +541,6 @@ class Follower:
         target = (
             self._target(act, number, key, axis, relative) if act.values else axis.target if relative else 0.0
         )
-        length = value
-        if not relative and value is not None:
-            length = None if axis.target is None else value - axis.target
         is_first = axis.motion == IDLE and axis.distance == 0.0
         started = axis._replace(
             motion=MOVES,
@@ -519,7 +548,7 @@ class Follower:
             target=target,
             span=axis.reaching(target),
             jogs=False,
-            distance=abs(length) if is_first and length is not None else None,
+            distance=abs(value) if relative and is_first and value is not None else None,
         )
         return self._checked(act, number, key, started)
 
@@ -533,7 +562,7 @@ class Follower:
         if axis.mode == TARGETS:
             self._report_problem("nothing-loaded", act, key, axis)
             return axis._replace(unmoved=False)
-        runs = axis.mode == ENDLESS
+        runs = axis.mode == ENDLESS and (axis.motion == IDLE or axis.jogs)
         return axis._replace(
             motion=MOVES if runs else UNKNOWN,
             fresh=runs and axis.motion == IDLE,
@@ -551,7 +580,8 @@ class Follower:
             self._report_problem("still-running", act, key, axis)
         elif axis.unmoved:
             self._report_problem("nothing-to-wait-for", act, key, axis)
-        return axis._replace(motion=IDLE, fresh=False, jogs=False, distance=0.0)
+        reached = None if axis.target is None or axis.motion != MOVES else (axis.target, axis.target)
+        return axis._replace(motion=IDLE, fresh=False, jogs=False, distance=0.0, span=axis.span or reached)
 
     def _enable(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         """Switch the axis on: a scale that waits for this comes into force."""

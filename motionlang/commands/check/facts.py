@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Protocol
 
-from motionlang.commands.check.axis_state import Axis, Follower, State
+from motionlang.commands.check.axis_state import AT_POWER_UP, Axis, Follower, State
 from motionlang.commands.check.reach import LOWER, UPPER
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Statement, Structure, Use
@@ -49,6 +49,10 @@ class Facts:
 
     # True if a use without an axis means all axes, False if it may mean any.
     names_all = False
+    # The state of each axis when the program begins.
+    at_power_up = AT_POWER_UP
+    # True if the controller goes on with what a program has set when that has ended.
+    outlasts_text = False
     # True if a software limit is in force, at 0, once the program has set the other one.
     one_limit_arms_both = False
     # What happens at a limit.
@@ -161,6 +165,10 @@ class Facts:
         if len(keys) == 1:
             return found
         return {p: [_without_parameters(use) for use in uses] for p, uses in found.items()}
+
+    def may_fail(self, act: Use, axis: Axis) -> tuple[bool, bool]:
+        """Return if an act may be rejected in the state of its axis (its line ends there), and if it certainly is."""
+        return False, False
 
     def disturbs(self, row: Keyword) -> bool:
         """True if nothing is known of an axis after a keyword without a role was written for it."""

@@ -154,7 +154,8 @@ class StepGraph:
         # The points behind the calls that enter at each point.
         behind: dict[int, list[int]] = {}
         for own in self.ranges.values():
-            for p in own:
+            # A list that defines a macro has its commands, too, but never carries them out.
+            for p in self._led_to(own.start, own) if enters else own:
                 called = self.points[p].calls
                 is_call = self.points[p].kind in (CALL, ENTER) and called >= 0
                 if is_call and (enters or own.start < called < own.stop):
@@ -172,14 +173,18 @@ class StepGraph:
 
     def _returns(self, entry: int) -> list[int]:
         """Return the points that return from what begins at a point, also in the lists that it jumps to."""
+        return [p for p in self._led_to(entry) if self.points[p].kind == RETURN]
+
+    def _led_to(self, first: int, own: range | None = None) -> list[int]:
+        """Return the points, of all or of a list, that a point leads to, without those in what is called."""
         found: set[int] = set()
-        stack = [entry]
+        stack = [first]
         while stack:
             p = stack.pop()
-            if p not in found:
+            if p not in found and (own is None or p in own):
                 found.add(p)
                 stack += self.points[p].next
-        return sorted(p for p in found if self.points[p].kind == RETURN)
+        return sorted(found)
 
     # ------------------------------------------------------------------------------------------------ analyses
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from motionlang.commands.check.axis_state import Axis
+from motionlang.commands.check.axis_state import AT_POWER_UP, ENDLESS, IDLE, TARGETS, Axis
 from motionlang.commands.check.facts import Facts, Part
 from motionlang.commands.check.reach import LOWER, UPPER
 from motionlang.commands.check.silence import has_host
@@ -34,6 +34,9 @@ class MacroFacts(Facts):
     """The facts about a file in MCCL without errors."""
 
     names_all = True
+    # A file may be sent to a board whose axes have moved before, and other lines may follow it.
+    at_power_up = AT_POWER_UP._replace(target=None, span=None)
+    outlasts_text = True
     at_limit = "the axis stops there with an error if LN enables its limits"
 
     def __init__(self, program: MacroFile) -> None:
@@ -81,6 +84,14 @@ class MacroFacts(Facts):
         point = self.graph.points[p]
         goes_on = point.next == (self.graph.ranges[point.key[0]][-1],)
         return point.calls < 0 and (point.kind == CALL or (point.kind == ENTER and goes_on))
+
+    def may_fail(self, act: Use, axis: Axis) -> tuple[bool, bool]:
+        if act.role == "run":
+            return axis.mode != ENDLESS or (axis.motion != IDLE and not axis.jogs), axis.mode == TARGETS
+        if act.role != "start":
+            return False, False
+        never = axis.mode == TARGETS and axis.jogs and self.needs_rest(axis.shape)
+        return axis.mode != TARGETS or never, never
 
     def disturbs(self, row: Keyword) -> bool:
         return any(map(row.does, ("switch", "follows", "hands-over", "datum")))

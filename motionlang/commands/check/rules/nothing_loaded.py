@@ -22,6 +22,11 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for act, key, _ in facts.axes.problems.get("nothing-loaded", ()):
         message = f"{facts.text(act)} starts nothing: axis {key} is in position mode"
         warn(message, act.at, f"{key}VM before it, or MA or MR for a move")
+    if not any(row.role == "mode" for row in facts.used):
+        for act in facts.written_by(lambda row: row.role == "run"):
+            if act.axes == (None,):
+                message = f"{facts.text(act)} starts nothing: no line of this file selects velocity mode"
+                warn(message, act.at, "VM before it, or MA or MR for a move")
 
 
 RULE = Rule(

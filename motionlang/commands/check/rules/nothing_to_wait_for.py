@@ -11,7 +11,14 @@ if TYPE_CHECKING:
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
-    for act, _, _ in facts.axes.problems.get("nothing-to-wait-for", ()):
+    found = [act for act, _, _ in facts.axes.problems.get("nothing-to-wait-for", ())]
+    for part, states in facts.axes.before.items():
+        for p, _ in facts.statements_of(part):
+            # A wait for all axes.
+            bare = [act for act in facts.acts[p] if act.role == "rest" and act.axes == (None,)]
+            axes = [states[p].rest, *states[p].axes.values()] if p in states and bare else []
+            found += bare if axes and all(axis.unmoved for axis in axes) else []
+    for act in found:
         message = f"{facts.text(act)} waits for the end of a move, and nothing has moved yet"
         warn(message, act.at, "move first, as in 1MR1000,1WS")
 

@@ -16,7 +16,7 @@ _SHAPES = {"PS": "S-curve", "PP": "parabola"}
 def check(facts: MacroFacts, warn: Warn) -> None:
     limited = {each for act in facts.written_by(lambda row: row.verb == "limits_on") for each in act.axes}
     for act, key, axis in facts.axes.problems.get("still-running", ()):
-        if act.role == "rest" and {key, None} & (facts.axes.stopped | limited):
+        if {key, None} & (facts.axes.stopped | limited):
             continue  # a task or a limit may stop the axis
         if act.role == "rest":
             message = f"{facts.text(act)} never ends: axis {key} runs in velocity mode until it is stopped"

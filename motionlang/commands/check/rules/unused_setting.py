@@ -33,7 +33,8 @@ def check(facts: Facts, warn: Warn) -> None:
         if not bits:
             continue
         everything = (1 << len(bits)) - 1
-        last = _left_over(facts, part, bits) if part.kind == "main" else everything
+        ends = part.kind == "main" and not facts.outlasts_text
+        last = _left_over(facts, part, bits) if ends else everything
         behind = facts.graph.backward(
             facts.points[part],
             lambda p, last=last: last,  # type: ignore[misc]
