@@ -10,7 +10,7 @@ import json
 from pathlib import Path
 
 from motionlang.kernel.lang.dialect import dialect
-from motionlang.kernel.mint.syntax.tokens import TABLE
+from motionlang.kernel.mint.syntax.tokens import SPELLINGS
 from motionlang.views.highlight import pieces
 
 FILE = Path(__file__).parent.parent / "playground" / "keywords.json"
@@ -25,7 +25,7 @@ def _kinds(name: str) -> dict[str, str]:
     language, found = dialect(name), dict[str, set[str]]()
     words = {spelling.lower() for row in language.table().rows for spelling in (row.name, row.short)}
     if name == "mint":
-        words |= {kind.lower() for kind in TABLE.kinds if kind.isalpha()}
+        words |= {text.lower() for text in SPELLINGS.values()}
     for word in filter(str.isidentifier, words):
         _, kind, piece = next(pieces(language, word))
         if piece == word and kind in ("move", "keyword", "not-simulated", "control"):

@@ -13,7 +13,7 @@ from typing import Any
 
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.syntax.tokens import TABLE
+from motionlang.kernel.mint.syntax.tokens import SPELLINGS
 
 FOLDER = Path(__file__).parent.parent / "editors" / "vscode" / "syntaxes"
 # The scope of each kind of word.
@@ -45,7 +45,7 @@ def words(language: str) -> dict[str, list[str]]:
 
 def control() -> list[str]:
     """Return the control-flow keywords of Mint."""
-    return sorted({text for text in TABLE.spellings.values() if re.fullmatch(r"[A-Za-z]+", text)})
+    return sorted({text for text in SPELLINGS.values() if re.fullmatch(r"[A-Za-z]+", text)})
 
 
 def choice(names: list[str]) -> str:

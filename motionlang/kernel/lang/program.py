@@ -72,7 +72,7 @@ class Program:
 
     @property
     def names(self) -> Names:
-        """The definitions, uses and blocks; lines with syntax errors have none."""
+        """The definitions, uses and blocks; statements with syntax errors have none."""
         raise NotImplementedError
 
     @property
@@ -82,7 +82,7 @@ class Program:
 
     @property
     def literals(self) -> Sequence[Literal]:
-        """The numbers of the text that have an address, in order; lines with syntax errors have none."""
+        """The numbers of the text that have an address, in order; statements with syntax errors have none."""
         raise NotImplementedError
 
     @property

@@ -6,12 +6,13 @@ from then on.
 
 from __future__ import annotations
 
+from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.check import check_line
-from motionlang.kernel.mint.check.error_recovery import parsed
+from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.program import MintProgram
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import Session
@@ -21,7 +22,7 @@ from motionlang.kernel.mint.steps.inspection import variable
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import is_complete, parse
+from motionlang.kernel.mint.syntax.parser import is_complete, parse, read
 from motionlang.kernel.source import Source
 
 
@@ -50,15 +51,21 @@ class MintInteractive(Interactive):
 
         Raises ProgramError for a line with errors, which then declares nothing.
         """
-        module = parsed(source, self._check)
+        module = read(source)
+        if module.errors:
+            raise ProgramError(with_syntax_errors(self._mistakes(module), module, set()))
         override_if_there(module, self.machine.overrides)
         return self._task_of(module, source, of_program=False)
 
-    def _check(self, module: Module) -> None:
-        """Raise ProgramError with the errors of a module, whose names are not known in later lines."""
+    def _mistakes(self, module: Module) -> list[Diagnostic]:
+        """Return the mistakes of a module, whose names are not known in later lines."""
         session = Session()
         session.scope.names, session.types = dict(self._session.scope.names), self._session.types
-        check_line(module, self.machine.settings, session)
+        try:
+            check_line(module, self.machine.settings, session)
+        except ProgramError as error:
+            return error.diagnostics
+        return []
 
     def variables(self) -> list[Variable]:
         names, places = self._session.scope.names.values(), self.environment.places

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.names import NO_NAMES, LineLayout, Names
+from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.mint.check.body import Program as Declared
 from motionlang.kernel.mint.check.check import Checked, declared, examined
-from motionlang.kernel.mint.check.error_recovery import unrelated
+from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
@@ -31,8 +31,7 @@ from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.mint.syntax.recovery import readable
+from motionlang.kernel.mint.syntax.parser import read
 from motionlang.kernel.mint.syntax.traversal import copied
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
@@ -54,35 +53,21 @@ class Text:
         self.source = source
 
     @cached_property
-    def parsed(self) -> Module | ProgramError:
+    def tree(self) -> Module:
         with StackSpace():
-            try:
-                return parse(self.source)
-            except ProgramError as error:
-                return error
-
-    @cached_property
-    def readable(self) -> tuple[Module | None, set[int], ProgramError | None]:
-        """The tree, the lines left out of it, and the syntax errors; no tree if too little can be read."""
-        if isinstance(self.parsed, Module):
-            return self.parsed, set(), None
-        with StackSpace():
-            return *readable(self.source, self.parsed), self.parsed
+            return read(self.source)
 
     @cached_property
     def literals(self) -> list[Literal]:
-        module = self.readable[0]
-        return [] if module is None else literals.literals(module)
+        return literals.literals(self.tree)
 
     @cached_property
     def constants(self) -> list[Literal]:
-        module = self.readable[0]
-        return [] if module is None else literals.constants(module)
+        return literals.constants(self.tree)
 
     @cached_property
     def declared(self) -> frozenset[str]:
-        module = self.readable[0]
-        return frozenset() if module is None else literals.declared(module)
+        return literals.declared(self.tree)
 
 
 class MintProgram(Program):
@@ -112,19 +97,18 @@ class MintProgram(Program):
 
     @property
     def tree(self) -> Module:
-        if isinstance(self._text.parsed, ProgramError):
-            raise self._text.parsed
+        if self._readable.errors:
+            raise ProgramError(self._readable.errors)
         return self._readable
 
     @cached_property
     def _readable(self) -> Module:
-        """A copy of the tree, without unreadable lines and with the values, which the check completes."""
-        module, _, unreadable = self._text.readable
-        assert module is not None
+        """A copy of the tree with the values, which the check completes."""
+        module = self._text.tree
         with StackSpace():
             made: Module = copied(module)  # type: ignore[assignment]
-            made.source = module.source
-            if unreadable is None and (self.values or self.given):
+            made.source, made.errors = module.source, module.errors
+            if not module.errors and (self.values or self.given):
                 self._put_values(made)
         return made
 
@@ -154,19 +138,17 @@ class MintProgram(Program):
         """The names and the problems of the readable lines."""
         with StackSpace():
             found = examined(self._readable, self._declared)
-            if isinstance(self._text.parsed, Module) and not found.problems.has_errors:
+            if not self._readable.errors and not found.problems.has_errors:
                 warn_of_short_ramps(self._facts.statements.values(), found.problems)
             return found
 
     @cached_property
     def mistakes(self) -> list[Diagnostic]:
         """All errors, with the warnings of the check beside them; empty if there is no error."""
-        module, taken, unreadable = self._text.readable
-        has_errors = module is not None and self.checked.problems.has_errors
-        found = list(self.checked.problems.found.values()) if has_errors else []
-        if unreadable is not None:
-            found = [*unreadable.diagnostics, *unrelated(found, self.source, taken)]
-        return ProgramError(found).diagnostics
+        problems = self.checked.problems
+        found = list(problems.found.values()) if problems.has_errors else []
+        names = {name for function in self.checked.names.functions for name in function.scope.names}
+        return with_syntax_errors(found, self._readable, names)
 
     @property
     def errors(self) -> list[Diagnostic]:
@@ -182,7 +164,7 @@ class MintProgram(Program):
     def notes_on_model(self) -> list[Diagnostic]:
         """Notation and keywords that the configured controller model does not accept."""
         model = str(self.settings.get("controller.model", ""))
-        if isinstance(self._text.parsed, ProgramError) or not model:
+        if self._readable.errors or not model:
             return []
         problems = Problems(self.tree)
         check_model(self._bound, self.source, model, problems.add)
@@ -198,11 +180,8 @@ class MintProgram(Program):
     def names(self) -> Names:
         from motionlang.kernel.mint.resolve import definitions
 
-        module, _, unreadable = self._text.readable
-        if module is None:
-            return NO_NAMES
         with StackSpace():
-            return definitions.names(self._readable, self._declared.names, unreadable is None)
+            return definitions.names(self._readable, self._declared.names)
 
     @property
     def layout(self) -> list[LineLayout]:

@@ -17,7 +17,7 @@ from pkgutil import get_data
 from typing import Any
 
 import lark
-from lark import Lark, Token, Transformer
+from lark import Lark, Transformer
 
 from motionlang.kernel.cache import path_of
 from motionlang.kernel.files import replacing
@@ -31,6 +31,13 @@ _PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.pa
 GRAMMARS = os.path.join(_PACKAGE, "grammars")
 if not os.path.isdir(GRAMMARS):
     GRAMMARS = os.path.join(os.path.dirname(_PACKAGE), "grammars")
+
+
+class Token(lark.Token):
+    """A token of a text, which has its position; Lark's may have none."""
+
+    start_pos: int
+    end_pos: int
 
 
 class Terminals:
@@ -54,7 +61,7 @@ class Imports:
         return "grammars"  # Lark compares the options of a cached table as texts
 
 
-def build(name: str, builder: Transformer[Token, Any] | None, **options: object) -> Lark:
+def build(name: str, builder: Transformer[lark.Token, Any] | None, **options: object) -> Lark:
     """Build the parser of a grammar; its tokens are all passed to the builder."""
     settings: dict[str, object] = {
         "parser": "lalr",
@@ -69,7 +76,7 @@ def build(name: str, builder: Transformer[Token, Any] | None, **options: object)
     return Lark(text_of(name), **{**settings, **options})
 
 
-def load(name: str, builder: Transformer[Token, Any], **options: object) -> Lark:
+def load(name: str, builder: Transformer[lark.Token, Any], **options: object) -> Lark:
     """Return the parser of a grammar, from a stored table if one fits; the options are those of `build`."""
     table = table_name(name)
     try:
@@ -85,7 +92,7 @@ def lex(parser: Lark, text: str) -> Iterator[Token]:
 
 
 def store(
-    name: str, builder: Transformer[Token, Any], target: str, python: str = PYTHON, **options: object
+    name: str, builder: Transformer[lark.Token, Any], target: str, python: str = PYTHON, **options: object
 ) -> None:
     """Write the table of a grammar into a folder, for a version of Python, unless it is there."""
     table = table_name(name, python)

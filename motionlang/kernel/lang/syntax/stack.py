@@ -1,106 +1,107 @@
-"""The parser's stack as a linked list, for texts with mistakes.
+"""Lark's parser for a text with mistakes: its stack can be copied and read, and it builds no tree.
 
-Lark's own stack changes with each token. Here a stack is an immutable `Cell`, and feeding a token creates a new one. To
-recover from a mistake, return to the cell before it. To find which tokens may come next, try each of them.
-
-A state that can reduce does so before a mistake is reported, by the rule that most kinds of token reduce by. The text
-before a mistake has then been fully reduced, so that "expected" lists the tokens that a reader would list.
+A stack is copied before a token that may not fit, and the copy is used if it does not.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from copy import copy
+from typing import Any
 
-from lark import Lark
+from lark import Lark, UnexpectedToken
 from lark.grammar import Rule
 
-from motionlang.kernel.lang.syntax.grammar import BAD, END
+from motionlang.kernel.lang.syntax.grammar import END, Token
 
 
-class Table:
-    """The parse table of a grammar, and its kinds of token."""
+class Stack:
+    """The symbols that the parser has read and not yet put into a rule that is complete."""
 
     def __init__(self, parser: Lark) -> None:
-        found = parser.parse_interactive("").parser_state.parse_conf
-        self.states, self.start, self.end = found.states, found.start_state, found.end_state
-        self.kinds = {str(each.name) for each in parser.terminals} - {BAD, *parser.lexer_conf.ignore} | {END}
-        # The spelling of each kind that has only one.
-        self.spellings = {
-            str(each.name): each.pattern.value for each in parser.terminals if each.pattern.type == "str"
+        state = parser.parse_interactive("").parser_state
+        conf = copy(state.parse_conf)
+        rules = {rule for actions in conf.states.values() for _, rule in actions.values()}
+        conf.callbacks = dict.fromkeys(rules, _firsts)
+        self._state = type(state)(conf, state.lexer)
+        # The symbol with which a state is entered.
+        self._symbols: dict[Any, str] = {
+            target: symbol
+            for actions in conf.states.values()
+            for symbol, (_, target) in actions.items()
+            if not isinstance(target, Rule)
         }
-        self._defaults: dict[object, Rule | None] = {}
 
-    def default(self, state: object) -> Rule | None:
-        """Return the rule by which most kinds reduce in a state; in a tie, the first by its symbols."""
-        if state not in self._defaults:
-            rules = [arg for _, arg in self.states[state].values() if isinstance(arg, Rule)]
-            counts = Counter(rules)
-            self._defaults[state] = min(counts, key=lambda rule: (-counts[rule], str(rule)), default=None)
-        return self._defaults[state]
+    def copy(self) -> Stack:
+        made: Stack = object.__new__(Stack)
+        state = self._state
+        made._symbols = self._symbols
+        made._state = type(state)(state.parse_conf, state.lexer, state.state_stack[:], state.value_stack[:])
+        return made
 
-    def empty(self) -> Cell:
-        """Return the stack before the first token."""
-        return Cell(self, self.start, None, "", 0)
+    def feed(self, token: Token) -> bool:
+        """Read a token; return False if it does not fit.
 
-
-class Cell:
-    """A stack: its top symbol, the first token of that symbol, and the stack below.
-
-    The symbol is a kind of token or a rule.
-    """
-
-    __slots__ = ("at", "below", "depth", "state", "symbol", "table")
-
-    def __init__(self, table: Table, state: object, below: Cell | None, symbol: str, at: int) -> None:
-        self.table, self.state, self.below, self.symbol, self.at = table, state, below, symbol, at
-        self.depth: int = below.depth + 1 if below else 0
-
-    def __iter__(self) -> Iterator[Cell]:
-        """Iterate over the cells from the top down."""
-        cell: Cell | None = self
-        while cell:
-            yield cell
-            cell = cell.below
-
-    def feed(self, kind: str, at: int) -> tuple[Cell, bool]:
-        """Reduce and shift a token; return the new stack and True if the token fits.
-
-        If it does not fit, return the stack after all possible reductions, and False.
+        The stack accepts the same kinds after one that does not fit.
         """
-        top, table = self, self.table
-        if kind == BAD:
-            return top, False
-        while True:
-            if kind == END and top.state == table.end:
-                return top, True
-            _, found = table.states[top.state].get(kind, (None, None))
-            if found is None:
-                found = table.default(top.state)
-            if found is None:
-                return top, False
-            if not isinstance(found, Rule):
-                return Cell(table, found, top, kind, at), True
-            top = top._reduced(found, at)
+        try:
+            self._state.feed_token(token, token.type == END)
+        except UnexpectedToken:
+            return False
+        return True
 
-    def feed_all(self, kinds: tuple[str, ...], at: int) -> Cell | None:
-        """Feed synthetic tokens at `at`; return None if they do not fit."""
-        top = self
-        for kind in kinds:
-            top, fits = top.feed(kind, at)
-            if not fits:
-                return None
-        return top
+    def after(self, tokens: Iterable[Token]) -> Stack | None:
+        """Return the stack after tokens, None if they do not fit."""
+        made = self.copy()
+        return made if all(map(made.feed, tokens)) else None
 
-    def expected(self) -> set[str]:
+    def accepts(self) -> set[str]:
         """Return the kinds of token that may come next."""
-        return {kind for kind in self.table.kinds if self.feed(kind, 0)[1]}
+        return {kind for kind in self._actions if kind.isupper() and self.copy().feed(Token(kind, ""))}
 
-    def _reduced(self, rule: Rule, at: int) -> Cell:
-        below = self
-        for _ in rule.expansion:
-            at = below.at
-            assert below.below
-            below = below.below
-        _, state = self.table.states[below.state][rule.origin.name]
-        return Cell(self.table, state, below, str(rule.origin.name), at)
+    def reduced(self) -> Stack:
+        """Return the stack whose last rules are complete, as far as they can be.
+
+        If several rules could be the last one, it is that which most kinds of token complete. A reader would list the
+        kinds that are accepted then: after `x = 1` the end of the line, and no operators.
+        """
+        made = self.copy()
+        while (rule := made._likely_rule()) is not None:
+            made._reduce(rule)
+        return made
+
+    @property
+    def _actions(self) -> dict[str, tuple[Any, Any]]:
+        actions: dict[str, tuple[Any, Any]] = self._state.parse_conf.states[self._state.position]
+        return actions
+
+    def _likely_rule(self) -> Rule | None:
+        counts = Counter(rule for _, rule in self._actions.values() if isinstance(rule, Rule))
+        return min(counts, key=lambda rule: (-counts[rule], str(rule)), default=None)
+
+    def _reduce(self, rule: Rule) -> None:
+        states, values, size = self._state.state_stack, self._state.value_stack, len(rule.expansion)
+        value = _firsts(values[len(values) - size :])
+        del states[len(states) - size :], values[len(values) - size :]
+        _, state = self._actions[rule.origin.name]
+        states.append(state)
+        values.append(value)
+
+    def __len__(self) -> int:
+        return len(self._state.value_stack)
+
+    def __iter__(self) -> Iterator[tuple[str, list[Token]]]:
+        """Iterate over the symbols from the top down.
+
+        A symbol is a kind of token, with the token, or a rule, with the first token of each of its symbols that has
+        one.
+        """
+        states, values = self._state.state_stack, self._state.value_stack
+        for state, value in zip(states[:0:-1], reversed(values), strict=True):
+            yield self._symbols[state], value if isinstance(value, list) else [value]
+
+
+def _firsts(values: list[list[Token] | Token]) -> list[Token]:
+    """Return the value of a rule from those of its symbols."""
+    return [value[0] if isinstance(value, list) else value for value in values if value != []]

@@ -1,19 +1,18 @@
-"""Errors of a program that cannot be parsed: its unreadable lines, and those that the check finds in the others."""
+"""The errors of a program with syntax errors: these, and those that the check finds in the rest of its tree."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Set
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.syntax.blocks import DECLARATIONS
 from motionlang.kernel.mint.syntax.nodes import Module
-from motionlang.kernel.mint.syntax.parser import parse
-from motionlang.kernel.mint.syntax.recovery import readable
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.source import Source
 
-# Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
-# removed line.
+# Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by what is not
+# in the tree.
 _OF_A_STATEMENT = frozenset(
     {
         "unknown-word",
@@ -32,48 +31,43 @@ _OF_A_STATEMENT = frozenset(
 )
 
 
-def parsed(source: Source, check: Callable[[Module], object]) -> Module:
-    """Parse a text; raise ProgramError with its syntax errors and those that `check` finds in its readable lines."""
-    try:
-        return parse(source)
-    except ProgramError as error:
-        raise with_other_lines(source, check, error) from None
+def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Set[str]) -> list[Diagnostic]:
+    """Return the syntax errors of a module, and what the check has found that would remain if these were corrected.
 
-
-def with_other_lines(
-    source: Source, check: Callable[[Module], object], unreadable: ProgramError
-) -> ProgramError:
-    """Return the syntax errors of a text and those that `check` raises for its readable lines."""
-    module, taken = readable(source, unreadable)
-    if module is None:
-        return unreadable
-    try:
-        check(module)
-    except ProgramError as error:
-        return ProgramError([*unreadable.diagnostics, *unrelated(error.diagnostics, source, taken)])
-    return unreadable
-
-
-def unrelated(found: Iterable[Diagnostic], source: Source, taken: Iterable[int]) -> list[Diagnostic]:
-    """Return those of the errors of the readable lines that would remain if the removed lines were correct.
-
-    A name in a removed line may have been declared there, so lines that use it are not reported.
+    Without syntax errors it is all that the check has found. A name in a line with one may have been declared there, so
+    lines that use it are not reported. If the end of a block is missing, a name that is `declared` in one block may be
+    known in another one.
     """
-    names = {name for number in taken for name in _names(source.line(number))}
-    return [each for each in found if _is_unrelated(each, source, names)]
-
-
-_WORDS = ("NAME", "DOTTED")
+    if not module.errors:
+        return ProgramError(found).diagnostics
+    source = module.source
+    lines = {each.line for each in module.errors}
+    names = {name for line in lines for name in _names(source.line(line))}
+    if not any(each.code in ("missing-end", "stray-end") for each in module.errors):
+        declared = frozenset()
+    remaining = [
+        each
+        for each in found
+        if each.line not in lines
+        and each.code in _OF_A_STATEMENT
+        and not _words(source.line(each.line)) & names
+        and not (each.code == "unknown-word" and _marked(each, source).lower() in declared)
+    ]
+    return ProgramError([*module.errors, *remaining]).diagnostics
 
 
 def _names(line: str) -> set[str]:
-    """Return the words of a line that are not keywords of Mint."""
-    words = table()
+    """Return the words of a line that are no keywords of Mint, and a keyword that it declares."""
+    rows, tokens = table(), Tokens(line)
+    declared = {tokens.texts[1].lower()} if tokens.kinds[0] in DECLARATIONS else set[str]()
+    return declared | {word for word in _words(line) if (row := rows.get(word)) is None or not row.simulated}
+
+
+def _words(line: str) -> set[str]:
     tokens = Tokens(line)
-    found = {text.lower() for kind, text in zip(tokens.kinds, tokens.texts, strict=True) if kind in _WORDS}
-    return {word for word in found if (row := words.get(word)) is None or not row.simulated}
+    pairs = zip(tokens.kinds, tokens.texts, strict=True)
+    return {text.lower() for kind, text in pairs if kind in ("NAME", "DOTTED")}
 
 
-def _is_unrelated(mistake: Diagnostic, source: Source, names: set[str]) -> bool:
-    """True if an error would remain if the removed lines were correct."""
-    return mistake.code in _OF_A_STATEMENT and not _names(source.line(mistake.line)) & names
+def _marked(mistake: Diagnostic, source: Source) -> str:
+    return source.line(mistake.line)[mistake.column - 1 :][: mistake.length]

@@ -44,6 +44,10 @@ def _omitted(b: Body, node: nodes.Omitted) -> Value:
     return NOTHING
 
 
+def _wrong(b: Body, node: nodes.Wrong) -> Value:
+    return NOTHING  # the parser has reported it
+
+
 def _name(b: Body, node: nodes.Name) -> Value:
     symbol, result = node.symbol, b.function.result_named(node)
     if result is not None:
@@ -92,4 +96,5 @@ VALUES: dict[type, Callable[..., Value]] = {
     nodes.Unary: operators.unary,
     nodes.Binary: operators.binary,
     nodes.Chain: operators.chain,
+    nodes.Wrong: _wrong,
 }

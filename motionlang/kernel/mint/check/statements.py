@@ -87,7 +87,7 @@ def _initial_values(b: Body, node: nodes.Variable, symbol: Symbol) -> None:
 
 
 def _nothing(b: Body, node: nodes.Stmt) -> None:
-    """Check nothing: name resolution has checked declarations and labels."""
+    """Check nothing: name resolution has checked declarations and labels, the parser a `Wrong`."""
 
 
 # ------------------------------------------------------------------------------------------ calls and tasks
@@ -204,4 +204,5 @@ STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Label: _nothing,
     nodes.Jump: labels.jump,
     nodes.Return: _return,
+    nodes.Wrong: _nothing,
 }

@@ -39,14 +39,14 @@ _KINDS = {"const": "constant"}
 _NOT_RENAMED = "an event handler has the name of its event"
 
 
-def names(module: nodes.Module, resolver: Resolver, complete: bool) -> Names:
-    """Return the names of a module whose names are resolved; `complete` is as in `Names`."""
+def names(module: nodes.Module, resolver: Resolver) -> Names:
+    """Return the names of a module whose names are resolved."""
     text = module.source.text
     uses: dict[Symbol, list[Use]] = {}
     for _, word, node, symbol in sorted(_named(module), key=itemgetter(0)):
         uses.setdefault(symbol.first, []).append((word, node))
     definitions = [_definition(symbol, found, resolver.main, text) for symbol, found in uses.items()]
-    return Names(definitions, _outline(text), complete, _Renaming(resolver, definitions).problem)
+    return Names(definitions, _outline(text), not module.errors, _Renaming(resolver, definitions).problem)
 
 
 def _named(module: nodes.Module) -> Iterator[tuple[int, Word, nodes.Node, Symbol]]:

@@ -1,30 +1,22 @@
 """The blocks of Mint: the tokens that open and close them; blocks open on a stack.
 
-This table is for messages. It repeats what the grammar states, and a test keeps the two consistent.
+The tables repeat what the grammar states, and a test keeps them consistent.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from motionlang.kernel.lang.syntax.stack import Cell
+from motionlang.kernel.lang.syntax.grammar import Token
+from motionlang.kernel.lang.syntax.stack import Stack
+from motionlang.kernel.mint.syntax.tokens import SPELLINGS
+
+# Blocks at the top level of a file (a Sub in a Task, too), never inside a statement.
+DECLARATIONS = ("SUB", "FUNCTION", "TASK", "EVENT", "STARTUP", "TYPE")
 
 # The kinds of token that open a block, and the keyword as messages spell it.
 OPENERS = {
-    "IF": "If",
-    "FOR": "For",
-    "WHILE": "While",
-    "REPEAT": "Repeat",
-    "LOOP": "Loop",
-    "SELECT": "Select",
-    "SUB": "Sub",
-    "FUNCTION": "Function",
-    "TASK": "Task",
-    "EVENT": "Event",
-    "STARTUP": "Startup",
-    "TYPE": "Type",
+    kind: SPELLINGS[kind] for kind in ("IF", "FOR", "WHILE", "REPEAT", "LOOP", "SELECT", *DECLARATIONS)
 }
 
 # The kinds of token that close or continue a block, and that block. `End X` closes X.
@@ -42,49 +34,27 @@ CLOSERS = {
     "CASE": "SELECT",
 }
 
-# Blocks at the top level of a file (a Sub in a Task, too), never inside a statement.
-DECLARATIONS = {"SUB", "FUNCTION", "TASK", "EVENT", "STARTUP", "TYPE"}
-
 # The grammar's symbols for the beginning of a block, and the token it began with.
 _HEADS = {"select_head": "SELECT", "for_head": "FOR", "if_head": "IF", "line_then": "THEN"}
 
-# The shortest line that opens or continues each block.
-PLAIN = {
-    "IF": ("IF", "NUMBER", "THEN", "_NL"),
-    "FOR": ("FOR", "NAME", "EQUAL", "NUMBER", "TO", "NUMBER", "_NL"),
-    "WHILE": ("WHILE", "NUMBER", "_NL"),
-    "REPEAT": ("REPEAT", "_NL"),
-    "LOOP": ("LOOP", "_NL"),
-    "SELECT": ("SELECT", "CASE", "NUMBER", "_NL"),
-    "CASE": ("CASE", "NUMBER", "_NL"),
-    "SUB": ("SUB", "NAME", "_NL"),
-    "FUNCTION": ("FUNCTION", "NAME", "_NL"),
-    "TASK": ("TASK", "NAME", "_NL"),
-    "EVENT": ("EVENT", "NAME", "_NL"),
-    "STARTUP": ("STARTUP", "_NL"),
-    "TYPE": ("TYPE", "NAME", "_NL"),
-    "ELSE": ("ELSE", "_NL"),
-    "ELSEIF": ("ELSEIF", "NUMBER", "THEN", "_NL"),
-    "NEXT": ("NEXT", "_NL"),
-    "UNTIL": ("UNTIL", "NUMBER", "_NL"),
-    **{kind: (kind, "_NL") for kind in ("ENDIF", "ENDWHILE", "ENDW", "WEND", "ENDLOOP", "ENDL")},
-}
+WRONG = "WRONG"  # the kind of token that is put in place of a text that does not follow the grammar
 
 
 @dataclass(eq=False, repr=False, slots=True)
 class Block:
-    """An open block: its kind, its opening token, and True if it is a one-line If."""
+    """An open block: its kind, its opening token, True if it is a one-line If, and the name behind it."""
 
     kind: str
-    at: int
+    token: Token
     inline: bool
+    name: str
 
     @property
     def closing(self) -> tuple[str, ...]:
         """Return the kinds of token that close the block."""
         if self.kind == "FOR":
             return ("NEXT",)
-        return ("UNTIL", "NUMBER") if self.kind == "REPEAT" else ("END", self.kind)
+        return ("UNTIL", WRONG) if self.kind == "REPEAT" else ("END", self.kind)
 
 
 def closing(kind: str) -> str:
@@ -94,37 +64,39 @@ def closing(kind: str) -> str:
     return "Until and its condition" if kind == "REPEAT" else f"End {OPENERS[kind]}"
 
 
-def opened_blocks(top: Cell) -> list[Block]:
+def opened_blocks(stack: Stack) -> list[Block]:
     """Return the blocks that are open on a stack, innermost first."""
     blocks = []
-    above = after_then = ""  # the symbol above the cell, and the one above the last Then
-    for cell in top:
-        kind = _HEADS.get(cell.symbol, cell.symbol)
+    above, name = "", ""  # the symbol above and its first token
+    after_then = ""  # the symbol above the last Then
+    for symbol, tokens in stack:
+        kind = _HEADS.get(symbol, symbol)
         if kind in ("THEN", "DO"):
             after_then = "_NL" if kind == "DO" else above
         elif kind in OPENERS:
-            blocks.append(Block(kind, cell.at, cell.symbol == "IF" and after_then != "_NL"))
-        above = cell.symbol
+            variable = tokens[1] if symbol == "for_head" else name
+            blocks.append(Block(kind, tokens[0], symbol == "IF" and after_then != "_NL", variable))
+        above, name = symbol, tokens[0] if tokens else ""
     return blocks
 
 
-def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
-    """Return the shortest lines that leave the same blocks open as a given line.
+def block_words(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
+    """Return the words of a line without which other blocks are open behind it.
 
-    The most likely line comes first.
+    The most likely ones come first.
     """
     if not kinds:
         return ()
     first = kinds[0]
     if first == "END" and kinds[1:2] and kinds[1] in OPENERS:
-        return (("END", kinds[1], "_NL"),)
+        return (("END", kinds[1]),)
     if first == "NEXT" and "COMMA" in kinds:
-        return ("NEXT", *("NAME", "COMMA") * kinds.count("COMMA"), "NAME", "_NL"), PLAIN[first]
+        return ("NEXT", *("NAME", "COMMA") * kinds.count("COMMA"), "NAME"), ("NEXT",)
     if first == "IF" and "THEN" in kinds and kinds[-1] not in ("THEN", "DO"):
         return ()  # a one-line If
     if first in OPENERS and _closes_itself(first, kinds):
         return ()
-    return (PLAIN[first],) if first in PLAIN else ()
+    return ((first,),) if first in OPENERS or first in CLOSERS else ()
 
 
 def _closes_itself(first: str, kinds: list[str]) -> bool:

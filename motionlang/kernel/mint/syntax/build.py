@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import lark
 from lark import Transformer, v_args
 
+from motionlang.kernel.lang.syntax.grammar import Token
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.syntax.nodes import (
     Assign,
@@ -59,15 +60,8 @@ from motionlang.kernel.mint.syntax.nodes import (
     UserType,
     Variable,
     While,
+    Wrong,
 )
-
-
-class Token(lark.Token):
-    """A token of a text, which has its position."""
-
-    start_pos: int
-    end_pos: int
-
 
 T = TypeVar("T")
 # What follows the values of a LINE: formats, separator, further items.
@@ -342,7 +336,7 @@ class Builder(Transformer[lark.Token, Module]):
 
     def for_loop(self, loop: For, body: list[Stmt], next_word: Token, name: Token | None) -> For:
         """Complete a For; raise Misuse if `Next` names another variable."""
-        if name is not None and name.lower() != loop.variable.name.lower():
+        if name and name.lower() != loop.variable.name.lower():
             raise Misuse
         loop.body, loop.end = body, (name or next_word).end_pos
         loop.last_name = None if name is None else _word(name)
@@ -656,6 +650,9 @@ class Builder(Transformer[lark.Token, Module]):
 
     def string(self, token: Token) -> String:
         return String(token.start_pos, token.end_pos, string(token))
+
+    def wrong(self, token: Token) -> Wrong:
+        return Wrong(token.start_pos, token.end_pos)
 
     def character(self, token: Token) -> Number:
         return Number(token.start_pos, token.end_pos, ord(string(token)))

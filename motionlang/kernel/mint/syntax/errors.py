@@ -1,149 +1,166 @@
-"""Find all syntax errors of a text in one pass, with position and suggested fix.
+"""Read a text with syntax errors: all of them in one pass, with position and suggested fix, and a tree.
 
-The text is parsed again with a stack that can be rolled back (`motionlang.kernel.lang.syntax.stack`). Each
-faulty line is reported once. The line is then dropped, or replaced by the shortest line that opens or closes
-the same block, so that one error gives one message. Missing and surplus closers are repaired in the same way. A block
-that is still open when the block around it closes is reported at its opener and closed. A closer without an open block
-is dropped. If a line has an error and none with a similar keyword in place of its first word, that word is the error.
+Lark's parser reads the tokens up to one that does not fit, and reports which would (`kernel/lang/syntax/stack.py`).
+Each faulty line is reported once. The statement and the rest of its line become a `Wrong`, or are replaced by the
+shortest line that opens or closes the same block, so that one error gives one message. Missing and surplus closers are
+repaired in the same way. A block that is still open when the block around it closes is reported at its opener and
+closed. A closer without an open block is a `Wrong`. If a line has an error and none with a similar keyword in place of
+its first word, that word is the error. The parser accepts the tokens that result, so every text has a tree.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from math import inf
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang import typography
-from motionlang.kernel.lang.syntax.grammar import BAD, END
+from motionlang.kernel.lang.syntax.grammar import BAD, END, Token, lex
+from motionlang.kernel.lang.syntax.stack import Stack
 from motionlang.kernel.mint.syntax import expectations
 from motionlang.kernel.mint.syntax.blocks import (
     CLOSERS,
     DECLARATIONS,
     OPENERS,
+    WRONG,
     Block,
+    block_words,
     closing,
     opened_blocks,
-    plain_lines,
 )
 from motionlang.kernel.mint.syntax.build import number
 from motionlang.kernel.mint.syntax.nesting import MAX_DEPTH
-from motionlang.kernel.mint.syntax.tokens import TABLE, Tokens
+from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.tokens import PARSER, SPELLINGS, ended
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import nearest
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
-KEYWORDS = {spelling: kind for kind, spelling in TABLE.spellings.items() if kind.isalpha()}
+KEYWORDS = {spelling: kind for kind, spelling in SPELLINGS.items() if spelling.isalpha()}
+SEPARATORS = {"_NL", "COLON"}
+# What the shortest line of each block consists of behind its first word; what ends a line soonest comes first.
+_IN_LINES = ("_NL", WRONG, "NAME", "THEN", "TO", "CASE", "EQUAL")
 MAX_BACK = 2000  # a misspelt opener is looked for among so many tokens before its closer
 MAX_ERRORS = 100  # more are not useful; a binary file has one on every line
 
 
-def diagnose(source: Source) -> ProgramError:
-    """Return all errors of a text."""
+def recovered(source: Source) -> Module:
+    """Return the tree of a text that does not follow the grammar, with its syntax errors."""
     reader = _Reader(source)
     reader.read()
-    return ProgramError(reader.diagnostics)
+    parser = PARSER.parse_interactive("")
+    for token in reader.kept:
+        parser.feed_token(token)
+    module: Module = parser.feed_eof()  # type: ignore[no-untyped-call]
+    module.source, module.errors = source, ProgramError(reader.diagnostics).diagnostics
+    return module
 
 
 def unfinished(text: str) -> bool:
     """True if the text ends inside a block and has no error before that."""
-    top = TABLE.empty()
-    for at, kind in enumerate(Tokens(text).kinds):
-        top, fits = top.feed(kind, at)
-        if not fits:
-            return kind == END
-    return False
+    stack = Stack(PARSER)
+    return all(map(stack.feed, lex(PARSER, ended(text)))) and not stack.feed(Token(END, ""))
 
 
 class _Reader:
     """A pass through the tokens that finds errors.
 
-    `top` is the present stack, `mark` the stack at the beginning of the statement.
+    `stack` is the parser's present one, `mark` the one at the beginning of the statement. `kept` are the tokens that
+    it has read, of which `kept_before` precede the statement.
     """
 
     def __init__(self, source: Source) -> None:
-        self.source, self.tokens = source, Tokens(source.text)
-        self.texts, self.kinds = self.tokens.texts, self.tokens.kinds
+        self.source, size = source, len(source.text)
+        self.tokens: list[Token] = [
+            *lex(PARSER, ended(source.text)),
+            Token(END, "", start_pos=size, end_pos=size),
+        ]
+        self.kinds = [token.type for token in self.tokens]
         self.diagnostics: list[Diagnostic] = []
-        self.top = TABLE.empty()
-        self.before = self.line = self.mark = self.top
-        self.start = 0  # the token at which the statement began
-        self.spent: dict[int, int] = {}  # maps an opener to the inner opener that took its closer
+        self.stack = Stack(PARSER)
+        self.kept: list[Token] = []
+        self._begin(0)
+        self.spent: dict[int, Token] = {}  # maps an opener's offset to the inner opener that took its closer
         self.misspelt: set[int] = set()  # the words that are reported as misspelt keywords
 
     def read(self) -> None:
-        """Find the errors, up to `MAX_ERRORS`."""
+        """Find the errors, up to `MAX_ERRORS`, and close the blocks that are open."""
         at = 0
-        while at < len(self.kinds) and len(self.diagnostics) < MAX_ERRORS:
+        while len(self.diagnostics) < MAX_ERRORS:
+            if self.kinds[at] == END:
+                for block in opened_blocks(self.mark):
+                    self._missing(block)
+                break
             closer = self._closer(at, at + 1) if at == self.start else ""
             if closer:
                 self._watch_columns(closer)
-            self.before = self.top
-            self.top, fits = self.top.feed(self.kinds[at], at)
-            if fits:
-                self._check(at)
-            at = self._after(at) if fits else self._mistake(at)
-            if self.top.depth > 2 * MAX_DEPTH and self._is_too_deep():
+            at = self._after(at) if self.stack.feed(self.tokens[at]) else self._mistake(at)
+            if at == self.start and self._is_too_deep():
                 self._report_depth()
                 break
+        self._close(opened_blocks(self.mark))
+
+    def _begin(self, at: int) -> None:
+        """Begin a statement at a token."""
+        self.mark, self.kept_before, self.start = self.stack.copy(), len(self.kept), at
 
     def _is_too_deep(self) -> bool:
-        return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > MAX_DEPTH
+        deep = len(self.stack) > 2 * MAX_DEPTH
+        return deep and sum(symbol == "body" for symbol, _ in self.stack) > MAX_DEPTH
 
     def _report_depth(self) -> None:
         """Report blocks that are nested too deeply."""
-        blocks = opened_blocks(self.top)
+        blocks = opened_blocks(self.stack)
         message = f"blocks are nested more than {MAX_DEPTH} deep here"
         hint = "move the inner ones into a Sub"
         # The last one has no body yet.
-        self.report("syntax", message, blocks[min(1, len(blocks) - 1)].at, hint)
+        self.report("syntax", message, blocks[min(1, len(blocks) - 1)].token, hint)
 
     def report(
-        self, code: str, message: str, at: int, hint: str = "", last: int | None = None, candidate: str = ""
+        self, code: str, message: str, token: Token, hint: str = "", last: Token | None = None
     ) -> None:
-        """Record an error at token `at`, or from `at` to `last` on the same line.
-
-        `candidate` is a text that may have been meant instead.
-        """
-        start, end = self.tokens.starts[at], self.tokens.ends[at if last is None else last]
-        length = 1 if self.kinds[at] in ("_NL", END) else max(1, end - start)
+        """Record an error at a token, or from it to the `last` one on the same line."""
+        start, end = token.start_pos, (last or token).end_pos
+        length = 1 if token.type == "_NL" else max(1, end - start)
         line, column = self.source.location(start)
         fix = ""
-        if self.kinds[at] == BAD:
+        if token.type == BAD:
             replaced, fix = typography.plain(self.source.line(line)[column - 1 :])
             length = replaced or length
-        candidates = (candidate,) if candidate else ()
-        self.diagnostics.append(
-            Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix, candidates=candidates)
-        )
+        self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix))
 
     def _after(self, at: int) -> int:
-        """Accept the token `at`, record where lines and statements begin, return the next."""
-        kind = self.kinds[at]
-        if kind == "_NL":
-            self.line = self.top
-        if kind in ("_NL", "COLON"):
-            self.mark, self.start = self.top, at + 1
+        """Keep the token `at`, record where statements begin, return the next."""
+        self.kept.append(self._corrected(at))
+        if self.kinds[at] in SEPARATORS:
+            self._begin(at + 1)
         return at + 1
 
-    def _check(self, at: int) -> None:
-        """Report errors in text that the grammar accepts.
-
-        The parser raises Misuse for them (`motionlang.kernel.mint.syntax.build`).
-        """
-        text = self.texts[at]
-        if self.kinds[at] == "NUMBER" and number(text) == inf:
-            self.report("syntax", f"{expectations.found('', text)} is too large for a number", at)
+    def _corrected(self, at: int) -> Token:
+        """Return a token that the grammar accepts, or one in its place if the builder raises Misuse for it."""
+        token = self.tokens[at]
+        if token.type == "NUMBER" and number(token) == inf:
+            self.report("syntax", f"{expectations.found('', token)} is too large for a number", token)
+            return _as(WRONG, token)
+        if token.type == "DOTTED" and inf in map(number, token.split(".")[1:]):
+            self.report("syntax", f"{expectations.found('', token)} has a number that is too large", token)
+            return Token.new_borrow_pos("NAME", token.split(".")[0], token)
         if self.kinds[self.start] == "NEXT" and self.kinds[at - 1] in ("NEXT", "COMMA") and at > self.start:
-            self._check_next(at, text)
+            return self._named_as_its_loop(at, token)
+        return token
 
-    def _check_next(self, at: int, text: str) -> None:
-        """Check that a `Next` names the variables of its loops, innermost first."""
-        if self.kinds[at] in ("_NL", "COLON"):
-            return
+    def _named_as_its_loop(self, at: int, token: Token) -> Token:
+        """Return the name in a `Next`; it is that of a loop, of which the innermost is first."""
+        if token.type in SEPARATORS:
+            return token
         number = self.kinds[self.start : at].count("COMMA")
-        variable = self.texts[opened_blocks(self.mark)[number].at + 1]
-        if variable.lower() != text.lower():
-            message = f"`Next {text}` ends the `For` of `{variable}`"
-            self.report("syntax", message, at, f"write {variable}" if number else f"write Next {variable}")
+        variable = opened_blocks(self.mark)[number].name
+        if variable.lower() == token.lower():
+            return token
+        if variable:
+            message = f"`Next {token}` ends the `For` of `{variable}`"
+            self.report("syntax", message, token, f"write {variable}" if number else f"write Next {variable}")
+        return Token.new_borrow_pos(token.type, variable, token)
 
     def _watch_columns(self, closer: str) -> None:
         """Record a closer that is aligned with an outer opener but closes an inner block.
@@ -155,25 +172,23 @@ class _Reader:
             return
         meant = next((block for block in blocks[1:] if block.kind == closer and self._under(block)), None)
         if meant:
-            self.spent.setdefault(meant.at, blocks[0].at)
+            self.spent.setdefault(meant.token.start_pos, blocks[0].token)
 
     def _under(self, block: Block) -> bool:
         """True if the statement is in the same column as the opener of a block."""
-        return self._column(self.start) == self._column(block.at)
+        return self._column(self.tokens[self.start]) == self._column(block.token)
 
-    def _line(self, at: int) -> int:
-        return self.source.location(self.tokens.starts[at])[0]
+    def _line(self, token: Token) -> int:
+        return self.source.location(token.start_pos)[0]
 
-    def _column(self, at: int) -> int:
-        return self.source.location(self.tokens.starts[at])[1]
+    def _column(self, token: Token) -> int:
+        return self.source.location(token.start_pos)[1]
 
     # ------------------------------------------------------------------------------------------- mistakes
 
     def _mistake(self, at: int) -> int:
         """Report the unexpected token `at`, recover, and return the next token to read."""
         blocks = opened_blocks(self.mark)
-        if self.kinds[at] == END:
-            return self._file_ends(at, blocks)
         first = at - 1 if self.kinds[at - 1] == "END" and self.kinds[at] in OPENERS else at
         closer = self._closer(first, at)
         if closer and first == self.start and not any(block.inline for block in blocks):
@@ -200,7 +215,7 @@ class _Reader:
         Either inner blocks are still open, which are reported, too, or no block of that kind is open.
         """
         index = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
-        words = " ".join(self.texts[self.start : at + 1])
+        words = " ".join(self.tokens[self.start : at + 1])
         name = OPENERS[closer]
         if index:
             for block in blocks[:index]:
@@ -208,18 +223,19 @@ class _Reader:
             if self._close(blocks[:index]):
                 return self.start
         is_wrong_end = self.kinds[self.start] == "END" and closing(closer) != f"End {name}"
+        first, last = self.tokens[self.start], self.tokens[at]
         if index is not None and not is_wrong_end:
-            self.report("syntax", f"`{words}` is not allowed here", self.start, last=at)
+            self.report("syntax", f"`{words}` is not allowed here", first, last=last)
         elif blocks and (index is not None or self._under(blocks[0])):
             message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
-            self.report("stray-end", message, self.start, f"write {closing(blocks[0].kind)}", at)
+            self.report("stray-end", message, first, f"write {closing(blocks[0].kind)}", last)
             self._close(blocks[:1])
         elif not self._is_opener_misspelt(closer):
             message = f"`{words}` without {_article(name)}"
             hint = self._else_if(at) if closer == "IF" and self.kinds[self.start] in ("END", "ENDIF") else ""
             hint = hint or (self._one_line_if() if closer == "IF" else "")
             hint = hint or f"remove it, or add the {name} it belongs to"
-            self.report("stray-end", message, self.start, hint, at)
+            self.report("stray-end", message, first, hint, last)
         return self._skip(at)
 
     def _is_opener_misspelt(self, closer: str) -> bool:
@@ -242,32 +258,35 @@ class _Reader:
 
         The word begins a statement that is valid with the keyword, and is not the name of a sub.
         """
-        word = self.texts[at]
+        word = self.tokens[at]
         is_name = self.kinds[at] == "NAME" and at not in self.misspelt
         found = nearest(word, keywords) if is_name else None
         if found is None or word.lower() in self._subs:
             return ""
-        return found if self.mark.feed_all(self._with(at, keywords[found]), at) is not None else ""
+        return found if self.mark.after(self._with(at, keywords[found])) is not None else ""
 
-    def _with(self, at: int, kind: str) -> tuple[str, ...]:
+    def _with(self, at: int, kind: str) -> list[Token]:
         """Return the rest of a line with another kind of token at its beginning."""
-        return (kind, *self.kinds[at + 1 : self._line_end(at)], "_NL")
+        return [_as(kind, self.tokens[at]), *self.tokens[at + 1 : self._line_end(at) + 1]]
 
     @property
     def _subs(self) -> set[str]:
         """The names of the program's subs, in lower case."""
-        return {name.lower() for kind, name in zip(self.kinds, self.texts[1:], strict=False) if kind == "SUB"}
+        return {
+            name.lower() for kind, name in zip(self.kinds, self.tokens[1:], strict=False) if kind == "SUB"
+        }
 
     def _report_misspelt(self, at: int, keyword: str) -> None:
         self.misspelt.add(at)
-        message = f"{self.texts[at]} is neither a keyword nor a sub of this program"
-        self.report("unknown-word", message, at, f"did you mean {keyword}?", candidate=keyword)
+        message = f"{self.tokens[at]} is neither a keyword nor a sub of this program"
+        self.report("unknown-word", message, self.tokens[at], f"did you mean {keyword}?")
+        self.diagnostics[-1].candidates = (keyword,)
 
     def _else_if(self, at: int) -> str:
         """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
         for token in range(at - 1, 1, -1):
             if self.kinds[token - 2 : token + 1] == ["_NL", "ELSE", "IF"]:
-                line = self._line(token)
+                line = self._line(self.tokens[token])
                 return (
                     f"the `Else If` of line {line} is an ElseIf; write a separate If on the line below Else"
                 )
@@ -283,16 +302,17 @@ class _Reader:
             if self.kinds[token] == "IF" and (not token or self.kinds[token - 1] in ("_NL", "COLON")):
                 line = self.kinds[token : self._line_end(token)]
                 if "THEN" in line and line[-1] != "THEN":
-                    number = self._line(token)
+                    number = self._line(self.tokens[token])
                     return f"the If of line {number} ends with its line; begin a new line after its Then"
                 break
         return ""
 
     def _closes_inline(self, first: int, at: int) -> int:
         """Report a closer in a one-line If, which needs none because its line ends it."""
-        words = " ".join(self.texts[first : at + 1])
+        words = " ".join(self.tokens[first : at + 1])
         message = f"`{words}` is not allowed in an If of one line"
-        self.report("stray-end", message, first, "remove it, or write each statement on its own line", at)
+        hint = "remove it, or write each statement on its own line"
+        self.report("stray-end", message, self.tokens[first], hint, self.tokens[at])
         return self._skip(at)
 
     def _declares(self, at: int) -> bool:
@@ -302,98 +322,117 @@ class _Reader:
 
     def _declared_inside(self, blocks: list[Block]) -> int:
         """Report and close the blocks still open before a `Sub` or another declared block."""
-        kinds = tuple(self.kinds[self.start : self.start + 2])
-        while blocks and self.mark.feed_all(kinds, self.start) is None:
+        while blocks and self.mark.after(self.tokens[self.start : self.start + 2]) is None:
             self._missing(blocks[0])
             if not self._close(blocks[:1]):
                 return self._skip(self.start)
             blocks = blocks[1:]
-        self.top = self.mark
         return self.start
 
-    def _file_ends(self, at: int, blocks: list[Block]) -> int:
-        for block in blocks:
-            self._missing(block)
-        return at + 1
-
     def _missing(self, block: Block) -> None:
-        at = block.at
-        while at in self.spent:
-            at = self.spent.pop(at)
+        token = block.token
+        while token.start_pos in self.spent:
+            token = self.spent.pop(token.start_pos)
         self.report(
-            "missing-end", f"`{OPENERS[block.kind]}` is never closed", at, f"add {closing(block.kind)}"
+            "missing-end", f"`{OPENERS[block.kind]}` is never closed", token, f"add {closing(block.kind)}"
         )
-
-    def _close(self, blocks: list[Block]) -> bool:
-        """Close blocks, innermost first, as if their closers preceded the statement.
-
-        Returns False if a closer does not fit.
-        """
-        for block in blocks:
-            top = self.mark.feed_all((*block.closing, "_NL"), self.start)
-            if top is None:
-                return False
-            self.mark = self.top = top
-        self.line = self.top
-        return True
 
     def _wrong(self, at: int) -> int:
         """Report an error inside a statement that no other method has reported."""
         end = self._line_end(at)
         if keyword := self._keyword(self.start, KEYWORDS):
             self._report_misspelt(self.start, keyword)
-            repaired = self.mark.feed_all(self._with(self.start, KEYWORDS[keyword]), self.start)
-            assert repaired is not None
-            self.top = repaired
-            return self._after_line(end)
-        kind, text = self.kinds[at], self.texts[at]
-        before = self.texts[at - 1] if at else ""
-        kinds = self.top.expected()
-        if kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was read as a name, which was not intended
-            kinds = self.before.expected()
-        hint = expectations.hint(kinds, before, text, self.kinds[self.start])
-        self.report("syntax", expectations.message(kinds, kind, text), at, hint)
-        for plain in plain_lines([*self.kinds[self.start : end], *_quoted(self.texts[end])]):
-            if top := self.mark.feed_all(plain, self.start):
-                self.top = top
-                return self._after_line(end)
+            self.kinds[self.start] = KEYWORDS[keyword]
+            self.tokens[self.start] = _as(KEYWORDS[keyword], self.tokens[self.start])
+            self._replace((), self.start)  # the statement is read again
+            return self.start
+        token = self.tokens[at]
+        before = self.tokens[at - 1] if at else ""
+        kinds = self.stack.reduced().accepts() - {WRONG}
+        if token.type == BAD or kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was not intended as a name
+            kinds = self.stack.accepts() - {WRONG}
+        hint = expectations.hint(kinds, before, token, self.kinds[self.start])
+        self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
+        for words in block_words([*self.kinds[self.start : end], *_quoted(self.tokens[end])]):
+            if self._replace(self._written(self._shortest(words), end), end + 1):
+                return self.start
         return self._skip(at)
 
     # ------------------------------------------------------------------------------------------- recovery
 
     def _line_end(self, at: int) -> int:
-        while self.kinds[at] not in ("_NL", END):
+        while self.kinds[at] != "_NL":
             at += 1
         return at
 
     def _skip(self, at: int) -> int:
-        """Drop the rest of the line, and return the next token to read.
+        """Put a Wrong in place of the statement and the rest of its line; return the next token to read.
 
-        The text before the error remains if the line may end there.
+        Before the first Case of a Select there is no statement.
         """
         end = self._line_end(at)
-        for top in (self.mark, self.line):
-            after, fits = top.feed("_NL", end)
-            if fits:
-                self.top = after
-                break
-        else:
-            self.top = self.line
-        return self._after_line(end)
+        if not self._replace(self._written((WRONG, "_NL"), end), end + 1):
+            self._replace(self._written(("_NL",), end), end + 1)
+        return self.start
 
-    def _after_line(self, end: int) -> int:
-        self.line = self.mark = self.top
-        at = end + 1 if self.kinds[end] == "_NL" else end
-        self.start = at
-        return at
+    def _close(self, blocks: list[Block]) -> bool:
+        """Close blocks, innermost first, as if their closers preceded the statement.
+
+        Returns False if a closer does not fit.
+        """
+        return all(self._replace(self._made((*block.closing, "_NL")), self.start) for block in blocks)
+
+    def _replace(self, tokens: Sequence[Token], at: int) -> bool:
+        """Read other tokens in place of the statement and go on at the token `at`; return False if they do not fit."""
+        stack = self.mark.after(tokens)
+        if stack is None:
+            return False
+        self.stack = stack
+        self.kept[self.kept_before :] = tokens
+        self._begin(at)
+        return True
+
+    def _shortest(self, words: Sequence[str]) -> list[str]:
+        """Return the kinds of the shortest line that begins with some words, these alone if they do not fit."""
+        line, stack = list(words), self.mark.after(Token(word, "") for word in words)
+        while stack is not None and line[-1] != "_NL":
+            line.append(next(kind for kind in _IN_LINES if stack.feed(Token(kind, ""))))
+        return line
+
+    def _written(self, kinds: Sequence[str], end: int) -> list[Token]:
+        """Return tokens of these kinds in place of the statement and the rest of its line, which ends at `end`.
+
+        Those that the line has at the same position are its own. The names in a `Next` are left out.
+        """
+        first, last = self.tokens[self.start], self.tokens[end - 1]
+        made = []
+        for at, kind in enumerate(kinds, self.start):
+            if kind == "_NL":
+                made.append(self.tokens[end])
+            elif kind == WRONG:
+                made.append(Token(WRONG, "", start_pos=first.start_pos, end_pos=last.end_pos))
+            elif at < end and self.kinds[at] == kind and (kind != "NAME" or kinds[0] != "NEXT"):
+                made.append(self.tokens[at])
+            else:
+                made.append(Token(kind, "", start_pos=first.start_pos, end_pos=first.start_pos))
+        return made
+
+    def _made(self, kinds: Iterable[str]) -> list[Token]:
+        """Return tokens of these kinds that are not in the text, behind the statement before."""
+        at = next((token.end_pos for token in reversed(self.kept) if token.type not in SEPARATORS), 0)
+        return [Token(kind, "", start_pos=at, end_pos=at) for kind in kinds]
+
+
+def _as(kind: str, token: Token) -> Token:
+    return Token.new_borrow_pos(kind, token, token)
 
 
 def _quoted(ending: str) -> list[str]:
     """Return the kinds of a line's rest that a single quote has made a comment, as if its quotes were double."""
     comment = ending.partition("\n")[0]
-    return (
-        Tokens(comment.replace("'", '"')).kinds[:-2] if comment.startswith("'") and "'" in comment[1:] else []
-    )
+    if not (comment.startswith("'") and "'" in comment[1:]):
+        return []
+    return [token.type for token in lex(PARSER, comment.replace("'", '"'))]
 
 
 def _article(name: str) -> str:

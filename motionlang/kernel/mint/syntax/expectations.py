@@ -6,9 +6,8 @@ import re
 
 from motionlang.kernel.lang.syntax.grammar import BAD, END
 from motionlang.kernel.lang.typography import typographic, unclosed
-from motionlang.kernel.mint.syntax.tokens import TABLE
+from motionlang.kernel.mint.syntax.tokens import SPELLINGS
 
-SPELLINGS = TABLE.spellings
 VALUE = {"NUMBER", "STRING"}  # if both are valid, any value is
 STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.nodes import Binary, Chain, Link, Module, Node, Stmt
+from motionlang.kernel.mint.syntax.nodes import Binary, Chain, Link, Module, Node, Stmt, Wrong
 from motionlang.kernel.mint.syntax.tokens import token_at
 
 # Nesting of blocks. This is a limit of motionlang, not of Mint.
@@ -84,34 +84,46 @@ def _flat(node: Node) -> Node:
     return Chain(node.start, node.end, first, links)  # type: ignore[arg-type]
 
 
-def check_depth(module: Module) -> None:
-    """Raise ProgramError for every line with an expression that is nested too deeply."""
-    lines = {module.line(node.start): node.start for node in _too_deep(module)}
-    if lines:
-        raise ProgramError(
-            Diagnostic(
-                "syntax",
-                f"the expression is nested more than {MAX_EXPRESSION_DEPTH} deep",
-                line,
-                module.column(at),
-                length=len(token_at(module.source.text, at)),
-                hint="split it into several statements",
-            )
-            for line, at in lines.items()
+def cut_too_deep(module: Module) -> None:
+    """Put a `Wrong` in place of each expression that is nested too deeply, and report its line."""
+    lines = {module.line(node.start): node.start for node in _cut(module)}
+    found = [
+        Diagnostic(
+            "syntax",
+            f"the expression is nested more than {MAX_EXPRESSION_DEPTH} deep",
+            line,
+            module.column(at),
+            length=len(token_at(module.source.text, at)),
+            hint="split it into several statements",
         )
+        for line, at in lines.items()
+    ]
+    module.errors = ProgramError([*module.errors, *found]).diagnostics
 
 
-def _too_deep(module: Module) -> list[Node]:
-    """Return the nodes just below the depth limit, found without recursion."""
+def _cut(module: Module) -> list[Node]:
+    """Cut the tree below the depth limit, and return the nodes there, found without recursion."""
     found = []
     waiting: list[tuple[Node, int]] = [(module, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > MAX_EXPRESSION_DEPTH:
-            found.append(node)
+        below = _children(node, depth + 1)
+        if depth == MAX_EXPRESSION_DEPTH and any(each > depth for _, each in below):
+            found += [child for child, _ in below]
+            _without_children(node)
         else:
-            waiting += _children(node, depth + 1)
+            waiting += below
     return found
+
+
+def _without_children(node: Node) -> None:
+    """Put a `Wrong` in place of each child of an expression."""
+    for name in node.__slots__:
+        value = getattr(node, name)
+        if isinstance(value, Node):
+            setattr(node, name, Wrong(value.start, value.end))
+        elif isinstance(value, list):
+            value.clear()
 
 
 def depth_of(expression: Node) -> int:

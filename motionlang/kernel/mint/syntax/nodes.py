@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.syntax.node import ClosedByName, Expression, Resolved, ResolvedName
 from motionlang.kernel.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
@@ -133,7 +134,15 @@ class Cast(Expression):
     to: Type
 
 
-Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted
+@dataclass(eq=False, repr=False, slots=True)
+class Wrong(Expression):
+    """A text that does not follow the grammar, in place of a statement or an expression.
+
+    Only the tree of a text with syntax errors has it.
+    """
+
+
+Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted | Wrong
 
 
 # ---------------------------------------------------------------------------------------------- statements
@@ -394,6 +403,7 @@ Stmt = (
     | Jump
     | Return
     | Auto
+    | Wrong
 )
 
 
@@ -454,11 +464,12 @@ class UserType(Resolved):
 
 
 class Located(Node):
-    """A tree with its source, which comparisons ignore."""
+    """A tree with its source and its syntax errors, which comparisons ignore."""
 
-    __slots__ = ("source",)
+    __slots__ = ("errors", "source")
 
     source: Source
+    errors: list[Diagnostic]
 
     def line(self, at: int) -> int:
         """Return the line, from 1, of an offset."""

@@ -7,14 +7,15 @@ from typing import cast
 
 from lark import UnexpectedInput
 
+from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.syntax.grammar import lex
 from motionlang.kernel.mint.syntax.build import Misuse
-from motionlang.kernel.mint.syntax.errors import diagnose, unfinished
+from motionlang.kernel.mint.syntax.errors import recovered, unfinished
 from motionlang.kernel.mint.syntax.nesting import (
     MAX_DEPTH,
     MAX_EXPRESSION_DEPTH,
     bodies,
-    check_depth,
+    cut_too_deep,
     flatten_chains,
 )
 from motionlang.kernel.mint.syntax.nodes import Call, Label, Module
@@ -28,27 +29,38 @@ _CONTINUED = re.compile(r"[\\_][ \t]*(?:'.*)?$", re.MULTILINE)
 
 
 def parse(source: Source) -> Module:
-    """Return the tree of a program; raise ProgramError with all errors of the text."""
+    """Return the tree of a program; raise ProgramError with all syntax errors of the text."""
+    module = read(source)
+    if module.errors:
+        raise ProgramError(module.errors)
+    return module
+
+
+def read(source: Source) -> Module:
+    """Return the tree of a text, which has its syntax errors, and a `Wrong` in place of what has one."""
     try:
         module = cast(Module, PARSER.parse(ended(source.text)))
+        module.source, module.errors = source, []
     except (UnexpectedInput, Misuse):
-        raise diagnose(source) from None
-    module.source = source
-    labels = {
-        match.start(1) for match in _LABEL.finditer(source.text) if _begins_line(source.text, match.start())
-    }
-    deepest = 0
-    for body, depth in bodies(module):
-        deepest = max(depth, deepest)
-        for i, each in enumerate(body) if labels else ():
-            if type(each) is Call and each.start in labels and each.target.args is None:
-                body[i] = Label(each.start, each.end, each.target.name)
-    if deepest > MAX_DEPTH and (error := diagnose(source)).diagnostics:
-        raise error
+        module = recovered(source)
+    else:
+        if max(depth for _, depth in bodies(module)) > MAX_DEPTH:
+            module = recovered(source)
+    _mark_labels(module)
     if not _is_short(source.text):
         flatten_chains(module)
-        check_depth(module)
+        cut_too_deep(module)
     return module
+
+
+def _mark_labels(module: Module) -> None:
+    """Put a Label in place of each call that is `NAME:` on a line of its own."""
+    text = module.source.text
+    labels = {match.start(1) for match in _LABEL.finditer(text) if _begins_line(text, match.start())}
+    for body, _ in bodies(module) if labels else ():
+        for i, each in enumerate(body):
+            if type(each) is Call and each.start in labels and each.target.args is None:
+                body[i] = Label(each.start, each.end, each.target.name)
 
 
 def _begins_line(text: str, at: int) -> bool:

@@ -9,11 +9,11 @@ import re
 from collections.abc import Iterator
 
 from motionlang.kernel.lang.syntax.grammar import BAD, END, lex, load
-from motionlang.kernel.lang.syntax.stack import Table
 from motionlang.kernel.mint.syntax.build import Builder
 
 PARSER = load("mint", Builder())
-TABLE = Table(PARSER)
+# The spelling of each kind of token that has only one.
+SPELLINGS = {str(each.name): each.pattern.value for each in PARSER.terminals if each.pattern.type == "str"}
 
 # The kinds of token as a reader sees them. A kind that is not listed is a control word or an operator.
 _CLASSES = {

@@ -11,8 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang import parse
-from motionlang.kernel import Diagnostic, Machine, ProgramError, Source
+from motionlang.kernel import Machine, ProgramError, Source
 from motionlang.kernel.mint import DIALECT as MINT
+from motionlang.kernel.mint.syntax.nodes import For, If, Wrong
+from motionlang.kernel.mint.syntax.parser import read
 from tests.cases import examples
 from tests.kernel.mint.syntax.test_parser_errors import samples as broken
 from tests.kernel.mint.syntax.test_parser_spec import samples
@@ -84,23 +86,44 @@ SOUP = st.text(st.sampled_from("IfThenEndSubForNext x1.+-*/=<>()[],;:#?'\"`\\_~!
 LINES = [line for text in [*samples().values(), *broken().values()] for line in text.split("\n")]
 
 
+BROKEN = """\
+If a = 1 Than
+  b = 1 : c = (
+End If 3
+For i = 1 T 3
+  Fro j = 1 To 3
+  Next j
+Sub f(a
+  Next
+"""
+
+
+def test_a_text_with_syntax_errors_has_a_tree() -> None:
+    """A Wrong is in place of a faulty statement or condition, and missing ends are added."""
+    module = read(Source("broken.mnt", BROKEN))
+    assert [each.line for each in module.errors] == [1, 2, 3, 4, 4, 5, 7, 7, 8]
+    condition, loop = module.body
+    assert isinstance(condition, If)
+    assert isinstance(loop, For)
+    assert [type(each).__name__ for each in (condition.condition, *condition.body)] == [
+        "Wrong",
+        "Assign",
+        "Wrong",
+    ]
+    assert BROKEN[condition.body[1].start : condition.body[1].end] == "c = ("
+    assert [type(each).__name__ for each in loop.body] == ["For"]
+    assert [(sub.name, sub.body) for sub in module.subs] == [("f", [Wrong(0, 0)])]
+
+
 @settings(max_examples=examples(300))
 @given(st.one_of(SOUP, st.lists(st.sampled_from(LINES), max_size=10).map("\n".join)))
 def test_any_text_is_answered(text: str) -> None:
     """The result is a tree, or diagnostics inside the text without duplicates."""
-    diagnostics = mistakes(text)
+    diagnostics = read(Source("any.mnt", text)).errors
     assert len(diagnostics) == len({(d.line, d.column, d.message) for d in diagnostics})
     assert all(1 <= d.line <= text.count("\n") + 2 and d.column >= 1 for d in diagnostics)
     list(MINT.tokens(text))
     is_complete(text)
-
-
-def mistakes(text: str) -> list[Diagnostic]:
-    try:
-        parse(text, "mint")
-    except ProgramError as error:
-        return error.diagnostics or [Diagnostic("syntax", "an error without a mistake", -1)]
-    return []
 
 
 BLOCKS = ["For i = 1 To 3|Next", "While a|End While", "If a Then|End If", "Repeat|Until a", "Loop|End Loop"]

@@ -45,6 +45,11 @@ def test_a_number_that_no_float_holds_is_too_large(text: str) -> None:
     assert shown(f"x = {text}") == f"1:5+{len(text)} syntax: {message}"
 
 
+def test_a_channel_that_no_float_holds_is_too_large() -> None:
+    message = f"`POS.{'9' * 19}…` has a number that is too large"
+    assert shown(f"x = POS.{'9' * 400}") == f"1:5+404 syntax: {message}"
+
+
 @pytest.mark.parametrize(("wrong", "reported"), [(99, 100), (100, 100), (101, 100)])
 def test_no_more_than_a_hundred_errors_are_reported(wrong: int, reported: int) -> None:
     """The open block is one more error, unless there are a hundred already."""
