@@ -7,8 +7,9 @@ from collections.abc import Iterable, Set
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax.blocks import DECLARATIONS
-from motionlang.kernel.mint.syntax.nodes import Module
+from motionlang.kernel.mint.syntax.nodes import Module, Wrong
 from motionlang.kernel.mint.syntax.tokens import Tokens
+from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.source import Source
 
 # Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by what is not
@@ -42,6 +43,9 @@ def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Se
         return ProgramError(found).diagnostics
     source = module.source
     lines = {each.line for each in module.errors}
+    for node in walk([*module.everything, *module.types]):
+        if isinstance(node, Wrong) and node.start < node.end:  # others are added, not written
+            lines |= {*range(module.line(node.start), module.line(node.end) + 1)}
     names = {name for line in lines for name in _names(source.line(line))}
     if not any(each.code in ("missing-end", "stray-end") for each in module.errors):
         declared = frozenset()

@@ -8,14 +8,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import itemgetter
 
-from motionlang.kernel.lang.names import Block, Definition, Names
+from motionlang.kernel.lang.names import Definition, Names
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.resolve.names import Names as Resolver
 from motionlang.kernel.mint.resolve.symbols import FLOAT, RECORD, STRING, Function, Symbol, Type
-from motionlang.kernel.mint.syntax import nodes, outline
+from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS
+from motionlang.kernel.mint.syntax.extent import blocks
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 
@@ -46,7 +47,7 @@ def names(module: nodes.Module, resolver: Resolver) -> Names:
     for _, word, node, symbol in sorted(_named(module), key=itemgetter(0)):
         uses.setdefault(symbol.first, []).append((word, node))
     definitions = [_definition(symbol, found, resolver.main, text) for symbol, found in uses.items()]
-    return Names(definitions, _outline(text), not module.errors, _Renaming(resolver, definitions).problem)
+    return Names(definitions, blocks(module), not module.errors, _Renaming(resolver, definitions).problem)
 
 
 def _named(module: nodes.Module) -> Iterator[tuple[int, Word, nodes.Node, Symbol]]:
@@ -155,20 +156,6 @@ def _parameter(symbol: Symbol) -> str:
 
 def _literal(value: float | str) -> str:
     return f'"{value}"' if isinstance(value, str) else f"{value:.10g}"
-
-
-# -------------------------------------------------------------------------------------------------- blocks
-
-
-def _outline(text: str) -> list[Block]:
-    tokens = Tokens(text)
-    found = []
-    for block in outline.blocks(tokens.kinds):
-        at = block.first if block.name < 0 else block.name
-        name = "" if block.name < 0 else tokens.texts[block.name]
-        span = tokens.starts[block.first], tokens.ends[block.last]
-        found.append(Block(block.kind.lower(), name, (tokens.starts[at], tokens.ends[at]), span))
-    return found
 
 
 # ------------------------------------------------------------------------------------------------ renaming

@@ -37,7 +37,6 @@ from motionlang.kernel.tools import nearest
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
 KEYWORDS = {spelling: kind for kind, spelling in SPELLINGS.items() if spelling.isalpha()}
-SEPARATORS = {"_NL", "COLON"}
 # What the shortest line of each block consists of behind its first word; what ends a line soonest comes first.
 _IN_LINES = ("_NL", WRONG, "NAME", "THEN", "TO", "CASE", "EQUAL")
 MAX_BACK = 2000  # a misspelt opener is looked for among so many tokens before its closer
@@ -132,7 +131,7 @@ class _Reader:
     def _after(self, at: int) -> int:
         """Keep the token `at`, record where statements begin, return the next."""
         self.kept.append(self._corrected(at))
-        if self.kinds[at] in SEPARATORS:
+        if self.kinds[at] in expectations.SEPARATORS:
             self._begin(at + 1)
         return at + 1
 
@@ -151,7 +150,7 @@ class _Reader:
 
     def _named_as_its_loop(self, at: int, token: Token) -> Token:
         """Return the name in a `Next`; it is that of a loop, of which the innermost is first."""
-        if token.type in SEPARATORS:
+        if token.type in expectations.SEPARATORS:
             return token
         number = self.kinds[self.start : at].count("COMMA")
         variable = opened_blocks(self.mark)[number].name
@@ -246,7 +245,7 @@ class _Reader:
         for token in range(self.start - 1, max(-1, self.start - MAX_BACK), -1):
             if self.kinds[token] in DECLARATIONS:
                 return False
-            if self.kinds[token - 1] not in ("_NL", "COLON") and token:
+            if self.kinds[token - 1] not in expectations.SEPARATORS and token:
                 continue
             if self._keyword(token, {OPENERS[closer]: closer}):
                 self._report_misspelt(token, OPENERS[closer])
@@ -299,7 +298,7 @@ class _Reader:
         for token in range(self.start - 1, -1, -1):
             if self.kinds[token] in DECLARATIONS:
                 break
-            if self.kinds[token] == "IF" and (not token or self.kinds[token - 1] in ("_NL", "COLON")):
+            if self.kinds[token] == "IF" and (not token or self.kinds[token - 1] in expectations.SEPARATORS):
                 line = self.kinds[token : self._line_end(token)]
                 if "THEN" in line and line[-1] != "THEN":
                     number = self._line(self.tokens[token])
@@ -419,7 +418,9 @@ class _Reader:
 
     def _made(self, kinds: Iterable[str]) -> list[Token]:
         """Return tokens of these kinds that are not in the text, behind the statement before."""
-        at = next((token.end_pos for token in reversed(self.kept) if token.type not in SEPARATORS), 0)
+        at = next(
+            (token.end_pos for token in reversed(self.kept) if token.type not in expectations.SEPARATORS), 0
+        )
         return [Token(kind, "", start_pos=at, end_pos=at) for kind in kinds]
 
 
