@@ -19,9 +19,8 @@ PACKAGE = ROOT / "motionlang"
 # The modules that compute motion; `plan_move` and the moves planned without it are in `core`.
 _MODULES = {
     "kernel/planners": (
-        "trapezoid ramps feasibility scurve parabolic jerk transition ramp_down stop jerk_limited segment_speed "
-        "lookahead reparametrised curve cubics arc table table_motion reference superposition dwell pieces "
-        "sequence crossing shapes"
+        "ramps shapes target transition ramp_down stop jerk_limited segment_speed lookahead reparametrised curve "
+        "cubics arc table table_motion reference superposition dwell pieces sequence crossing"
     ),
     "commands/plan": "solve reach",
     "kernel/controller": "core",

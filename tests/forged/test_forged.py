@@ -15,19 +15,20 @@ from tests.forged.verdicts import honest, ran, verdict
 _AT = "INFINITY if ramp else 0.0"
 # Module, function, original text, forged text, and program.
 SLICE: tuple[tuple[str, str, str, str, str], ...] = (
-    ("kernel.planners.trapezoid", "plan_trapezoid", "target - start", "target + start", "moves.mnt"),
-    ("kernel.planners.trapezoid", "from_rest", "0.5 / accel", "0.5 * accel", "moves.mnt"),
+    ("kernel.planners.target", "approach", "target - start", "target + start", "moves.mnt"),
+    ("kernel.planners.target", "_up_and_down", "size - ramp_distance(u, *first, v)",
+     "size + ramp_distance(u, *first, v)", "moves.mnt"),
     ("kernel.planners.ramps", "ramp_distance", "v_from + 2.0 * v_to", "v_from", "parabolas of PMC.mcl"),
     ("kernel.planners.ramps", "ramp_distance", "0.5 * (v_from + v_to)", "0.5 / (v_from + v_to)", "moves.mnt"),
-    ("kernel.planners.feasibility", "from_rest", "rise + fall", "rise - fall", "S-curves of PMC.mcl"),
-    ("kernel.planners.jerk", "plan_jerk", "first + slew", "first", "moves in S-ramps.mnt"),
-    ("kernel.planners.jerk", "plan_jerk", "0.5 * (first + last)", "0.5 / (first + last)", "moves in S-ramps.mnt"),
+    ("kernel.planners.shapes", "ramps_of", "1.0 - ramp", "1.0 + ramp", "S-curves of PMC.mcl"),
+    ("kernel.planners.shapes", "ramp_to", "change / accel + rise", "change / accel", "moves in S-ramps.mnt"),
+    ("kernel.planners.target", "_travel", "left / v", "left * v", "moves in S-ramps.mnt"),
     ("kernel.planners.transition", "initial_steps", "0.5 * a0", "0.5", "jogs in S-ramps.mnt"),
     ("kernel.planners.transition", "distance_of_steps", "0.5", "0.55", "events in S-ramps.mnt"),
     ("kernel.planners.ramp_down", "_on_slope", "index + 1", "index - 1", "S-curves of PMC.mcl"),
     ("kernel.planners.stop", "plan_velocity", "sign * after", "sign / after", "jogs in S-ramps.mnt"),
     ("kernel.planners.jerk_limited", "JerkLimited.__init__", "1", "2", "targets in S-ramps.mnt"),
-    ("kernel.planners.jerk_limited", "jerk_limited_approach", "sign * a0", "sign / a0", "events in S-ramps.mnt"),
+    ("kernel.planners.target", "_continued", "sign * a0", "sign / a0", "events in S-ramps.mnt"),
     ("kernel.planners.segment_speed", "_top", "max(speed, v1)", "min(speed, v1)", "paths.mnt"),
     ("kernel.planners.lookahead", "plan_course", "max(0.0, length - passed)", "0.0", "paths.mnt"),
     ("kernel.planners.reparametrised", "_straight", "piece[1] * (along.start - begin)", "piece[1]", "a contour.mnt"),
@@ -54,10 +55,9 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
 
 # Those that observe all limits and ends but are slow, or keep another order of blended paths.
 SLOW: tuple[tuple[str, str, str, str, str], ...] = (
-    ("kernel.planners.feasibility", "stretched", "a - b", "a", "events.mnt"),
-    ("kernel.planners.scurve", "plan_ratio", "stretch / accel", "stretch * accel", "S-curves of PMC.mcl"),
-    ("kernel.planners.parabolic", "plan_parabolic", "2.0 / accel", "2.0 * accel", "parabolas of PMC.mcl"),
-    ("kernel.planners.parabolic", "parabolic_ramps", "(a - b) * down", "a - b", "parabolas of PMC.mcl"),
+    ("kernel.planners.shapes", "Proportional.down", "v - u", "v", "events.mnt"),
+    ("kernel.planners.shapes", "Proportional.peak", "self.mean / self.accel", "self.mean * self.accel", "moves.mnt"),
+    ("kernel.planners.shapes", "ramps_of", "0.5 * accel", "0.5 / accel", "parabolas of PMC.mcl"),
     ("kernel.planners.segment_speed", "between", "length - used", "length + used", "events in S-ramps.mnt"),
     ("kernel.planners.arc", "arc_over", "half_turn * pi - phase", "half_turn * pi", "a contour.mnt"),
     ("kernel.controller.moves.path_run", "PathRun._plan_blend", "min(wanted, most)", "max(wanted, most)", "blends.mnt"),

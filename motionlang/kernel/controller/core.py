@@ -18,7 +18,7 @@ from motionlang.kernel.controller.triggers.events import BY_DESIGN
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import MAX_PIECES, Move
 from motionlang.kernel.planners import Profile, hold
-from motionlang.kernel.planners.trapezoid import plan_trapezoid
+from motionlang.kernel.planners.target import plan_trapezoid
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.triggers.conditions import Together

@@ -41,10 +41,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.curve import state_in as state_in
     from motionlang.kernel.planners.evaluate import piece_values as piece_values
     from motionlang.kernel.planners.formula import summit as summit
-    from motionlang.kernel.planners.jerk import plan_jerk as plan_jerk
     from motionlang.kernel.planners.limits import check_finite as check_finite
     from motionlang.kernel.planners.limits import check_positive as check_positive
-    from motionlang.kernel.planners.parabolic import plan_parabolic as plan_parabolic
     from motionlang.kernel.planners.pieces import acceleration_in as acceleration_in
     from motionlang.kernel.planners.pieces import crest_points as crest_points
     from motionlang.kernel.planners.pieces import even_points as even_points
@@ -62,20 +60,14 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.ramps import named_ramps as named_ramps
     from motionlang.kernel.planners.sample import ORDERS as ORDERS
     from motionlang.kernel.planners.sample import PieceTable as PieceTable
-    from motionlang.kernel.planners.scurve import plan_ratio as plan_ratio
-    from motionlang.kernel.planners.scurve import plan_sinusoidal as plan_sinusoidal
-    from motionlang.kernel.planners.shapes import plan as plan
     from motionlang.kernel.planners.stop import plan_stop as plan_stop
     from motionlang.kernel.planners.stop import plan_velocity as plan_velocity
-    from motionlang.kernel.planners.trapezoid import plan_trapezoid as plan_trapezoid
+    from motionlang.kernel.planners.target import plan as plan
+    from motionlang.kernel.planners.target import plan_trapezoid as plan_trapezoid
 
 PUBLIC = {
     "curve": "Phase Profile State hold from_curve pieces_of state_in",
-    "shapes": "plan",
-    "trapezoid": "plan_trapezoid",
-    "jerk": "plan_jerk",
-    "parabolic": "plan_parabolic",
-    "scurve": "plan_ratio plan_sinusoidal",
+    "target": "plan plan_trapezoid",
     "stop": "plan_stop plan_velocity",
     "ramps": "Piece Recipe named_ramps",
     "pieces": "acceleration_in velocity_in jerk_in crest_points even_points still_points",

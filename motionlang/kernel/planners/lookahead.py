@@ -14,10 +14,9 @@ from itertools import chain, pairwise
 from math import inf, sqrt
 
 from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.feasibility import Ramps
 from motionlang.kernel.planners.limits import check_finite, check_positive, too_large
 from motionlang.kernel.planners.segment_speed import Ramp, between, entry_speed, exit_speed, reaches
-from motionlang.kernel.planners.stop import ramps_of
+from motionlang.kernel.planners.shapes import Ramps, ramps_of
 from motionlang.kernel.planners.transition import Steps, profile_of_steps
 from motionlang.kernel.tools import total
 

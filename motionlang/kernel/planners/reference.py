@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from math import inf, isfinite, sqrt
 
 from motionlang.kernel.planners.curve import Profile, far_end, relabelled
-from motionlang.kernel.planners.jerk import ease
 from motionlang.kernel.planners.limits import STILL, check_finite, check_positive, too_large
 from motionlang.kernel.planners.ramps import FALLING, RISING, Recipe, ramp_distance
+from motionlang.kernel.planners.transition import ease
 
 
 @dataclass(eq=False, slots=True)

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import copysign, sqrt
 
-from motionlang.kernel.planners.feasibility import Ramps
 from motionlang.kernel.planners.ramps import ramp_distance
+from motionlang.kernel.planners.shapes import JerkRamps, Ramps
 from motionlang.kernel.planners.transition import Steps, distance_of_steps, eased_speed, initial_steps
 
 # Initial speed, time, kind, final speed.
@@ -96,10 +96,10 @@ def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, Ramp, fl
     It is returned as the sections that ramp the acceleration down, the ramp after them, and the distance of the
     complete motion.
     """
-    if not a0 or ramps.bounds is None:
+    if not a0 or not isinstance(ramps, JerkRamps):
         ramp = _ramp(ramps, v0, v)
         return (), ramp, ramp_distance(*ramp)
-    steps, after = initial_steps(ramps.bounds, v0, a0, v)
+    steps, after = initial_steps(ramps, v0, a0, v)
     ramp = _ramp(ramps, after, v)
     rest = ramp_distance(*ramp) if after != v else 0.0
     return steps, ramp, distance_of_steps(v0, a0, steps) + rest
@@ -110,7 +110,7 @@ def _lead_length(ramps: Ramps, v0: float, a0: float, v: float) -> float:
 
 
 def _eased(ramps: Ramps, v0: float, a0: float) -> float:
-    return eased_speed(ramps.bounds, v0, a0) if a0 and ramps.bounds is not None else v0
+    return eased_speed(ramps, v0, a0) if a0 and isinstance(ramps, JerkRamps) else v0
 
 
 def _ramp(ramps: Ramps, u: float, v: float) -> Ramp:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import copysign, inf, isfinite, pi
+from math import copysign, inf, isfinite
 
 from motionlang.kernel.planners.curve import Profile, far_end, relabelled
-from motionlang.kernel.planners.feasibility import Ramps, stretched
-from motionlang.kernel.planners.jerk import jerk_ramps
-from motionlang.kernel.planners.limits import STILL, check_finite, check_positive, check_ramp, too_large
-from motionlang.kernel.planners.parabolic import parabolic_ramps
-from motionlang.kernel.planners.ramps import SINE, Recipe, ramp_distance
+from motionlang.kernel.planners.limits import STILL, check_finite, check_positive, too_large
+from motionlang.kernel.planners.ramps import Recipe, ramp_distance
+from motionlang.kernel.planners.shapes import JerkRamps, Ramps, ramps_of
 from motionlang.kernel.planners.transition import initial_steps, profile_of_steps
 from motionlang.kernel.tools import total
 
@@ -56,12 +54,10 @@ def plan_velocity(
     """
     check_positive(acceleration=accel, deceleration=decel)
     check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
-    if decel_jerk == inf:
-        decel_jerk = accel_jerk
     ramps = ramps_of(shape, accel, decel, ramp, accel_jerk, decel_jerk)
-    if a0 and ramps.bounds is not None:
+    if a0 and isinstance(ramps, JerkRamps):
         sign = copysign(1.0, v0 or a0)
-        steps, after = initial_steps(ramps.bounds, sign * v0, sign * a0, max(0.0, sign * v1))
+        steps, after = initial_steps(ramps, sign * v0, sign * a0, max(0.0, sign * v1))
         transition = profile_of_steps(start, sign * v0, sign * a0, steps, after, sign)
         return relabelled(transition.then(_run(transition.end, ramps, sign * after, v1)), "jog")
     return _run(start, ramps, v0, v1)
@@ -70,25 +66,6 @@ def plan_velocity(
 def running(start: float, velocity: float) -> Profile:
     """Return an endless motion at the constant `velocity` (not 0)."""
     return Profile("jog", start, far_end(start, velocity), inf, (velocity, inf, 0.0, velocity))
-
-
-def ramps_of(
-    shape: str, accel: float, decel: float, ramp: float, accel_jerk: float, decel_jerk: float
-) -> Ramps:
-    """Return the ramps of a shape; raise ValueError for an unknown name."""
-    if shape == "trapezoid":
-        return stretched(shape, accel, decel, 0.0, 1.0)
-    if shape == "sinusoidal":
-        return stretched(shape, accel, decel, SINE, 0.5 * pi)
-    if shape == "parabolic":
-        return parabolic_ramps(accel, decel)
-    if shape != "scurve":
-        raise ValueError(f"there is no profile shape {shape!r}")
-    if accel_jerk != inf:
-        check_positive(acceleration_jerk=accel_jerk, deceleration_jerk=decel_jerk)
-        return jerk_ramps(accel, decel, accel_jerk, decel_jerk)
-    check_ramp(ramp)
-    return stretched(shape, accel, decel, ramp, 1.0 / (1.0 - ramp))
 
 
 def _run(start: float, ramps: Ramps, v0: float, v1: float) -> Profile:

@@ -7,11 +7,11 @@ applies, and a ramp from zero acceleration follows. Own arithmetic. Velocities a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 
 from motionlang.kernel.planners.curve import Profile, from_curve
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners.ramps import FALLING, Piece, ramp_distance
+from motionlang.kernel.planners.shapes import JerkRamps
 
 # A sequence of sections of constant jerk: the jerk and the time of each.
 Steps = tuple[tuple[float, float], ...]
@@ -22,42 +22,30 @@ Steps = tuple[tuple[float, float], ...]
 NOTHING, HARDLY = 1e-12, 1e-3
 
 
-@dataclass(eq=False, slots=True)
-class Bounds:
-    """Acceleration and jerk limits of a ramp, for speeding up and for slowing down."""
-
-    accel: float
-    decel: float
-    accel_jerk: float
-    decel_jerk: float
-
-
-def initial_steps(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
+def initial_steps(ramps: JerkRamps, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
     """Return the first steps from v0 >= 0 and a0 towards v1 >= 0, and the final speed.
 
     If the final speed is not v1, an ordinary ramp has to follow. It is negative if the acceleration cannot be ramped
     down before the motion reverses.
     """
     if a0 > 0.0:
-        eased = v0 + 0.5 * a0 * a0 / bounds.accel_jerk
+        eased = v0 + 0.5 * a0 * a0 / ramps.accel_jerk
         if v1 > eased:
-            return _ramp(v1 - v0, a0, bounds.accel, bounds.accel_jerk), v1
-        return ((-bounds.accel_jerk, a0 / bounds.accel_jerk),), eased
-    jerk = bounds.decel_jerk
+            return _ramp(v1 - v0, a0, ramps.accel, ramps.accel_jerk), v1
+        return ((-ramps.accel_jerk, a0 / ramps.accel_jerk),), eased
+    jerk = ramps.decel_jerk
     eased = v0 - 0.5 * a0 * a0 / jerk
     left = eased - v1
-    if abs(left) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0) and abs(left) <= HARDLY * abs(
-        v0 - v1
-    ):
+    if abs(left) <= NOTHING * (ramps.decel * ramps.decel / jerk + v0) and abs(left) <= HARDLY * abs(v0 - v1):
         return ((jerk, -a0 / jerk),), v1
     if v1 < eased:
-        return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, bounds.decel, jerk)), v1
+        return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, ramps.decel, jerk)), v1
     return ((jerk, -a0 / jerk),), eased
 
 
-def eased_speed(bounds: Bounds, v0: float, a0: float) -> float:
+def eased_speed(ramps: JerkRamps, v0: float, a0: float) -> float:
     """Return the velocity after an acceleration has been ramped down."""
-    return v0 + 0.5 * a0 * abs(a0) / (bounds.accel_jerk if a0 > 0.0 else bounds.decel_jerk)
+    return v0 + 0.5 * a0 * abs(a0) / (ramps.accel_jerk if a0 > 0.0 else ramps.decel_jerk)
 
 
 def distance_of_steps(v0: float, a0: float, steps: Steps) -> float:
@@ -87,6 +75,17 @@ def profile_of_steps(
         a += jerk * time
     marks = (("accel" if abs(v1) > abs(v0) else "decel", 0),) if pieces else ()
     return from_curve("scurve", start, p, (tuple(knots), tuple(pieces), marks), v0 * sign, v1 * sign)
+
+
+def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
+    """Return a ramp-down of an acceleration to zero at constant jerk.
+
+    T = |a0|/J, dv = a0 T/2.
+    """
+    time = abs(a0) / jerk
+    velocity = v0 + 0.5 * a0 * time
+    end = start + ramp_distance(v0, time, FALLING, velocity)
+    return Profile("scurve", start, end, time, (v0, time, FALLING, velocity))
 
 
 def _ramp(change: float, a0: float, most: float, jerk: float) -> Steps:

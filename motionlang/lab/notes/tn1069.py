@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from motionlang.kernel.planners import Profile, plan_parabolic, plan_ratio, plan_sinusoidal, plan_trapezoid
+from motionlang.kernel.planners import Profile, plan
 
 ACCELERATION = 100_000.0
 """counts/s^2"""
@@ -118,10 +118,10 @@ def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]
     """
     limits = (demand.velocity, demand.acceleration, demand.deceleration)
     return (
-        plan_trapezoid(0.0, demand.distance, *limits),
-        plan_sinusoidal(0.0, demand.distance, *limits),
-        plan_ratio(0.0, demand.distance, *limits, demand.ramp),
-        plan_parabolic(0.0, demand.distance, *limits),
+        plan("trapezoid", 0.0, demand.distance, *limits),
+        plan("sinusoidal", 0.0, demand.distance, *limits),
+        plan("scurve", 0.0, demand.distance, *limits, ramp=demand.ramp),
+        plan("parabolic", 0.0, demand.distance, *limits),
     )
 
 

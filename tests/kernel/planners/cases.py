@@ -73,6 +73,21 @@ def moves(draw: st.DrawFn, shape: str | None = None, moving: bool = True) -> Mov
     )
 
 
+def plan_jerk(
+    start: float,
+    target: float,
+    speed: float,
+    accel: float,
+    decel: float,
+    accel_jerk: float,
+    decel_jerk: float,
+    v0: float = 0.0,
+    a0: float = 0.0,
+) -> Profile:
+    """Plan a move in S-ramps, with all limits in a row."""
+    return plan("scurve", start, target, speed, accel, decel, v0, 0.0, accel_jerk, decel_jerk, a0)
+
+
 def integrated(profile: Profile) -> float:
     """Return the distance by Gauss-Legendre quadrature of the velocity of each piece."""
     nodes, weights = np.polynomial.legendre.leggauss(12)

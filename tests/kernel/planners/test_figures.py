@@ -18,7 +18,7 @@ from motionlang.kernel.planners import (
     from_curve,
     hold,
     jerk_in,
-    plan_sinusoidal,
+    plan,
     plan_trapezoid,
     plan_velocity,
     still_points,
@@ -419,7 +419,7 @@ def test_the_state_before_in_and_behind_a_move(time: float, state: tuple[float, 
 
 def test_a_sum_of_formulas_adds_their_states() -> None:
     """A wave and a lead have no common pieces; each derivative is the sum of both."""
-    wave, ahead = plan_sinusoidal(0.0, 100.0, 100.0, 1000.0, 1000.0), Extrapolated(MOVE, 0.01)
+    wave, ahead = plan("sinusoidal", 0.0, 100.0, 100.0, 1000.0, 1000.0), Extrapolated(MOVE, 0.01)
     both = added(wave, ahead, "sum")
     for time in (0.01, 0.05, 0.5, 1.0):
         one, other, found = wave.at(time), ahead.at(time), both.at(time)

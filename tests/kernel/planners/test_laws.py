@@ -11,9 +11,9 @@ from collections.abc import Callable
 
 import pytest
 
-from motionlang.kernel.planners import Profile, plan, plan_jerk, plan_stop, plan_trapezoid, plan_velocity
+from motionlang.kernel.planners import Profile, plan, plan_stop, plan_trapezoid, plan_velocity
 from tests.cases import cases
-from tests.kernel.planners.cases import SHAPES, Move
+from tests.kernel.planners.cases import SHAPES, Move, plan_jerk
 
 RATIO, JERK = 0.2, 2000.0
 

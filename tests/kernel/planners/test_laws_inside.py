@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import Profile, plan_jerk, plan_stop, plan_velocity
+from motionlang.kernel.planners import Profile, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.reference import Slope, plan_reference
 from tests.cases import examples
-from tests.kernel.planners.cases import SHAPES, Move, integrated, moves, sizes
+from tests.kernel.planners.cases import SHAPES, Move, integrated, moves, plan_jerk, sizes
 from tests.kernel.planners.test_laws import JERK, RATIO, ramp
 from tests.kernel.planners.verify import verify
 

@@ -4,18 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel.planners import (
-    Profile,
-    hold,
-    plan_jerk,
-    plan_pvt,
-    plan_sinusoidal,
-    plan_trapezoid,
-    plan_velocity,
-)
+from motionlang.kernel.planners import Profile, hold, plan, plan_pvt, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.packed import packed, unpacked
 from motionlang.kernel.planners.sequence import chained
+from tests.kernel.planners.cases import plan_jerk
 
 MOVE = plan_trapezoid(5.0, 105.0, 20.0, 40.0, 40.0)
 S_JOG = plan_velocity("scurve", 0.0, 5.0, 20.0, 40.0, 40.0, 0.0, 80.0, 80.0, 10.0)
@@ -24,7 +17,7 @@ PROFILES: dict[str, tuple[Profile, int]] = {
     "rest without an end": (hold(5.0), 1),
     "rest for 2 s": (hold(5.0).cut(2.0), 6),
     "ramps": (MOVE, 5),
-    "a wave": (plan_sinusoidal(0.0, 100.0, 20.0, 40.0, 40.0), 5),
+    "a wave": (plan("sinusoidal", 0.0, 100.0, 20.0, 40.0, 40.0), 5),
     "a jerk": (plan_jerk(0.0, 100.0, 20.0, 40.0, 40.0, 80.0, 80.0, 5.0, 10.0), 6),
     "a jog": (plan_velocity("trapezoid", 0.0, 0.0, 20.0, 40.0, 40.0), 5),
     "a jog from an acceleration, without an end": (S_JOG, 6),

@@ -10,12 +10,13 @@ from math import inf, pi, sin
 
 import pytest
 
-from motionlang.kernel.planners import Profile, plan_jerk, plan_parabolic, plan_sinusoidal, plan_trapezoid
+from motionlang.kernel.planners import Profile, plan, plan_trapezoid
 from motionlang.kernel.planners.ramp_down import admitted, onset, residual_ramp_down, shaped
+from tests.kernel.planners.cases import plan_jerk
 
 S_RAMP = plan_jerk(0.0, 1000.0, 100.0, 50.0, 50.0, 100.0, 100.0)
-SINE = plan_sinusoidal(0.0, 1000.0, 12.0, 2.0 * pi, 2.0 * pi)
-PARABOLA = plan_parabolic(0.0, 1000.0, 12.0, 8.0, 8.0)
+SINE = plan("sinusoidal", 0.0, 1000.0, 12.0, 2.0 * pi, 2.0 * pi)
+PARABOLA = plan("parabolic", 0.0, 1000.0, 12.0, 8.0, 8.0)
 TRAPEZOID = plan_trapezoid(0.0, 100.0, 10.0, 100.0, 100.0)
 BACK = plan_jerk(0.0, -1000.0, 100.0, 50.0, 50.0, 100.0, 100.0)
 

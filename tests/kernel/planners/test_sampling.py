@@ -14,12 +14,10 @@ from motionlang.kernel.planners import (
     hold,
     pieces_of,
     plan,
-    plan_jerk,
-    plan_sinusoidal,
     plan_trapezoid,
     plan_velocity,
 )
-from tests.kernel.planners.cases import Move, moves, quick
+from tests.kernel.planners.cases import Move, moves, plan_jerk, quick
 
 
 def by_hand(profile: Profile, times: list[float], order: int) -> list[float]:
@@ -57,7 +55,7 @@ def track() -> tuple[list[float], list[Profile]]:
     first = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     second = plan_jerk(12.0, -5.0, 8.0, 16.0, 16.0, 100.0, 100.0)
     position = second.position(0.9)
-    third = plan_sinusoidal(position, 4.0, 8.0, 16.0, 16.0, second.velocity(0.9))
+    third = plan("sinusoidal", position, 4.0, 8.0, 16.0, 16.0, second.velocity(0.9))
     jog = plan_velocity("trapezoid", third.end, 0.0, 3.0, 16.0, 16.0)
     return [1.0, 3.5, 4.4, 11.0], [first, second, third, jog]
 

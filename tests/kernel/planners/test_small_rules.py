@@ -10,31 +10,20 @@ import pytest
 
 from motionlang.commands.plan.reach import remedies
 from motionlang.commands.plan.solve import solve_move
-from motionlang.kernel.planners import (
-    Profile,
-    State,
-    from_curve,
-    plan_jerk,
-    plan_parabolic,
-    plan_ratio,
-    plan_sinusoidal,
-    plan_trapezoid,
-    plan_velocity,
-)
+from motionlang.kernel.planners import Profile, State, from_curve, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.arc import arc_over, line_over
 from motionlang.kernel.planners.cubics import _fit, cubics
 from motionlang.kernel.planners.extrapolation import Extrapolated
-from motionlang.kernel.planners.feasibility import finish, stretched
-from motionlang.kernel.planners.jerk import peak_from_rest
 from motionlang.kernel.planners.limits import LARGEST, SMALLEST
 from motionlang.kernel.planners.lookahead import Pace, plan_course
 from motionlang.kernel.planners.ramps import MOMENT
 from motionlang.kernel.planners.reparametrised import knot_distances
 from motionlang.kernel.planners.segment_speed import _farthest, between, entry_speed, exit_speed
-from motionlang.kernel.planners.stop import ramps_of
+from motionlang.kernel.planners.shapes import peak_from_rest, ramps_of
 from motionlang.kernel.planners.superposition import Superposed, added
 from motionlang.kernel.planners.table_motion import spline_slopes
-from motionlang.kernel.planners.trapezoid import from_rest
+from motionlang.kernel.planners.target import finish
+from tests.kernel.planners.cases import plan_jerk
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -99,7 +88,7 @@ def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:
 
 
 def test_a_wave_is_added_to_one_without_height() -> None:
-    wave = plan_sinusoidal(0.0, 100.0, *LIMITS)
+    wave = plan("sinusoidal", 0.0, 100.0, *LIMITS)
     assert wave.pieces[0][4]
     both = added(wave.scaled(0.0, 0.0), wave, "sum")
     time = 0.3 * wave.knots[1]
@@ -111,9 +100,9 @@ def test_a_wave_is_added_to_one_without_height() -> None:
 def test_the_rest_of_a_sum_begins_where_the_sum_is(time: float) -> None:
     """Two waves overlap: a sum without pieces, which ends after 0.2 s at 10."""
     first = plan_velocity("sinusoidal", 0.0, 0.0, 10.0, 100.0, 100.0).cut(0.2)
-    both = added(first, plan_sinusoidal(0.0, 1.0, *LIMITS), "sum")
+    both = added(first, plan("sinusoidal", 0.0, 1.0, *LIMITS), "sum")
     assert (both.pieced, both.end_velocity, both.duration) == (False, 10.0, 0.2)
-    total = added(both, plan_sinusoidal(0.0, 100.0, *LIMITS), "sum")
+    total = added(both, plan("sinusoidal", 0.0, 100.0, *LIMITS), "sum")
     assert total.duration > 1.0
     rest = total.after(time)
     for later in (0.0, 0.05, 0.2):
@@ -135,28 +124,27 @@ def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
     """100 at rates of 100 takes a second up and a second down, at any higher speed."""
-    found = from_rest(100.0, LARGEST, 100.0, 100.0)
-    assert found is not None
-    assert found[0] == 2.0
-    assert from_rest(100.0, nextafter(LARGEST, inf), 100.0, 100.0) is None
+    assert plan_trapezoid(0.0, 100.0, LARGEST, 100.0, 100.0).duration == 2.0
+    with pytest.raises(ValueError, match="speed must lie between 1e-60 and 1e"):
+        plan_trapezoid(0.0, 100.0, nextafter(LARGEST, inf), 100.0, 100.0)
 
 
 @pytest.mark.parametrize("most", [1000.0, 110.0])
 def test_a_segment_limits_its_speeds_by_the_squares(most: float) -> None:
     """Over 20 units, squared speeds differ from 100² by 2·200·20 up or 2·400·20 down."""
-    ramps = stretched("trapezoid", 200.0, 400.0, 1.0, 1.0)
+    ramps = ramps_of("trapezoid", 200.0, 400.0, 0.0, inf, inf)
     assert exit_speed(ramps, 20.0, 100.0, 0.0, most) == pytest.approx(min(most, sqrt(18_000.0)))
     assert entry_speed(ramps, 20.0, 100.0, most) == pytest.approx(min(most, sqrt(26_000.0)))
 
 
-@pytest.mark.parametrize("plan", [plan_trapezoid, plan_sinusoidal, plan_parabolic, plan_ratio])
+@pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "parabolic", "scurve"])
 @pytest.mark.parametrize("index", range(3))
-def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(plan: Any, index: int) -> None:
+def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(shape: str, index: int) -> None:
     def planned(figure: float) -> Profile:
         figures = [1.0, 1.0, 1.0]
         figures[index] = figure
-        made: Profile = plan(0.0, 1.0, *figures, *([0.5] if plan is plan_ratio else []))
-        return made
+        speed, accel, decel = figures
+        return plan(shape, 0.0, 1.0, speed, accel, decel, ramp=0.5)
 
     assert planned(SMALLEST).end == 1.0
     with pytest.raises(ValueError, match=r"."):
@@ -194,9 +182,9 @@ def test_the_farthest_number_that_fits_is_found_to_the_last_bit(
 
 @pytest.mark.parametrize("ramp", [0.0, -0.1, nextafter(0.5, 1.0), 1.5])
 def test_a_ramp_takes_at_most_half_of_the_time(ramp: float) -> None:
-    assert plan_ratio(0.0, 1.0, 1.0, 1.0, 1.0, 0.5).end == 1.0
+    assert plan("scurve", 0.0, 1.0, 1.0, 1.0, 1.0, ramp=0.5).end == 1.0
     with pytest.raises(ValueError, match=r"ramp must be greater than zero and at most 0\.5"):
-        plan_ratio(0.0, 1.0, 1.0, 1.0, 1.0, ramp)
+        plan("scurve", 0.0, 1.0, 1.0, 1.0, 1.0, ramp=ramp)
 
 
 @pytest.mark.parametrize("fits", [0.0, -1.0])
@@ -408,3 +396,12 @@ def test_a_bend_that_no_cubic_has_is_halved_so_often() -> None:
     _fit(bent, (0.0, 1.0), (bent.at(0.0), bent.at(1.0)), 1e-9, knots, pieces, 3)
     assert knots == [0.25, 0.375, 0.5, 1.0]
     assert len(pieces) == 4
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "parabolic", "scurve"])
+@pytest.mark.parametrize("v0", [0.0, 1e-200, 1.0])
+def test_the_smallest_distance_is_a_move(shape: str, v0: float) -> None:
+    """Its ramps are below the range of a float, so no peak fills it exactly."""
+    made = plan(shape, 0.0, 5e-324, *LIMITS, v0, ramp=0.5)
+    assert made.end == 5e-324
+    assert made.duration < 1.0

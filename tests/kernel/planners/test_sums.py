@@ -9,17 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motionlang.kernel.planners import (
-    Profile,
-    from_curve,
-    hold,
-    plan_jerk,
-    plan_sinusoidal,
-    plan_trapezoid,
-    plan_velocity,
-)
+from motionlang.kernel.planners import Profile, from_curve, hold, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.evaluate import evaluate
 from motionlang.kernel.planners.superposition import Superposed, added
+from tests.kernel.planners.cases import plan_jerk
 
 MOTIONS: dict[str, Profile] = {
     "a move of 0.7 s": plan_trapezoid(5.0, 45.0, 100.0, 400.0, 200.0),
@@ -27,7 +20,7 @@ MOTIONS: dict[str, Profile] = {
     "a jog": plan_velocity("trapezoid", 1.0, 0.0, 50.0, 100.0, 100.0),
     "a jog back": plan_velocity("trapezoid", 2.0, 0.0, -50.0, 200.0, 100.0),
     "a faster jog back": plan_velocity("trapezoid", 2.0, 0.0, -80.0, 200.0, 100.0),
-    "a wave": plan_sinusoidal(0.0, 30.0, 50.0, 200.0, 200.0),
+    "a wave": plan("sinusoidal", 0.0, 30.0, 50.0, 200.0, 200.0),
     "a jerk": plan_jerk(0.0, -30.0, 50.0, 200.0, 200.0, 1000.0, 1000.0),
     "rest": hold(3.0),
     "nothing": hold(3.0).cut(0.0),

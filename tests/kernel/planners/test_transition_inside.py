@@ -12,8 +12,8 @@ from motionlang.kernel.planners import plan, plan_stop, plan_velocity
 from motionlang.kernel.planners.evaluate import evaluate
 from motionlang.kernel.planners.lookahead import Pace, plan_course
 from motionlang.kernel.planners.ramp_down import stop_in_motion
+from motionlang.kernel.planners.shapes import JerkRamps
 from motionlang.kernel.planners.transition import (
-    Bounds,
     distance_of_steps,
     eased_speed,
     initial_steps,
@@ -131,7 +131,7 @@ def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
         assert course.duration >= 0.0
 
 
-UP_DOWN = Bounds(100.0, 80.0, 400.0, 200.0)
+UP_DOWN = JerkRamps(100.0, 80.0, 400.0, 200.0)
 
 
 # The velocity and acceleration, the velocity to reach, the steps by jerk and time, and the velocity after them.

@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from motionlang.kernel.planners import Profile, from_curve, plan_jerk, plan_sinusoidal, plan_trapezoid
+from motionlang.kernel.planners import Profile, from_curve, plan, plan_trapezoid
+from tests.kernel.planners.cases import plan_jerk
 from tests.kernel.planners.verify import _Span, verify
 
 LINE = (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -39,7 +40,7 @@ def test_limits() -> None:
     found = verify(move, speed=99.0, accel=499.0, decel=399.0, jerk=4999.0)
     words = [complaint.split(" reaches ")[0] for complaint in found]
     assert words == ["speed", "acceleration", "deceleration", "jerk"]
-    assert len(verify(plan_sinusoidal(0.0, 9.0, 9.0, 5.0, 5.0), jerk=1.0)) == 1
+    assert len(verify(plan("sinusoidal", 0.0, 9.0, 9.0, 5.0, 5.0), jerk=1.0)) == 1
 
 
 def test_the_end() -> None:

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from motionlang.kernel.planners import hold, plan_sinusoidal, plan_trapezoid
+from motionlang.kernel.planners import hold, plan, plan_trapezoid
 from motionlang.kernel.servo import Drive, Loop, Motor, Override, Track, simulate
 from tests.kernel.servo.plain import Array, run_plain
 
@@ -74,7 +74,7 @@ WHOLE = {
 
 def there_and_back() -> Track:
     out, back = (
-        plan_sinusoidal(0.0, 4000.0, 15_000.0, 150_000.0, 150_000.0),
+        plan("sinusoidal", 0.0, 4000.0, 15_000.0, 150_000.0, 150_000.0),
         plan_trapezoid(4000.0, -1000.0, 12_000.0, 90_000.0, 140_000.0),
     )
     return Track(

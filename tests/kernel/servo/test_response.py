@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from motionlang.kernel.planners import hold, plan_sinusoidal
+from motionlang.kernel.planners import hold, plan
 from motionlang.kernel.servo import (
     Drive,
     Loop,
@@ -158,7 +158,7 @@ def test_a_suggestion_has_the_requested_bandwidth(plant: Motor | Drive, hz: floa
 
 def test_feed_forward_takes_the_error_away() -> None:
     made = suggest(Motor(), 40.0)
-    profile = plan_sinusoidal(0.0, 20_000.0, 40_000.0, 100_000.0, 100_000.0)
+    profile = plan("sinusoidal", 0.0, 20_000.0, 40_000.0, 100_000.0, 100_000.0)
     track = Track([0.0, profile.duration], [profile, hold(20_000.0)])
     without = replace(made.loop, velocity_ff=0.0, accel_ff=0.0, decel_ff=0.0)
     assert (

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.kernel import Source
-from motionlang.kernel.planners import from_curve, hold, plan_ratio, plan_sinusoidal, plan_trapezoid
+from motionlang.kernel.planners import from_curve, hold, plan, plan_trapezoid
 from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, simulate
 from tests.cases import examples
 from tests.kernel.servo.test_oracle import LOOPS, PLANTS, WHOLE
@@ -54,8 +54,10 @@ def along(points: list[float]) -> Track:
 def varied() -> Track:
     """Return a track of cubics, a half sine wave, rests, a profile cut short, and a new zero."""
     far = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
-    back = plan_ratio(far.position(0.2003), 4500.0, 14_000.0, 90_000.0, 120_000.0, 0.3, far.velocity(0.2003))
-    wave = plan_sinusoidal(4500.0, 2500.0, 9_000.0, 80_000.0, 80_000.0).shifted(-4400.0)
+    back = plan(
+        "scurve", far.position(0.2003), 4500.0, 14_000.0, 90_000.0, 120_000.0, far.velocity(0.2003), 0.3
+    )
+    wave = plan("sinusoidal", 4500.0, 2500.0, 9_000.0, 80_000.0, 80_000.0).shifted(-4400.0)
     return Track(
         [0.0, 0.05, 0.2503, 0.2503 + back.duration, 0.9, 1.1, 1.1 + wave.duration],
         [hold(0.0), far, back, hold(4500.0), hold(100.0), wave, hold(-1900.0)],

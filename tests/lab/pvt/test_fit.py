@@ -9,14 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import (
-    Profile,
-    hold,
-    plan_jerk,
-    plan_parabolic,
-    plan_sinusoidal,
-    plan_trapezoid,
-)
+from motionlang.kernel.planners import Profile, hold, plan, plan_trapezoid
 from motionlang.lab.pvt.fit import Fit, OutOfTolerance, fit_track, least_tolerance
 from motionlang.lab.pvt.points import plan_points
 from tests.cases import examples
@@ -24,9 +17,9 @@ from tests.cases import examples
 LIMITS = (40_000.0, 100_000.0, 100_000.0)
 SHAPES = {
     "trapezoid": plan_trapezoid(0.0, 40_000.0, *LIMITS),
-    "sinusoidal": plan_sinusoidal(0.0, 40_000.0, *LIMITS),
-    "parabolic": plan_parabolic(0.0, 40_000.0, *LIMITS),
-    "scurve": plan_jerk(0.0, -40_000.0, *LIMITS, 1e6, 1e6),
+    "sinusoidal": plan("sinusoidal", 0.0, 40_000.0, *LIMITS),
+    "parabolic": plan("parabolic", 0.0, 40_000.0, *LIMITS),
+    "scurve": plan("scurve", 0.0, -40_000.0, *LIMITS, accel_jerk=1e6),
 }
 
 
@@ -99,7 +92,7 @@ def _close(motion: Profile, p: list[int], v: list[float], i: int, j: int, tolera
 @settings(max_examples=examples(12))
 @given(st.floats(30.0, 400.0), st.floats(0.51, 3.0), st.floats(1e5, 4e5))
 def test_no_choice_of_knots_takes_fewer_segments(distance: float, tolerance: float, accel: float) -> None:
-    motion = plan_sinusoidal(0.0, distance, 1e5, accel, accel)
+    motion = plan("sinusoidal", 0.0, distance, 1e5, accel, accel)
     milliseconds = int(np.ceil(motion.duration * 1000 - 1e-6))
     try:
         found = len(fit_profile(motion, tolerance).points) - 1
@@ -131,7 +124,7 @@ def test_a_motion_as_fast_as_the_wire_allows_is_exact_at_its_knots() -> None:
 
 
 def test_rounding_alone_can_be_too_much() -> None:
-    motion = plan_sinusoidal(0.3, 777.7, 5000.0, 20_000.0, 20_000.0)
+    motion = plan("sinusoidal", 0.3, 777.7, 5000.0, 20_000.0, 20_000.0)
     with pytest.raises(OutOfTolerance, match=r"to 0.2 counts beyond 0.000 s"):
         fit_profile(motion, 0.2)
     least = least_tolerance([0.0], [motion], 0.2, 0.0, motion.duration)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import Profile, plan_jerk
+from motionlang.kernel.planners import Profile, plan
 from motionlang.lab.pvt.points import knots, plan_points, segments
 from motionlang.lab.pvt.scurve import limited_scurve, limited_times, scurve, scurve_time
 
@@ -49,7 +49,7 @@ def test_limits_are_kept_and_met(distance: float, jerk: float, accel: float, spe
     The two planners share no arithmetic.
     """
     profile = plan_points(limited_scurve(distance, jerk, accel, speed))
-    oracle = plan_jerk(0.0, distance, speed, accel, accel, jerk, jerk)
+    oracle = plan("scurve", 0.0, distance, speed, accel, accel, accel_jerk=jerk)
     assert profile.duration == pytest.approx(oracle.duration, rel=1e-6)
     assert profile.peak_speed == pytest.approx(oracle.peak_speed, rel=1e-6)
     assert profile.end == distance

@@ -1,136 +1,22 @@
-"""Which plans in motion have a closed form, and that a search agrees with it.
-
-A move in motion that has no closed form is left to a search, which finds the same plan by more work. So each table
-gives the number of plans of each kind, too.
-"""
+"""Moves in S-ramps from a velocity and an acceleration."""
 
 from __future__ import annotations
 
-from collections import Counter
 from itertools import combinations, product
 from math import sqrt
-from typing import Any
 
 import pytest
 
-from motionlang.kernel.planners import Profile, jerk_limited, plan_jerk
-from motionlang.kernel.planners import jerk as planner
-from motionlang.kernel.planners.feasibility import approach
-from motionlang.kernel.planners.jerk import _directly, ease, jerk_ramps, peak_speed, ramp_to
-from motionlang.kernel.planners.jerk_limited import JerkLimited, jerk_limited_approach
+from motionlang.kernel.planners import Profile, shapes
+from motionlang.kernel.planners.jerk_limited import JerkLimited
 from motionlang.kernel.planners.limits import LARGEST
-from motionlang.kernel.planners.segment_speed import between
+from motionlang.kernel.planners.shapes import JerkRamps, peak_speed, ramp_to
+from motionlang.kernel.planners.target import approach
+from motionlang.kernel.planners.transition import ease
+from tests.kernel.planners.cases import plan_jerk
 
 # Acceleration, deceleration and their jerks. A ramp reaches 400 in 0.2 s from 40 per second on, 300 from 60 on.
 RATES = (400.0, 300.0, 2000.0, 1500.0)
-RAMPS = jerk_ramps(*RATES)
-VELOCITIES = (0.0, 0.5, 5.0, 20.0, 60.0, 150.0, 250.0)
-DISTANCES = (-20.0, 0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0)
-SPEEDS = (15.0, 50.0, 100.0, 200.0)
-
-
-def searched(target: float, speed: float, v0: float, a0: float) -> Profile:
-    """Return the plan of the search, from position 0."""
-
-    def straight(here: float, velocity: float) -> Profile:
-        return plan_jerk(here, target, speed, *RATES, velocity)
-
-    made = jerk_limited_approach(RAMPS, 0.0, target, speed, v0, a0, straight)
-    assert made is not None
-    return made
-
-
-def assert_equal(made: Profile, expected: Profile) -> None:
-    """Check that two plans are the same curve."""
-    assert made.duration == pytest.approx(expected.duration, rel=1e-9)
-    for k in range(6):
-        a, b = (each.at(expected.duration * k / 5) for each in (made, expected))
-        assert a.position == pytest.approx(b.position, abs=1e-7)
-        assert a.velocity == pytest.approx(b.velocity, abs=1e-6)
-
-
-def kind(made: Profile | None) -> str:
-    """Return the number of sections of constant jerk of a plan, and that of ramps.
-
-    A slew counts as a ramp.
-    """
-    if made is None:
-        return "search"
-    assert isinstance(made, JerkLimited)
-    return f"{len(made._head[2])}+{len(made._tail) // 3}"
-
-
-# By initial acceleration: plans that ramp it down and then move on (1+3) or stop and move back (1+4); that continue
-# it as part of a ramp up (3+2) or as part of a ramp to rest, and then move back (3+3); and those left to the search.
-KINDS: dict[float, dict[str, int]] = {
-    -350.0: {"1+3": 26, "1+4": 112, "3+2": 3, "search": 83, "no ramp up": 15},
-    -300.0: {"1+3": 23, "1+4": 112, "3+2": 3, "3+3": 68, "search": 18, "no ramp up": 18},
-    -100.0: {"1+3": 51, "1+4": 56, "3+2": 4, "3+3": 88, "search": 25, "no ramp up": 25},
-    -20.0: {"1+3": 71, "1+4": 28, "3+2": 4, "3+3": 100, "search": 21, "no ramp up": 21},
-    20.0: {"1+4": 108, "3+2": 95, "search": 21, "no ramp up": 21},
-    100.0: {"1+4": 112, "3+2": 92, "search": 20, "no ramp up": 20},
-    400.0: {"1+4": 160, "3+2": 36, "search": 28, "no ramp up": 28},
-    410.0: {"1+4": 160, "search": 64, "no ramp up": 64},
-}
-
-
-@pytest.mark.parametrize(("sign", "a0"), [((-1.0) ** k, a0) for k, a0 in enumerate(KINDS)])
-def test_a_plan_from_an_acceleration_by_the_closed_form_is_that_of_the_search(
-    sign: float, a0: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Beyond a limit, -350 or 410, there is a closed form only if it stops."""
-    found: Counter[str] = Counter()
-
-    def counted(*given: Any) -> Any:
-        found["no ramp up"] += 1
-        return between(*given)
-
-    monkeypatch.setattr(jerk_limited, "between", counted)
-    for v0, distance, speed in product(VELOCITIES, DISTANCES, SPEEDS):
-        made = _directly(0.0, sign * distance, speed, RATES, sign * v0, sign * a0)
-        found[kind(made)] += 1
-        other = searched(sign * distance, speed, sign * v0, sign * a0)
-        if made is not None:
-            assert made.end == sign * distance
-            assert_equal(made, other)
-    assert found == KINDS[a0]
-
-
-# By initial velocity: the length of a stop, and how many of the moves have no closed form. These can stop before
-# their target, and are above the set speed: a stop from 60 takes 60 / 300 + 0.2 s, so it is 12 long.
-SEARCHED: dict[float, tuple[float, int]] = {
-    -250.0: (0.0, 0),
-    -15.0: (0.0, 0),
-    0.0: (0.0, 0),
-    15.0: (1.5, 0),  # 2 sqrt(15 / 1500) s
-    20.0: (2.31, 1 * 5),
-    50.0: (9.13, 1 * 4),
-    60.0: (12.0, 2 * 3),
-    150.0: (52.5, 3 * 2),
-    200.0: (86.7, 3 * 2),
-    250.0: (129.2, 4 * 1),
-}
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("v0", SEARCHED)
-def test_a_plan_from_a_velocity_by_the_closed_form_is_that_of_the_search(
-    sign: float, v0: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    searches = []
-
-    def counted(*given: Any) -> Profile:
-        searches.append(given)
-        return approach(*given)
-
-    monkeypatch.setattr(planner, "approach", counted)
-    length, most = SEARCHED[v0]
-    for distance, speed in product(DISTANCES, SPEEDS):
-        made = plan_jerk(0.0, sign * distance, speed, *RATES, sign * v0)
-        assert_equal(made, approach(RAMPS, 0.0, sign * distance, speed, sign * v0))
-    assert len(searches) == most
-    assert all(speed < v0 and abs(target) > length for *_, target, speed, _ in searches)
-
 
 # Velocity, acceleration, and the length and time of the shortest stop from there.
 STOPS: dict[str, tuple[float, float, float, float]] = {
@@ -175,9 +61,10 @@ def test_a_deceleration_that_ends_hardly_above_rest_ends_at_rest() -> None:
 
     From 20 that is 8e-11. Above it, the move continues as a stop, of three sections, before it moves back.
     """
-    for after, found in ((7e-11, "1+3"), (9e-11, "3+3")):
-        made = _directly(0.0, 0.0, 100.0, RATES, 20.0, -sqrt(2.0 * 1500.0 * (20.0 - after)))
-        assert kind(made) == found
+    for after, found in ((7e-11, 1), (9e-11, 3)):
+        made = plan_jerk(0.0, 0.0, 100.0, *RATES, 20.0, -sqrt(2.0 * 1500.0 * (20.0 - after)))
+        assert isinstance(made, JerkLimited)
+        assert len(made._head[2]) == found
 
 
 # Initial speed, acceleration, deceleration and their jerks.
@@ -200,7 +87,7 @@ def test_the_peak_of_a_move_in_motion_is_found_in_few_steps(monkeypatch: pytest.
         roots.append(x)
         return sqrt(x)
 
-    monkeypatch.setattr(planner, "sqrt", counted)
+    monkeypatch.setattr(shapes, "sqrt", counted)
     most, count = 0, 0
     for u, accel, decel, accel_jerk, decel_jerk in PEAKS:
         stop = 0.5 * u * ramp_to(u, decel, decel_jerk)[0]
@@ -247,7 +134,7 @@ def test_limits_that_are_too_far_apart_for_a_sum(
     made = plan_jerk(0.0, target, speed, *rates, v0, a0)
     time = abs(a0 / jerk)
     eased = ease(0.0, v0, a0, abs(jerk))
-    rest = approach(jerk_ramps(*rates), eased.end, target, speed, eased.end_velocity)
+    rest = approach(JerkRamps(*rates), eased.end, target, speed, eased.end_velocity)
     assert made.at(0.0).jerk == pytest.approx(jerk, rel=1e-4)
     assert made.duration == time + rest.duration
     assert made.end == target
