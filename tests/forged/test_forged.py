@@ -63,7 +63,7 @@ SLOW: tuple[tuple[str, str, str, str, str], ...] = (
     ("kernel.controller.moves.path_run", "PathRun._plan_blend", "min(wanted, most)", "max(wanted, most)", "blends.mnt"),
     ("kernel.controller.moves.path_run", "PathRun._plan_blend", "length - min(wanted, most)", "length", "blends.mnt"),
     ("kernel.planners.crossing", "position_crossing", "here - position", "here + position", "blends in S-ramps.mnt"),
-    ("kernel.controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
+    ("kernel.controller.queue.stop", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
 )  # fmt: skip
 
 

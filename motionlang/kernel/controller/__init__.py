@@ -37,22 +37,20 @@ user unit of time.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.clock import Clock as Clock
+    from motionlang.kernel.controller.events import HOMING as HOMING
     from motionlang.kernel.controller.faults import fault_names as fault_names
     from motionlang.kernel.controller.io.channels import Channels as Channels
-    from motionlang.kernel.controller.io.encoder import AUXILIARY as AUXILIARY
     from motionlang.kernel.controller.io.host_memory import PRODUCTS as PRODUCTS
     from motionlang.kernel.controller.io.host_memory import HostMemory as HostMemory
     from motionlang.kernel.controller.io.host_memory import product as product
+    from motionlang.kernel.controller.motion.encoder import AUXILIARY as AUXILIARY
     from motionlang.kernel.controller.motion.follow import Gear as Gear
-    from motionlang.kernel.controller.motion.halt import Stopping as Stopping
     from motionlang.kernel.controller.motion.jog import Jog as Jog
     from motionlang.kernel.controller.motion.profile_playback import Playback as Playback
     from motionlang.kernel.controller.motion.reference import PositionReference as PositionReference
@@ -62,18 +60,18 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.moves.geometry import Line as Line
     from motionlang.kernel.controller.moves.path import PathMove as PathMove
     from motionlang.kernel.controller.moves.path_run import PathRun as PathRun
-    from motionlang.kernel.controller.triggers.events import HOMING as HOMING
+    from motionlang.kernel.controller.queue.stop import Stopping as Stopping
 
 PUBLIC = {
     "clock": "Clock",
     "faults": "fault_names",
-    "triggers.events": "HOMING",
+    "events": "HOMING",
     "io.channels": "Channels",
     "io.host_memory": "HostMemory PRODUCTS product",
-    "io.encoder": "AUXILIARY",
+    "motion.encoder": "AUXILIARY",
     "motion_listener": "MotionListener",
     "motion.follow": "Gear",
-    "motion.halt": "Stopping",
+    "queue.stop": "Stopping",
     "motion.jog": "Jog",
     "motion.profile_playback": "Playback",
     "motion.reference": "PositionReference SpeedReference",
@@ -82,20 +80,6 @@ PUBLIC = {
     "moves.path": "PathMove",
     "moves.path_run": "PathRun",
 }
-
-
-def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
-    """Return a `__getattr__` for a package that imports its modules on first use.
-
-    `family` is the name of the package. After its import a module is an attribute of the package, as usual.
-    """
-
-    def opened(name: str) -> ModuleType:
-        if name not in modules:
-            raise AttributeError(f"module {family!r} has no attribute {name!r}")
-        return __import__(f"{family}.{name}", fromlist=[name])
-
-    return opened
 
 
 if not TYPE_CHECKING:

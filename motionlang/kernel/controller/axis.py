@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.feedback import Feedback
     from motionlang.kernel.controller.motion.follow import Follow
     from motionlang.kernel.controller.triggers.limit import Limit
-    from motionlang.kernel.controller.triggers.watch import Watch
+    from motionlang.kernel.controller.watch import Watch
     from motionlang.kernel.log.move import Move
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from motionlang.kernel.controller import motion, moves, triggers
+from motionlang.kernel.controller import events, settings
 from motionlang.kernel.controller.axis import BY_WORD, LIVE, Axis
-from motionlang.kernel.controller.core import Core
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.jog import jog
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.queue import buffer, stop
+from motionlang.kernel.controller.queue.life import Core
+from motionlang.kernel.controller.triggers import conditions
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
@@ -63,10 +65,10 @@ class AxisVerbs(Core):
         """Set one of `SETTINGS`; a rate replaces its ramp time, and vice versa."""
         assert name in SETTINGS, name
         a = self.axes[axis]
-        if a.move is not None and name in LIVE and motion.feedrate.unchanged(a, name, value):
+        if a.move is not None and name in LIVE and settings.unchanged(a, name, value):
             return
         if name == "override" and a.move is not None:
-            triggers.events.note(self, "override", a, float(value))  # type: ignore[arg-type]
+            events.note(self, "override", a, float(value))  # type: ignore[arg-type]
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
@@ -77,7 +79,7 @@ class AxisVerbs(Core):
         elif name == "decel":
             a.decel_time = None
         if a.move is not None and name in LIVE:
-            motion.feedrate.changed(self, a, name)
+            settings.changed(self, a, name)
             self.motion_listener.heed(a)
 
     def restore(self, axis: int) -> None:
@@ -174,7 +176,7 @@ class AxisVerbs(Core):
 
     def _forget_faults(self, a: Axis) -> None:
         if a.faults:
-            triggers.events.cleared(self, a)
+            events.cleared(self, a)
         a.faults = 0
 
     def define_position(self, axis: int, position: float) -> None:
@@ -204,28 +206,28 @@ class AxisVerbs(Core):
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Load a move to `position` into the move buffer."""
-        moves.buffer.put(self.movable(axis), Move(axis, command, line, position))
+        buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Load a move by `distance`, counted from the position at which it starts."""
         a = self.movable(axis)
-        moves.buffer.known_end(a)
-        moves.buffer.put(a, moves.buffer.counted(a, distance, command, line))
+        buffer.known_end(a)
+        buffer.put(a, buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
         """Load a dwell of `duration` seconds into the move buffer."""
-        moves.buffer.put_action(self.movable(axis), moves.buffer.Dwell(duration), command, line)
+        buffer.put_action(self.movable(axis), buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
         """Load a change of outputs into the buffer; it takes no time.
 
         `values` maps channels to their new values.
         """
-        moves.buffer.put_action(self.movable(axis), moves.buffer.Outputs(dict(values)), command, line)
+        buffer.put_action(self.movable(axis), buffer.Outputs(dict(values)), command, line)
 
     def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
         """Load a pulse of an output for `duration` seconds; later entries do not wait."""
-        moves.buffer.put_action(self.movable(axis), moves.buffer.Pulse(channel, duration), command, line)
+        buffer.put_action(self.movable(axis), buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; idle axes start now, together."""
@@ -248,8 +250,8 @@ class AxisVerbs(Core):
         """
         a = self.movable(axis)
         before = a.target
-        motion.halt.retarget(self, a, position, command, line)
-        moves.buffer.keep_ends(a, position - before)
+        stop.retarget(self, a, position, command, line)
+        buffer.keep_ends(a, position - before)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Shift the end of the move in progress by `distance`; at rest start a move."""
@@ -302,17 +304,17 @@ class AxisVerbs(Core):
         """
         a = self.axes[axis]
         if not hard:
-            motion.halt.check_stop(self, a)
+            stop.check_stop(self, a)
         if ended == "stop":
-            triggers.events.stopped(self, a, ended, hard)
+            events.stopped(self, a, ended, hard)
         self.motion_listener.stop(a, ended)
         self._hold(a)
-        freed = triggers.conditions.release(self, a)
+        freed = conditions.release(self, a)
         if axis in self.homings:
             self.homings[axis].cancel()
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
-            motion.halt.stop(self, a, ended, hard)
+            stop.stop(self, a, ended, hard)
         self.motion_listener.heed(a)
         for each in freed:
             if each is not a and not each.suspended:
@@ -322,20 +324,20 @@ class AxisVerbs(Core):
         """Decelerate to rest at the set rate; the move buffer stays and runs next."""
         a = self.axes[axis]
         if ended == "stop" and not a.is_at_standstill:
-            triggers.events.stopped(self, a, ended)
+            events.stopped(self, a, ended)
         if ended:
             self.motion_listener.stop(a, ended)
-        motion.halt.stop(self, a, ended)
+        stop.stop(self, a, ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
-        motion.halt.suspend(self, self.axes[axis], reason)
+        stop.suspend(self, self.axes[axis], reason)
         self.motion_listener.heed(self.axes[axis])
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Remove a reason for suspension; continue if none remains."""
         a = self.axes[axis]
-        motion.halt.resume(self, a, reason)
+        stop.resume(self, a, reason)
         if not a.suspended and a.move is None and a.buffer:
             self.start_next(a)
 
@@ -347,7 +349,7 @@ class AxisVerbs(Core):
         """Halt at once, without a ramp, and empty the move buffer."""
         a = self.axes[axis]
         if ended == "cancel":
-            triggers.events.stopped(self, a, ended)
+            events.stopped(self, a, ended)
         self.freeze(a, ended)
         self._hold(a)
 
@@ -359,7 +361,7 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         is_new = not a.faults & bit
         if action != "ignore":
-            triggers.events.raised(self, a, bit, action)
+            events.raised(self, a, bit, action)
         a.faults |= bit
         if action in ("stop", "error-stop"):
             self.stop(axis, "fault", hard=action == "error-stop")

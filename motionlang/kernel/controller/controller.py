@@ -14,7 +14,7 @@ from motionlang.kernel.controller import moves, readers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.axis_verbs import AxisVerbs
 from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.controller.io.encoder import turn
+from motionlang.kernel.controller.motion.encoder import turn
 from motionlang.kernel.controller.moves.geometry import Arc, Line
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER, Reader, Subscriber, Writer

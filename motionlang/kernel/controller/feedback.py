@@ -50,7 +50,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Clock, Event
 from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.controller.triggers.watch import Watch, margin, watched_position
+from motionlang.kernel.controller.watch import Watch, margin, watched_position
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import hold
 from motionlang.kernel.servo.axis_loop import Chosen, axis_loop
@@ -72,7 +72,7 @@ from motionlang.kernel.servo.settings import make_plant
 from motionlang.kernel.servo.standstill import StandstillDetector, extent, is_still
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 Section = Mapping[str, object]
 

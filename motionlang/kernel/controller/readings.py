@@ -6,13 +6,12 @@ from collections.abc import Callable
 from math import atan2, degrees
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller import triggers
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Clock, Event
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 
@@ -292,13 +291,13 @@ class Readings:
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
         a = self.axes[axis]
-        watch = triggers.watch.Watch(position, call, physical)
-        triggers.watch.begin(a, watch, self.clock)
+        watch = Watch(position, call, physical)
+        begin(a, watch, self.clock)
         return watch
 
     def unwatch(self, axis: int, watch: Watch) -> None:
         """End a watch."""
-        triggers.watch.end(self.axes[axis], watch)
+        end(self.axes[axis], watch)
 
     def input(self, channel: int) -> float:
         return self.inputs[channel]

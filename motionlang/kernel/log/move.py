@@ -8,8 +8,8 @@ from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
-    from motionlang.kernel.controller.core import Core
     from motionlang.kernel.controller.motion.follow import Follow
+    from motionlang.kernel.controller.queue.life import Core
 
 
 # Pieces of a profile after which the move continues as a new entry of the log.

@@ -8,11 +8,10 @@ import pytest
 
 from motionlang import prove, run
 from motionlang.kernel import Axis, Source
-from motionlang.kernel.controller import axis_verbs
-from motionlang.kernel.controller.core import Core
-from motionlang.kernel.controller.motion import feedrate
+from motionlang.kernel.controller import axis_verbs, settings
 from motionlang.kernel.controller.motion.follow import Gear
 from motionlang.kernel.controller.motion.jog import jog as honest
+from motionlang.kernel.controller.queue.life import Core
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
 MOTIONS = {
@@ -37,7 +36,7 @@ def test_a_setting_that_is_ignored(motion: str, setting: str, monkeypatch: pytes
     """Rates of an arc in progress are not checked."""
     text = f"{RATES}{MOTIONS[motion]} : GO(0)\nWAIT 300\n{setting}\nWAIT 9000\n"
     assert messages(text) == []
-    monkeypatch.setattr(feedrate, "changed", lambda *_: None)
+    monkeypatch.setattr(settings, "changed", lambda *_: None)
     assert bool(messages(text)) is ((motion, setting) != ("arc", "DECEL(0) = 90"))
 
 

@@ -45,7 +45,7 @@ MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO
 LOCATIONS = {
     "anywhere": ("/motionlang/kernel/controller/", "/motionlang/kernel/lang/"),
     "log": (
-        "/kernel/controller/core.py",
+        "/kernel/controller/queue/life.py",
         "/motionlang/commands/prove/expected_motion.py",
         "/motionlang/kernel/log/log.py",
     ),

@@ -46,8 +46,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.motion import halt
 from motionlang.kernel.controller.motion.profile_playback import Playback
+from motionlang.kernel.controller.queue.stop import to_rest, with_standstill
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile, hold, plan, plan_velocity
@@ -57,7 +57,7 @@ from motionlang.kernel.planners.sequence import ProfileSequence
 from motionlang.kernel.planners.superposition import added
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 # A smaller difference of velocities, counts/s, counts as zero.
 _STILL = 1e-9
@@ -360,7 +360,7 @@ class Gear(Follow):
         left, velocity = self.offset_left()
         if self.offset is None:
             return
-        stop = halt.to_rest(self.controller, self.a)
+        stop = to_rest(self.controller, self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
         done = stop.scaled(self.offset.end - left, share)
         self._log_offset(with_rest(done))
@@ -377,9 +377,9 @@ class Gear(Follow):
     def base(self, coming: Profile, position: float) -> Profile:
         """Return the geared motion, or the ramp to rest of a suspended slave."""
         if self.a.suspended:
-            with_standstill = halt.with_standstill(self.controller, self.a)
+            rest_of = with_standstill(self.controller, self.a)
             self.keeps_rates = True
-            return with_standstill
+            return rest_of
         self.keeps_rates = False
         if self._locks_at > self.controller.clock.now:
             return self._chased(coming, position)

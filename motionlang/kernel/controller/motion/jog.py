@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.triggers.events import clamped
+from motionlang.kernel.controller.events import clamped
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, Move, keeps_rates
 from motionlang.kernel.planners import Profile, plan_velocity
@@ -15,7 +15,7 @@ from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted, onset
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 Rates = tuple[float | None, float | None]
 

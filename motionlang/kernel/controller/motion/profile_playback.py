@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.motion.halt import Stopping
+from motionlang.kernel.controller.queue.stop import Stopping
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
@@ -22,8 +22,8 @@ from motionlang.kernel.planners.reparametrised import Reparametrised
 from motionlang.kernel.planners.stop import running
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
     from motionlang.kernel.controller.moves.entries import Timed
+    from motionlang.kernel.controller.queue.life import Core
 
 
 class Playback(Action):

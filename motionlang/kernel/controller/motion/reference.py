@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.motion import halt
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import FollowMove
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.queue import stop
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, keeps_rates
 from motionlang.kernel.planners import Profile, hold
@@ -21,7 +21,7 @@ from motionlang.kernel.planners.ramp_down import admitted
 from motionlang.kernel.planners.reference import Slope, plan_reference
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 Slopes = tuple[Slope, Slope]
 
@@ -70,7 +70,7 @@ class SpeedReference(Reference):
     def plan(self, controller: Core, a: Axis) -> Profile:
         """Return the ramp from the state of the axis; at a velocity of 0 it ends at rest."""
         if a.suspended:
-            return halt.with_standstill(controller, a)
+            return stop.with_standstill(controller, a)
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
         s = a.at(controller.clock.now)
         try:
@@ -90,8 +90,8 @@ class SpeedReference(Reference):
         if ended != "fault" or not hard or not self.error_rate:
             return False
         controller.empty(a, ended)
-        profile = halt.braking(controller, a, self.error_rate)
-        self.move.action = halt.Stopping(True, self.error_rate)
+        profile = stop.braking(controller, a, self.error_rate)
+        self.move.action = stop.Stopping(True, self.error_rate)
         controller.continue_with(a, profile, ended)
         a.target = self.move.target = profile.end
         return True
@@ -139,7 +139,7 @@ class PositionReference(Reference):
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         if a.suspended:
-            return halt.with_standstill(controller, a)
+            return stop.with_standstill(controller, a)
         here = a.position(controller.clock.now)
         velocity = (self.position - here) / PERIOD
         return Profile("reference", here, self.position, PERIOD, (velocity, PERIOD, 0.0, velocity))

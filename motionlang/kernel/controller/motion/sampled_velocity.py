@@ -21,7 +21,7 @@ from motionlang.kernel.planners.curve import far_end
 from motionlang.kernel.planners.dwell import rest
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 
 class Track(Reference):

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Event
-from motionlang.kernel.controller.motion import halt
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import Follow, FollowMove, check_chain, follows
-from motionlang.kernel.controller.moves import buffer
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.queue import buffer, stop
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile, hold
@@ -23,7 +22,7 @@ from motionlang.kernel.planners.dwell import rest
 from motionlang.kernel.planners.reparametrised import travelled
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
@@ -142,7 +141,7 @@ class CurveFollow(Follow):
         self.end_offset("stop")
         self.detach()
         if abs(a.velocity(controller.clock.now)) > 1e-6:
-            halt.stop(controller, a, "")
+            stop.stop(controller, a, "")
             return
         end = self._at(self.curve.duration)
         move = self.move

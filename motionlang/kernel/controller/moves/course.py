@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.moves.buffer import motion_at
+from motionlang.kernel.controller.events import too_late
 from motionlang.kernel.controller.moves.geometry import Segment, corner
-from motionlang.kernel.controller.triggers.events import too_late
+from motionlang.kernel.controller.queue.buffer import motion_at
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile, State, hold
 from motionlang.kernel.planners.curve import relabelled
@@ -24,8 +24,8 @@ from motionlang.kernel.planners.reparametrised import travelled
 from motionlang.kernel.tools import total
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
     from motionlang.kernel.controller.moves.path import PathMove
+    from motionlang.kernel.controller.queue.life import Core
 
 # How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
 SLACK = 1e-9

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
 from motionlang.kernel.controller.motion.offset import offset
 from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile
@@ -24,7 +24,7 @@ from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.table_motion import table_curve
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 Points = tuple[Sequence[float], Sequence[float]]
 

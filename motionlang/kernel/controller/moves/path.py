@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.moves import buffer
 from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corner, limits
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.moves.path_run import PathRun
+from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.lookahead import Pace
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 
 class PathMove(Action):

@@ -51,10 +51,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Event
-from motionlang.kernel.controller.moves.buffer import motions, reach
+from motionlang.kernel.controller.events import BY_DESIGN, clamped_blend
 from motionlang.kernel.controller.moves.course import SLACK, Course
+from motionlang.kernel.controller.queue.buffer import motions, reach
 from motionlang.kernel.controller.triggers.conditions import release
-from motionlang.kernel.controller.triggers.events import BY_DESIGN, clamped_blend
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
@@ -65,7 +65,7 @@ if TYPE_CHECKING:
 
     # A course, its new profile, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 # The largest share of a path that is blended into the next one. The rest is left for the path before it.
 MAX_SHARE = 0.5

@@ -17,7 +17,7 @@ from motionlang.kernel.planners.direction import sets_off
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.controller import Controller
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 # The actions of an axis on a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only notifies.
 ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")

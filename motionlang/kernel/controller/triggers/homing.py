@@ -20,7 +20,7 @@ from motionlang.kernel.controller.faults import (
     SOFT_LIMIT_REVERSE,
 )
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.controller.triggers.watch import Watch, watched_position
+from motionlang.kernel.controller.watch import Watch, watched_position
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import plan

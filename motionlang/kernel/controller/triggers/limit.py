@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.triggers.conditions import Condition
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.controller import Controller

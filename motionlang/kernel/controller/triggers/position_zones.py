@@ -12,12 +12,12 @@ from math import floor
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
-from motionlang.kernel.controller.triggers.watch import Watch, begin, end, margin
+from motionlang.kernel.controller.events import BY_DESIGN
+from motionlang.kernel.controller.watch import Watch, begin, end, margin
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 
 class Cells:

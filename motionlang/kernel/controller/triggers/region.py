@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.controller import Controller

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.clock import Clock, WatchedClock
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
-from motionlang.kernel.controller.io.wiring import World
+from motionlang.kernel.controller.world import World
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile

@@ -11,7 +11,7 @@ from math import ceil, floor
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis import motor
 from motionlang.kernel.mccl.axis.axis import AxisState

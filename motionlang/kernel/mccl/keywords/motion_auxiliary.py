@@ -10,7 +10,7 @@ from math import floor
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.lang.steps import DO, WAIT
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.axis.axis import AxisState, nearest_whole

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from math import floor
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.mccl.axis import flags
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.axis.inputs import is_active

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.debugging import Hook

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import floor
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.position_zones import Cells
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.following_auxiliary import AuxEncoders, checked_channel

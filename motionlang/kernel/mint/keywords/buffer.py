@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.triggers.watch import Watch, begin, end
+from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_masters import master

@@ -12,7 +12,7 @@ from functools import partial
 from itertools import pairwise
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.position_zones import Cells
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import floor
 
-from motionlang.kernel.controller.moves import buffer
+from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.homing import Homes
 from motionlang.kernel.mint.runtime.binding import axis_of, of, of_word, scale_of

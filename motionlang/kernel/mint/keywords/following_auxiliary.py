@@ -5,7 +5,7 @@ A virtual encoder runs at AUXENCODERSPEED.
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.io_inputs import checked
 from motionlang.kernel.mint.keywords.sensing import (

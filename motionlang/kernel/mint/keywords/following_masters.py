@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.io.encoder import AUXILIARY
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer

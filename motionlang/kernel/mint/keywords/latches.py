@@ -13,7 +13,7 @@ from functools import partial
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.controller.triggers.homing import next_index
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.lang.wait_causes import Read
 from motionlang.kernel.mint.keywords.io_inputs import checked

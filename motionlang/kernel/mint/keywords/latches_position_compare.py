@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.controller.triggers.position_zones import Cells
-from motionlang.kernel.controller.triggers.watch import Watch
+from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked

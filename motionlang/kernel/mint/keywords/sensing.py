@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.moves import buffer
+from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.readers import passing_within
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword

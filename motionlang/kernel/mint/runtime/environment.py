@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import ALL
-from motionlang.kernel.controller.moves.buffer import end
+from motionlang.kernel.controller.queue.buffer import end
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops

@@ -10,12 +10,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.triggers.events import too_late
+from motionlang.kernel.controller.events import too_late
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})

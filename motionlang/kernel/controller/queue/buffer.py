@@ -13,7 +13,7 @@ from motionlang.kernel.log.move import Action, Move
 from motionlang.kernel.planners.dwell import rest
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 
 def put(a: Axis, move: Move) -> None:

@@ -11,6 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.events import note
 from motionlang.kernel.controller.faults import (
     DRIVE,
     ERROR_INPUT,
@@ -18,9 +19,8 @@ from motionlang.kernel.controller.faults import (
     LIMIT_FORWARD,
     LIMIT_REVERSE,
 )
-from motionlang.kernel.controller.io.encoder import AUXILIARY
 from motionlang.kernel.controller.io.sensor import Sensor
-from motionlang.kernel.controller.triggers.events import note
+from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.triggers.region import Region
 

@@ -13,7 +13,7 @@ from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.ramp_down import stop_in_motion
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 
 class Stopping(Action):

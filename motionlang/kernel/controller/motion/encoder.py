@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import hold, plan_velocity
 from motionlang.kernel.planners.stop import running
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
 
 # Auxiliary encoders have the channels from here on.
 AUXILIARY = 1000

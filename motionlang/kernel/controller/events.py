@@ -20,7 +20,7 @@ from motionlang.kernel.controller.faults import (
 )
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.core import Core
+    from motionlang.kernel.controller.queue.life import Core
     from motionlang.kernel.log.move import Move
     from motionlang.kernel.planners import Profile
 

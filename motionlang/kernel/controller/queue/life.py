@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller import motion, moves, triggers
+from motionlang.kernel.controller import events, watch
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.events import BY_DESIGN
+from motionlang.kernel.controller.queue import buffer, stop
 from motionlang.kernel.controller.readings import Readings
-from motionlang.kernel.controller.triggers.events import BY_DESIGN
+from motionlang.kernel.controller.triggers import conditions
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import MAX_PIECES, Move
 from motionlang.kernel.planners import Profile, hold
@@ -30,7 +32,7 @@ class Core(Readings):
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from any state of motion."""
         a = self.movable(axis)
-        move = moves.buffer.stamped(a, Move(axis, command, line, position))
+        move = buffer.stamped(a, Move(axis, command, line, position))
         move.released = True
         profile = self.plan_move(a, move)
         self.end_move(a, "retarget")
@@ -49,7 +51,7 @@ class Core(Readings):
         allows no other.
         """
         a = self.axes[axis]
-        triggers.conditions.refuse_motion(self, a)
+        conditions.refuse_motion(self, a)
         if a.move is not None and a.move.action is not None and a.move.action.exclusive:
             words = f"axis {axis} is in {a.move.command}, which takes no other motion"
             raise Rejected("moving", words, "stop it before another motion")
@@ -98,11 +100,11 @@ class Core(Readings):
         move.commanded_speed = speed
         if a.limited:
             if speed > a.max_speed:
-                triggers.events.clamped(self, a, move.line, speed)
+                events.clamped(self, a, move.line, speed)
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         move.rates_in_force = accel, decel
         if a.suspended or not speed:
-            return motion.halt.with_standstill(self, a)
+            return stop.with_standstill(self, a)
         last = a.profiles[-1]
         try:
             if last.shape == "hold" and shape == "trapezoid":  # the case of nearly every move
@@ -138,7 +140,7 @@ class Core(Readings):
 
     def together(self) -> Together:
         """Return a block that starts several axes; limits are checked at its end."""
-        return triggers.conditions.Together(self)
+        return conditions.Together(self)
 
     def append_profile(self, a: Axis, profile: Profile, cause: str = "") -> None:
         """Follow `profile` from now on, and schedule its end."""
@@ -155,7 +157,7 @@ class Core(Readings):
         standstill ends.
         """
         if cause != BY_DESIGN and (profile.start_velocity or a.profiles[-1].shape != "hold"):
-            triggers.events.check_velocity(self, a, profile, cause, ended or a.move)
+            events.check_velocity(self, a, profile, cause, ended or a.move)
         self.motion_listener.add(a)
         now = self.clock.now
         a.starts.append(now)
@@ -169,7 +171,7 @@ class Core(Readings):
             a.feedback.changed()
         else:
             if a.watches:
-                triggers.watch.solve(a, self.clock)
+                watch.solve(a, self.clock)
             if a.present is not profile:  # a crossed watch has given it another profile and notified of that
                 return
         for follower in tuple(a.followers):
@@ -231,7 +233,7 @@ class Core(Readings):
             self.take_entry(a)
             try:
                 if move.action is None:
-                    moves.buffer.resolve(a, move)
+                    buffer.resolve(a, move)
                     self.start_move(a, move)
                 else:
                     move.action.begin(self, a, move)
@@ -246,7 +248,7 @@ class Core(Readings):
         """Remove an entry, by default the first one, from the move buffer."""
         a.last_id = a.buffer.pop(index).id
         if a.buffer_low >= 0:
-            moves.buffer.taken(self, a)
+            buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
         """Discard and log the buffer, with related entries in the buffers of other axes."""
@@ -329,7 +331,7 @@ class Core(Readings):
             exact = a.here(self.clock.now) - move.offset
             # An axis that has not moved is where it was. The position of one on two blended paths is that of
             # neither path.
-            if done.distance and abs(exact - done.end) < triggers.watch.margin(exact):
+            if done.distance and abs(exact - done.end) < watch.margin(exact):
                 done = done.ending_at(exact)
             move.profile = done
             move.ended = ended
@@ -340,7 +342,7 @@ class Core(Readings):
     def freeze(self, a: Axis, ended: str) -> None:
         """Stop the axis at once at its present position."""
         self.motion_listener.freeze(a, ended)
-        triggers.conditions.release(self, a)
+        conditions.release(self, a)
         if a.index in self.homings:
             self.homings[a.index].cancel()
         self.empty(a, ended)
