@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel import Axis
 from motionlang.kernel.controller import Clock, readers
-from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
+from motionlang.kernel.controller.settings import SETTINGS
 from motionlang.kernel.controller.triggers.limit import Limit
 from tests.verbs import VERBS
 
@@ -25,7 +25,7 @@ class Recorder:
 
     def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
         self.clock = Clock()
-        self.axes = {number: Axis(number) for number in range(first, first + axes)}
+        self.axes = {number: Axis(number, self) for number in range(first, first + axes)}  # type: ignore[arg-type]
         self.listeners = Listeners()
         self.calls: list[tuple[Any, ...]] = []
         self.answers: dict[str, Any] = {
@@ -46,7 +46,7 @@ class Recorder:
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
         """Return a limit that is never passed."""
-        return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
+        return Limit(self.axes[axis], sign, bit, action, physical)
 
     def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
         """Return a reader that records every reading."""

@@ -26,9 +26,6 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "kernel/controller/axis_verbs.py": "motion.profile_playback",
-    "kernel/controller/controller.py": "motion.follow motion.offset motion.reference motion.sampled_velocity moves.cam "
-    "moves.entries triggers.limit",
     "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models",
     "kernel/mint/__init__.py": "keywords keywords.latches keywords.machine_readings keywords.switchable models "
     "resolve.aliases runtime.task runtime.wait_sources",

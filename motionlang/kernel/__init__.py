@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.assumptions.used import depended_on as depended_on
     from motionlang.kernel.controller.axis import Axis as Axis
     from motionlang.kernel.controller.clock import INFINITY as INFINITY
-    from motionlang.kernel.controller.controller import Controller as Controller
+    from motionlang.kernel.controller.verbs import Controller as Controller
     from motionlang.kernel.errors import CODES as CODES
     from motionlang.kernel.errors import Diagnostic as Diagnostic
     from motionlang.kernel.errors import OutOfTime as OutOfTime
@@ -104,7 +104,7 @@ PUBLIC = {
     "lang.waits": "Wait",
     "lang.debugging": "Hook Variable",
     # The controller.
-    "controller.controller": "Controller",
+    "controller.verbs": "Controller",
     "controller.axis": "Axis",
     "controller.clock": "INFINITY",
     # What happened.

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import TYPE_CHECKING, cast
 
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion_listener import MotionListener
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
@@ -207,8 +207,9 @@ def _is_hopeless(task: Task) -> bool:
 def _lost(result: Run) -> list[Diagnostic]:
     """Return the diagnostics of homing moves that never end, each at its line."""
     found = []
-    for axis, homing in result.controller.homings.items():
-        if homing.endless_motion:
+    for axis, a in result.controller.axes.items():
+        homing = a.homing
+        if homing is not None and homing.endless_motion:
             text = result.source.line(homing.line)
             column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
             keys = f"axis.{axis}.home_switch, travel and index_every"

@@ -997,7 +997,7 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
 
 def limit_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let an entry of the log have 50 pieces instead of 500, so that a test needs fewer of them."""
-    for module in ("kernel.controller.queue.life", "commands.prove.entries"):
+    for module in ("kernel.controller.queue.track", "commands.prove.entries"):
         monkeypatch.setattr(f"motionlang.{module}.MAX_PIECES", 50)
 
 

@@ -16,7 +16,7 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
 
     A controller that ignores it brakes at 100, and the proof reports that.
     """
-    monkeypatch.setattr(settings, "_replan", lambda controller, axis, name: None)
+    monkeypatch.setattr(settings, "_replan", lambda axis, name: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
     found = prove(run(program, prove=True)).violations

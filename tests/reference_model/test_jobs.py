@@ -43,8 +43,7 @@ class Job:
             self.c.configure(number, "feedrate_mode", 2)
             self.axes[number] = Axis(*figures)
             for which, (sign, bit) in enumerate(((1, SOFT_LIMIT_FORWARD), (-1, SOFT_LIMIT_REVERSE))):
-                limit = self.limits[number, which] = Limit(self.c, number, sign, bit, "abort")
-                self.c.axes[number].limits.append(limit)
+                self.limits[number, which] = self.c.add_limit(number, sign, bit, "abort")
         self.ratio = round(choose.uniform(-2, 2), 2)
         self.c.gear(SLAVE, 0, self.ratio)
         self.geared = 0.0
@@ -248,8 +247,9 @@ class PathJob:
         sign, action = self.choose.choice((-1, 1)), self.choose.choice(ACTIONS)
         position = self.c.position(number) + sign * self.choose.uniform(-5, 30)
         self.log.append(f"limit {sign} {action} {position}")
-        theirs = Limit(self.c, number, sign, SOFT_LIMIT_FORWARD if sign > 0 else SOFT_LIMIT_REVERSE, action)
-        self.c.axes[number].limits.append(theirs)
+        theirs = self.c.add_limit(
+            number, sign, SOFT_LIMIT_FORWARD if sign > 0 else SOFT_LIMIT_REVERSE, action
+        )
         theirs.set_position(position)
         if sign * slope <= 0.0:
             return  # the axis never reaches it

@@ -421,7 +421,8 @@ def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
 
     Returns False if it is not stuck, or if nothing is left to guess.
     """
-    lost = [axis for axis, homing in result.controller.homings.items() if homing.endless_motion]
+    axes = result.controller.axes.items()
+    lost = [axis for axis, a in axes if a.homing is not None and a.homing.endless_motion]
     changed = [guesses.home(axis, result) for axis in lost]
     if any(changed):
         return True

@@ -1,6 +1,6 @@
 """The virtual multi-axis controller, in counts and seconds, without any language.
 
-Start with `controller.Controller`. Its public methods, listed in `verbs.VERBS`, are all that a language may
+Start with `verbs.Controller`. Its public methods are all that a language may
 use.
 
 Units, unless a docstring says differently:

@@ -19,7 +19,8 @@ from motionlang.kernel.planners.limits import LARGEST
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.feedback import Feedback
-    from motionlang.kernel.controller.motion.follow import Follow
+    from motionlang.kernel.controller.state import ControllerState
+    from motionlang.kernel.controller.triggers.homing import Homing
     from motionlang.kernel.controller.triggers.limit import Limit
     from motionlang.kernel.controller.watch import Watch
     from motionlang.kernel.log.move import Move
@@ -34,21 +35,6 @@ DEFAULTS: dict[str, float] = {
     "ramp": 0.1,
     "buffer_size": 2.0,
 }
-# Settings that may act on a move in progress (`motion/feedrate.py`).
-LIVE = frozenset(
-    {
-        "speed",
-        "accel",
-        "decel",
-        "accel_time",
-        "decel_time",
-        "override",
-        "feedrate_mode",
-        "max_speed",
-        "max_accel",
-        "max_decel",
-    }
-)
 # The reasons to suspend an axis: a keyword of the program, or an input. It resumes when none remains.
 BY_WORD, BY_INPUT = 1, 2
 
@@ -57,7 +43,7 @@ _AT_ONCE = LARGEST
 
 
 class Axis:
-    """State and history of one axis; only `Controller` changes it."""
+    """Settings, state and history of one axis of a controller."""
 
     __slots__ = (
         "_accel_jerk",
@@ -71,13 +57,16 @@ class Axis:
         "buffer",
         "buffer_low",
         "buffer_size",
+        "clock",
         "contour_angle",
         "contour_mode",
+        "controller",
         "crossed",
         "datum",
         "decel",
         "decel_jerk_time",
         "decel_time",
+        "enable_input",
         "enabled",
         "error_decel",
         "faults",
@@ -85,9 +74,12 @@ class Axis:
         "feedrate_mode",
         "followers",
         "gains",
+        "homing",
         "index",
         "index_every",
         "index_origin",
+        "is_at_home",
+        "is_braked",
         "last_id",
         "limits",
         "locks",
@@ -96,6 +88,7 @@ class Axis:
         "max_speed",
         "move",
         "move_id",
+        "offset_status",
         "older",
         "override",
         "own_rates",
@@ -109,19 +102,24 @@ class Axis:
         "starts",
         "suspend_reasons",
         "suspend_time",
+        "suspended_with",
         "target",
         "watches",
+        "zeroed_at",
     )
 
     # The attributes that `cut` restores.
     GROWING = ("starts", "profiles", "older")
 
-    def __init__(self, index: int) -> None:
-        self.index = index
+    def __init__(self, index: int, controller: ControllerState) -> None:
+        self.index, self.controller, self.clock = index, controller, controller.clock
         self.scale = Scale()
         self.enabled = True
         self.faults = 0
         self.locks = 0  # faults that must be cleared before the axis accepts a motion
+        self.enable_input: int | None = None  # the input that must be on before the drive can be enabled
+        self.is_braked = False  # by hand, without informing its drive
+        self.is_at_home = False  # its home switch is closed
         self.shape = "trapezoid"
         self.speed = DEFAULTS["speed"]
         self.accel = DEFAULTS["accel"]
@@ -144,7 +142,9 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration of moves loaded from now on; None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
+        self.zeroed_at = -1  # where the program last set the speed to 0, a source offset
         self.suspend_reasons = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
+        self.suspended_with: tuple[Axis, ...] = ()  # the axes suspended together with it by one keyword
         self.suspend_time = 0.1  # seconds in which the playback of a profile comes to rest
         # Limits that apply to paths, whatever their master commands.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
@@ -177,6 +177,9 @@ class Axis:
         # Called with each new profile when it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
+        # The homing in progress, which controls the axis alone; its buffer waits for the end.
+        self.homing: Homing | None = None
+        self.offset_status = 0  # the status of its last offset, bits (`motion/offset.py`)
         # The simulated motor, if there is one, and the gains that the program has set, by keyword.
         self.feedback: Feedback | None = None
         self.gains: dict[str, tuple[float, str]] = {}
@@ -260,6 +263,11 @@ class Axis:
             return crossed[1]
         return self.position(now)
 
+    @property
+    def actual_position(self) -> float:
+        """The actual position now: the simulated motor's, or the commanded one."""
+        return self.here(self.clock.now) if self.feedback is None else self.feedback.position
+
     def velocity(self, time: float) -> float:
         """Return the commanded velocity at `time`, counts/s."""
         began = self.starts[-1]
@@ -308,10 +316,9 @@ class Axis:
         return move is None or (move.action is not None and move.action.resting)
 
     @property
-    def tie(self) -> Follow | None:
-        """The tie to its master, None if it follows none."""
-        action = self.move.action if self.move is not None else None
-        return action.tie if action is not None else None
+    def is_still(self) -> bool:
+        """True if the axis and its simulated motor, if any, are at standstill for good."""
+        return self.is_at_standstill and (self.feedback is None or self.feedback.at_standstill)
 
     @property
     def suspended(self) -> bool:

@@ -20,7 +20,6 @@ from motionlang.kernel.controller.faults import (
 )
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
     from motionlang.kernel.log.move import Move
     from motionlang.kernel.planners import Profile
 
@@ -45,50 +44,49 @@ HOMING = "homing"
 
 
 def note(
-    controller: Core,
-    kind: str,
     a: Axis,
+    kind: str,
     value: float | None = None,
     limit: float | None = None,
     text: str = "",
 ) -> None:
     """Log an event of an axis; `value` and `limit` are in user units."""
     line = 0 if a.move is None else a.move.line
-    controller.log.note(controller.clock.now, kind, a.index, value, limit, line, text)
+    a.controller.log.note(a.clock.now, kind, a.index, value, limit, line, text)
 
 
-def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
+def raised(a: Axis, bit: int, action: str) -> None:
     """Log a fault that is about to be raised, and its `action`."""
     kind, value, limit = KINDS.get(bit, "fault"), None, None
     if kind in ("limit", "soft limit"):
-        value = a.scale.position_to_user(a.here(controller.clock.now))
+        value = a.scale.position_to_user(a.here(a.clock.now))
         positions = [each.watch.position for each in a.limits if each.bit == bit and each.watch is not None]
         limit = a.scale.position_to_user(positions[0]) if positions else None
     elif a.feedback is not None and bit == FOLLOWING_ERROR:
         size = abs(a.scale.counts or 1.0)
         value, limit = abs(a.feedback.error) / size, a.feedback.error_limit / size
-    if a.index in controller.homings:
+    if a.homing is not None:
         text = HOMING
     else:
         text = "" if action == kind else f"{fault_names(bit)}, {action}"
-    note(controller, kind, a, value, limit, text)
+    note(a, kind, value, limit, text)
 
 
-def cleared(controller: Core, a: Axis) -> None:
+def cleared(a: Axis) -> None:
     """Log that the faults of an axis are about to be cleared."""
-    note(controller, "cleared", a, text=fault_names(a.faults))
+    note(a, "cleared", text=fault_names(a.faults))
 
 
-def check_velocity(controller: Core, a: Axis, profile: Profile, cause: str, move: Move | None) -> None:
+def check_velocity(a: Axis, profile: Profile, cause: str, move: Move | None) -> None:
     """Log a jump of velocity from the track of an axis to the profile that continues it now.
 
     The jumps of one move by one cause are one event, with their number.
     """
-    now = controller.clock.now
+    now = a.clock.now
     before, after = a.profiles[-1].velocity(now - a.starts[-1]), profile.start_velocity + 0.0  # never -0.0
     if abs(after - before) <= _ROUNDING * (1.0 + abs(before) + abs(after)):
         return
-    log, about = controller.log, (move, cause)
+    log, about = a.controller.log, (move, cause)
     number = log.jumps.get(a.index)
     if number is not None and number[0] == about:
         log.repeated[number[1]] = log.repeated.get(number[1], 1) + 1
@@ -98,7 +96,7 @@ def check_velocity(controller: Core, a: Axis, profile: Profile, cause: str, move
     log.note(now, "velocity jump", a.index, _speed(a, before), _speed(a, after), line, text)
 
 
-def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:
+def stopped(a: Axis, kind: str, hard: bool = False) -> None:
     """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate.
 
     A stop that changes nothing, because the axis is stopping already, is no event.
@@ -107,34 +105,34 @@ def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:
         return
     action = a.move.action
     if kind == "cancel" or a.buffer or action is None or not action.is_stopping(hard):
-        note(controller, kind, a, _speed(a, a.velocity(controller.clock.now)))
+        note(a, kind, _speed(a, a.velocity(a.clock.now)))
 
 
-def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
+def clamped(a: Axis, line: int, speed: float) -> None:
     """Log, once, a commanded speed, counts/s, above the limit of the axis."""
-    _once(controller, "clamp", a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
+    _once(a, "clamp", "speed", line, _speed(a, speed), _speed(a, a.max_speed))
 
 
-def clamped_blend(controller: Core, a: Axis, line: int, commanded: float, got: float) -> None:
+def clamped_blend(a: Axis, line: int, commanded: float, got: float) -> None:
     """Log, once, a path of master `a` blended over `got` instead of `commanded`.
 
     Both are user units.
     """
-    _once(controller, "clamp", a, "blend distance", line, commanded, got)
+    _once(a, "clamp", "blend distance", line, commanded, got)
 
 
-def too_late(controller: Core, a: Axis, move: Move, written: Rates, in_force: Rates) -> None:
+def too_late(a: Axis, move: Move, written: Rates, in_force: Rates) -> None:
     """Log, once, the rate that was written in motion and with which the axis would pass its target."""
     k = int(written[1] < in_force[1])
     what = ("acceleration", "deceleration")[k]
-    _once(controller, "too late", a, what, move.line, _speed(a, written[k]), _speed(a, in_force[k]))
+    _once(a, "too late", what, move.line, _speed(a, written[k]), _speed(a, in_force[k]))
 
 
-def _once(controller: Core, kind: str, a: Axis, what: str, line: int, commanded: float, got: float) -> None:
+def _once(a: Axis, kind: str, what: str, line: int, commanded: float, got: float) -> None:
     about = line, commanded, got
-    if controller.log.clamped.get((a.index, what)) != about:
-        controller.log.clamped[a.index, what] = about
-        controller.log.note(controller.clock.now, kind, a.index, commanded, got, line, what)
+    if a.controller.log.clamped.get((a.index, what)) != about:
+        a.controller.log.clamped[a.index, what] = about
+        a.controller.log.note(a.clock.now, kind, a.index, commanded, got, line, what)
 
 
 def _speed(a: Axis, speed: float) -> float:

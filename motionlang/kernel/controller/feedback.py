@@ -42,14 +42,15 @@ until something affects it.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY, Clock, Event
+from motionlang.kernel.controller.clock import INFINITY, Event
 from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.joined import Followed
+from motionlang.kernel.controller.queue.stop import freeze
+from motionlang.kernel.controller.queue.track import extend_track
 from motionlang.kernel.controller.watch import Watch, margin, watched_position
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import hold
@@ -70,9 +71,6 @@ from motionlang.kernel.servo.samples import (
 from motionlang.kernel.servo.servo import Servo, sample_at
 from motionlang.kernel.servo.settings import make_plant
 from motionlang.kernel.servo.standstill import StandstillDetector, extent, is_still
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 Section = Mapping[str, object]
 
@@ -95,8 +93,8 @@ class Feedback:
     # The attributes that `cut` restores.
     GROWING = ("changes",)
 
-    def __init__(self, axis: Axis, clock: Clock, plant: Section, section: Section) -> None:
-        self._axis, self._clock = axis, clock
+    def __init__(self, axis: Axis, plant: Section, section: Section) -> None:
+        self._axis, self._clock = axis, axis.clock
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
@@ -266,15 +264,15 @@ class Feedback:
             self._wake()
         self._do(float(volts))
 
-    def take_over(self, controller: Core) -> None:
+    def take_over(self) -> None:
         """Close an open loop; the motor's position becomes target and commanded position."""
         if self.closed:
             return
         axis, here = self._axis, self.position
-        controller.freeze(axis, "cancel")
-        self.demand_shift += here - axis.position(controller.clock.now)
+        freeze(axis, "cancel")
+        self.demand_shift += here - axis.position(self._clock.now)
         axis.target = here
-        controller.extend_track(axis, hold(here))
+        extend_track(axis, hold(here))
         self.closed = True
         self._do(len(Followed(axis).starts) - 1)
 

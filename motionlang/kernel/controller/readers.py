@@ -11,10 +11,11 @@ from collections.abc import Callable
 from operator import attrgetter
 from typing import Any, Protocol
 
-from motionlang.kernel.controller.axis import LIVE, Axis
-from motionlang.kernel.controller.axis_verbs import SETTINGS, AxisVerbs
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.readings import Readings
 from motionlang.kernel.controller.scale import POWERS, Scale
+from motionlang.kernel.controller.settings import LIVE, SETTINGS, configure
 from motionlang.kernel.planners import Profile
 
 Reader = Callable[..., Any]
@@ -75,7 +76,7 @@ NO_SUBSCRIBER: Subscriber = _NoSubscriber()
 
 
 def reader(
-    controller: AxisVerbs, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER
+    controller: Readings, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER
 ) -> Reader:
     """Return the reader of a setting of `SETTINGS` or of a verb that takes an axis.
 
@@ -92,7 +93,7 @@ def reader(
     return converted(lambda: verb(axis), a.scale, unit, subscriber, until)
 
 
-def passing(controller: AxisVerbs, name: str, a: Axis, unit: str) -> Until:
+def passing(controller: Readings, name: str, a: Axis, unit: str) -> Until:
     """Return a function for the time at which a reading passes a level, in its unit.
 
     If the reading is not compared (level None), it may change at once as long as the axis moves.
@@ -168,10 +169,9 @@ def converted(
     return read_and_record
 
 
-def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Writer:
+def writer(a: Axis, name: str, unit: str = "") -> Writer:
     """Return a writer of one of `SETTINGS`, bound to an axis and a unit."""
-    a, configure = controller.axes[axis], controller.configure
-    clock, add = controller.clock, controller.log.settings.add
+    clock, axis, add = a.clock, a.index, a.controller.log.settings.add
     live, time = name in LIVE, f"{name}_time" if name in ("accel", "decel") else ""
     power, factors = POWERS.get(unit), a.scale.factors
 
@@ -180,7 +180,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
             rate, per_unit = factors[power]
             value = value * per_unit / rate
         if (live and a.moves) or not value:
-            configure(axis, name, value)
+            configure(a, name, value)
             return
         if getattr(a, name) != value:
             add((clock.now, axis, name, value))
@@ -192,7 +192,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
 
 
 def _position(
-    controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
+    controller: Readings, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
 ) -> Reader:
     """Return the reader of the position.
 
@@ -234,7 +234,7 @@ def _position(
 
 
 def _velocity(
-    controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
+    controller: Readings, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
 ) -> Reader:
     """Return the reader of the velocity; it caches the present piece of the profile."""
     clock, factors = controller.clock, a.scale.factors
@@ -277,7 +277,7 @@ def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[flo
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))
 
 
-def _is_idle(controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until) -> Reader:
+def _is_idle(controller: Readings, a: Axis, subscriber: Subscriber, until_passed: Until) -> Reader:
     return a.idle_reader()
 
 

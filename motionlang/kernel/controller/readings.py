@@ -1,64 +1,27 @@
-"""State of a controller, its readings, and watches of motion."""
+"""What can be read of a controller: positions, times at which they pass a value, channels."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import atan2, degrees
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY, Clock, Event
-from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
-from motionlang.kernel.controller.listeners import Listeners
-from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.watch import Watch, begin, end
-from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.log import Log
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.triggers.conditions import Condition
-    from motionlang.kernel.controller.triggers.homing import Homing
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.motion.follow import tie_of
+from motionlang.kernel.controller.motion.offset import crossing_time
+from motionlang.kernel.controller.moves.cam import Cam
+from motionlang.kernel.controller.moves.path import run_of
+from motionlang.kernel.controller.power import may_enable
+from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.state import ControllerState
 
 
-class Readings:
-    """The readable state: `axes` axes numbered from `first`, channels, clock, and log.
+class Readings(ControllerState):
+    """The readings of a controller, by the number of an axis or channel.
 
     Positions are counts, velocities counts/s, times seconds of the clock. An axis that does not exist raises
     KeyError.
     """
-
-    def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
-        self.clock = clock
-        self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
-        self.log = log
-        self.inputs = Channels(clock, log.inputs)
-        self.outputs = Channels(clock, log.outputs, log.here)
-        self.analogue_inputs = AnalogueInputs(clock, log)
-        self.analogue_outputs = Channels(clock, log.analogue_outputs, log.here)
-        # The events at which pulses of outputs end.
-        self._pulses: dict[int, Event] = {}
-        # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.
-        self.encoders: dict[int, Axis] = {}
-        # The homings in progress by axis. They control their axis alone; its buffer waits for their end.
-        self.homings: dict[int, Homing] = {}
-        # The inputs that must be on before the drives of axes can be enabled.
-        self.interlocks: dict[int, int] = {}
-        # The axes whose brakes were set by hand, and those whose home switches are closed.
-        self.braked: set[int] = set()
-        self.at_home: set[int] = set()
-        # The axes suspended together by one keyword, by axis.
-        self.suspended_with: dict[int, tuple[Axis, ...]] = {}
-        # Where the program last set the speed of an axis to 0, source offsets.
-        self.zeroed: dict[int, int] = {}
-        # The status of the last offset of an axis, bits (`motion/offset.py`).
-        self.offset_statuses: dict[int, int] = {}
-        self.listeners = Listeners()
-        # The conditions to check once all axes of a motion have their profiles; None to check at once.
-        self.deferred_checks: list[Condition] | None = None
-        # It is notified of verbs, profiles and settings as they happen.
-        self.motion_listener = MotionListener()
-        # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
-        self.fault_handler: Callable[[Rejected], bool] | None = None
 
     def moving(self) -> list[int]:
         """Return the axes that are not idle; slaves only while they move."""
@@ -82,8 +45,7 @@ class Readings:
 
     def position(self, axis: int) -> float:
         """Return the actual position: the simulated motor's, or the commanded one."""
-        a = self.axes[axis]
-        return a.here(self.clock.now) if a.feedback is None else a.feedback.position
+        return self.axes[axis].actual_position
 
     def velocity(self, axis: int) -> float:
         """Return the actual velocity: the simulated motor's, or the commanded one."""
@@ -140,8 +102,7 @@ class Readings:
 
     def is_still(self, axis: int) -> bool:
         """True if the axis and its simulated motor, if any, are at standstill for good."""
-        a = self.axes[axis]
-        return a.is_at_standstill and (a.feedback is None or a.feedback.at_standstill)
+        return self.axes[axis].is_still
 
     def target(self, axis: int) -> float:
         return self.axes[axis].target
@@ -171,14 +132,13 @@ class Readings:
 
     def may_enable(self, axis: int) -> bool:
         """True if the axis has no enable input, or the input is on."""
-        channel = self.interlocks.get(axis)
-        return channel is None or self.inputs.inverted(channel)
+        return may_enable(self.axes[axis])
 
     def is_idle(self, axis: int) -> bool:
         return not self.axes[axis].moves
 
     def is_on_home_switch(self, axis: int) -> bool:
-        return axis in self.at_home
+        return self.axes[axis].is_at_home
 
     def faults(self, axis: int) -> int:
         return self.axes[axis].faults
@@ -288,29 +248,11 @@ class Readings:
         piece = profile.cubic(elapsed)
         return piece is None or any(piece[2][1:])
 
-    def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
-        """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
-        a = self.axes[axis]
-        watch = Watch(position, call, physical)
-        begin(a, watch, self.clock)
-        return watch
-
-    def unwatch(self, axis: int, watch: Watch) -> None:
-        """End a watch."""
-        end(self.axes[axis], watch)
-
     def input(self, channel: int) -> float:
         return self.inputs[channel]
 
     def output(self, channel: int) -> float:
         return self.outputs[channel]
-
-    def encoder(self, channel: int) -> Axis:
-        """Return the track of an encoder channel driven from outside."""
-        found = self.encoders.get(channel)
-        if found is None:
-            found = self.encoders[channel] = Axis(channel)
-        return found
 
     def encoder_position(self, channel: int) -> float:
         """Return the position of an encoder channel, counts."""
@@ -320,30 +262,69 @@ class Readings:
         """Return the velocity of an encoder channel, counts/s."""
         return self.encoder(channel).velocity(self.clock.now)
 
-    def set_output(self, channel: int, value: float) -> bool:
-        """Set an output; return True if that changed it."""
-        return self.outputs.set(channel, value)
-
-    def pulse(self, channel: int, duration: float) -> None:
-        """Turn a digital output on for `duration` seconds; another pulse prolongs it."""
-        pending = self._pulses.get(channel)
-        if pending is not None:
-            pending.cancel()
-        self.outputs[channel] = 1
-        end = self.clock.now + duration
-        self._pulses[channel] = self.clock.at(end, lambda: self.outputs.__setitem__(channel, 0))
-
     def analogue_input(self, channel: int) -> float:
         return self.analogue_inputs[channel]
 
-    def set_analogue_output(self, channel: int, value: float) -> None:
-        self.analogue_outputs[channel] = value
+    # -------------------------------------------------------------------------- paths, masters, offsets, motors
 
-    def run_time_fault(self, rejected: Rejected) -> None:
-        """Raise a run-time fault outside a statement; unless handled, it ends the program."""
-        if self.fault_handler is None or not self.fault_handler(rejected):
-            raise rejected
+    def path_speed(self, axis: int) -> float:
+        """Return the speed along the present path of the axis, user units/s."""
+        run = run_of(self.axes[axis])
+        return run.present.speed if run is not None else 0.0
 
-    def notify(self, what: str, axis: int) -> None:
-        """Notify the listeners of a kind; they may unsubscribe meanwhile."""
-        self.listeners.notify(what, axis)
+    def master_of(self, axis: int) -> int | None:
+        """Return the axis or encoder channel that an axis follows, or None."""
+        tie = tie_of(self.axes[axis])
+        return tie.master.index if tie is not None else None
+
+    def cam_index(self, axis: int) -> int:
+        """Return the segment of the cam table that the axis is in; -1 if there is no cam."""
+        move = self.axes[axis].move
+        return move.action.index if move is not None and isinstance(move.action, Cam) else -1
+
+    def cam_index_time(self, axis: int, index: int | None = None) -> float:
+        """Return when the axis may enter or leave a segment of its cam table.
+
+        The segment is by default the present one. INFINITY if only an event can change that.
+        """
+        move = self.axes[axis].move
+        return (
+            move.action.index_time(index) if move is not None and isinstance(move.action, Cam) else INFINITY
+        )
+
+    def offset_remaining(self, axis: int) -> float:
+        """The remaining distance, counts, of a slave's offset or of another axis's move."""
+        tie = tie_of(self.axes[axis])
+        return tie.offset_left()[0] if tie is not None else self.remaining(axis)
+
+    def offset_crossing_time(self, axis: int, left: float) -> float:
+        """Return when the remaining distance of `offset_remaining` is `left`, counts."""
+        if abs(left) == INFINITY or self.master_of(axis) is None:
+            return self.remaining_crossing_time(axis, left)
+        return crossing_time(self.axes[axis], left)
+
+    def offset_status(self, axis: int) -> int:
+        """Return the status of the last offset, as the bits of OFFSETSTATUS."""
+        return self.axes[axis].offset_status
+
+    def gain(self, axis: int, quantity: str, default: float) -> float:
+        """Return a gain set by the program, or `default`."""
+        return self.axes[axis].gains.get(quantity, (default,))[0]
+
+    def setting(self, axis: int, name: str) -> float | str | None:
+        """Return the value of one of `SETTINGS`."""
+        value: float | str | None = getattr(self.axes[axis], name)
+        return value
+
+    def is_suspended(self, axis: int) -> bool:
+        """True if the axis is suspended for any reason."""
+        return self.axes[axis].suspended
+
+    def room(self, axis: int) -> int:
+        """Return how many more moves fit into the buffer; the present move is not in it."""
+        a = self.axes[axis]
+        return a.buffer_size - len(a.buffer)
+
+    def rates(self, a: Axis, speed: float) -> tuple[float, float]:
+        """Return the rates for a move at `speed`; raise Rejected unless both are positive."""
+        return rates(a, speed)

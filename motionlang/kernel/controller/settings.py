@@ -1,4 +1,4 @@
-"""Speeds that change in motion: at once, for later moves, or by a percentage.
+"""The settings of an axis, and what those do that change while it moves.
 
 Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on
 loaded ones. In feed rate mode a move keeps the speed that it was loaded with. In both modes the override
@@ -7,21 +7,96 @@ multiplies the speed, at once.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.events import too_late
+from motionlang.kernel.controller.events import note, too_late
+from motionlang.kernel.controller.queue.life import continue_with, replan_move
+from motionlang.kernel.controller.queue.plan import plan_move
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
-
+# All that a language may set.
+SETTINGS = frozenset(
+    {
+        "speed",
+        "accel",
+        "decel",
+        "accel_time",
+        "decel_time",
+        "accel_jerk",
+        "decel_jerk",
+        "accel_jerk_time",
+        "decel_jerk_time",
+        "s_ramp",
+        "own_rates",
+        "error_decel",
+        "ramp",
+        "shape",
+        "buffer_size",
+        "buffer_low",
+        "move_id",
+        "live_speed",
+        "feedrate_mode",
+        "override",
+        "suspend_time",
+        "max_speed",
+        "max_accel",
+        "max_decel",
+        "contour_mode",
+        "contour_angle",
+        "blend_mode",
+        "blend_distance",
+    }
+)
+# Those that may act on a move in progress.
+LIVE = frozenset(
+    {
+        "speed",
+        "accel",
+        "decel",
+        "accel_time",
+        "decel_time",
+        "override",
+        "feedrate_mode",
+        "max_speed",
+        "max_accel",
+        "max_decel",
+    }
+)
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 
-def changed(controller: Core, a: Axis, name: str) -> None:
+def configure(a: Axis, name: str, value: object) -> None:
+    """Set one of `SETTINGS`; a rate replaces its ramp time, and vice versa."""
+    assert name in SETTINGS, name
+    acts = a.move is not None and name in LIVE
+    if acts and _is_in_force(a, name, value):
+        return
+    if name == "override" and a.move is not None:
+        note(a, "override", float(value))  # type: ignore[arg-type]
+    log = a.controller.log
+    if getattr(a, name) != value:
+        log.settings.add((a.clock.now, a.index, name, value))
+    setattr(a, name, value)
+    if name == "speed" and not value:
+        a.zeroed_at = log.where()
+    if name == "accel":
+        a.accel_time = None
+    elif name == "decel":
+        a.decel_time = None
+    if acts:
+        apply_in_motion(a, name)
+        a.controller.motion_listener.heed(a)
+
+
+def restore(a: Axis) -> None:
+    """Reset all `SETTINGS` of an axis at rest to their values at power-up."""
+    new = Axis(a.index, a.controller)
+    for name in sorted(SETTINGS):
+        configure(a, name, getattr(new, name))
+
+
+def apply_in_motion(a: Axis, name: str) -> None:
     """Apply a setting of `LIVE` changed during a move; if suspended, apply it later."""
     entries = a.entries
     if name == "feedrate_mode":
@@ -31,10 +106,10 @@ def changed(controller: Core, a: Axis, name: str) -> None:
     if a.suspended or not concerned:
         return
     if name in _SPEEDS or name in _LIMITS or any(move.speed is None for move in concerned):
-        _replan(controller, a, name)
+        _replan(a, name)
 
 
-def unchanged(a: Axis, name: str, value: object) -> bool:
+def _is_in_force(a: Axis, name: str, value: object) -> bool:
     """True if a setting of `LIVE` already has this value, as when a loop rewrites it.
 
     A rate of 0 means no motion; it is rejected every time it is written.
@@ -55,7 +130,7 @@ def _concerns(move: Move, name: str) -> bool:
     return move.overridden if name == "override" else True
 
 
-def _replan(controller: Core, a: Axis, name: str) -> None:
+def _replan(a: Axis, name: str) -> None:
     """Apply a new setting to the rest of the move, unless its rates would cause an overshoot.
 
     If a lower deceleration comes too late, the axis brakes as planned; no source says what a controller does
@@ -64,17 +139,17 @@ def _replan(controller: Core, a: Axis, name: str) -> None:
     move = a.move
     assert move is not None
     if move.action is not None:
-        controller.replan_move(a)
+        replan_move(a)
         return
     in_force = move.rates_in_force
-    profile = controller.plan_move(a, move)
+    profile = plan_move(a, move)
     if in_force is not None and move.rates_in_force is not None and _overshoots(profile, move):
-        too_late(controller, a, move, move.rates_in_force, in_force)
+        too_late(a, move, move.rates_in_force, in_force)
         move.rates_in_force = in_force
         if name not in _SPEEDS:
             return
-        profile = controller.plan_move(a, move, in_force)
-    controller.continue_with(a, profile, "")
+        profile = plan_move(a, move, in_force)
+    continue_with(a, profile, "")
 
 
 def _overshoots(profile: Profile, move: Move) -> bool:

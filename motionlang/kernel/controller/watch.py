@@ -10,7 +10,7 @@ from collections.abc import Callable
 from math import ulp
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import Clock, Event
+from motionlang.kernel.controller.clock import Event
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
@@ -37,10 +37,10 @@ class Watch:
         self.event: Event | None = None
 
 
-def begin(axis: Axis, watch: Watch, clock: Clock) -> None:
+def begin(axis: Axis, watch: Watch) -> None:
     """Add a watch to those of an axis."""
     axis.watches[watch] = None
-    _arm(axis, watch, clock)
+    _arm(axis, watch)
 
 
 def end(axis: Axis, watch: Watch) -> None:
@@ -49,14 +49,14 @@ def end(axis: Axis, watch: Watch) -> None:
     _cancel(watch)
 
 
-def solve(axis: Axis, clock: Clock) -> None:
+def solve(axis: Axis) -> None:
     """Solve all watches on a new profile, in order of creation; a pass that is due now may end others."""
     for watch in tuple(axis.watches):
         if watch in axis.watches:
-            _arm(axis, watch, clock)
+            _arm(axis, watch)
 
 
-def _arm(axis: Axis, watch: Watch, clock: Clock) -> None:
+def _arm(axis: Axis, watch: Watch) -> None:
     """Solve one watch on the axis's present profile from now on.
 
     If the axis has a simulated motor, the watch applies to the motor instead. A pass that is due now, such as arrival
@@ -65,7 +65,7 @@ def _arm(axis: Axis, watch: Watch, clock: Clock) -> None:
     if axis.feedback is not None:
         axis.feedback.arm(watch)
         return
-    pending, now = watch.event, clock.now
+    pending, now = watch.event, axis.clock.now
     if pending is not None and pending.call is not None and pending.time <= now:
         pass_now = pending.call
         pending.cancel()
@@ -75,10 +75,10 @@ def _arm(axis: Axis, watch: Watch, clock: Clock) -> None:
     position = watched_position(axis, watch)
     side = side_of(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
     watch.side = side or watch.side  # at the position itself, the side stays
-    _solve(axis, watch, clock, now, side)
+    _solve(axis, watch, now, side)
 
 
-def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
+def _solve(axis: Axis, watch: Watch, now: float, side: int) -> None:
     """Schedule the next change from the present `side` (0: at the position)."""
     _cancel(watch)
     start, profile = axis.starts[-1], axis.profiles[-1]
@@ -86,7 +86,7 @@ def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> Non
         return
     found, after = _next(profile, watched_position(axis, watch), now - start, side)
     if found is not None:
-        watch.event = clock.at(start + found, lambda: _changed(axis, watch, clock, after, reached=side != 0))
+        watch.event = axis.clock.at(start + found, lambda: _changed(axis, watch, after, reached=side != 0))
 
 
 def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple[float | None, int]:
@@ -116,13 +116,13 @@ def _crossing(profile: Profile, position: float, elapsed: float, direction: int)
     return found
 
 
-def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:
+def _changed(axis: Axis, watch: Watch, side: int, reached: bool) -> None:
     """Set the new `side` after the axis has `reached` the position, or has left it."""
     watch.event = None
     before, watch.side = watch.side, side
     if reached:
-        axis.cross(clock.now, watched_position(axis, watch))
-    _solve(axis, watch, clock, clock.now, 0 if reached else side)
+        axis.cross(axis.clock.now, watched_position(axis, watch))
+    _solve(axis, watch, axis.clock.now, 0 if reached else side)
     if before and before != side:
         watch.call(side)
 

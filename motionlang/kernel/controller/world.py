@@ -25,7 +25,7 @@ from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.triggers.region import Region
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
+    from motionlang.kernel.controller.verbs import Controller
 
 Entry = Mapping[str, object]
 
@@ -115,12 +115,12 @@ class World:
         if channel is None:
             return
         controller = self._controller
-        controller.interlocks[axis] = channel
+        controller.axes[axis].enable_input = channel
         self.driven.add(channel)
 
         def changed(number: int, _: float) -> None:
             if number == channel and not controller.may_enable(axis) and controller.is_enabled(axis):
-                note(controller, "e-stop", controller.axes[axis], text=f"input {channel} is off")
+                note(controller.axes[axis], "e-stop", text=f"input {channel} is off")
                 controller.disable(axis)
 
         controller.inputs.listeners.append(changed)
@@ -137,7 +137,7 @@ class World:
         start = f"axis.{axis}.servo."
         servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
         a, bit = self._controller.axes[axis], FOLLOWING_ERROR
-        a.feedback = Feedback(a, self._controller.clock, plant, servo)
+        a.feedback = Feedback(a, plant, servo)
         a.feedback.tripped = lambda: self._controller.fault(axis, bit, self.actions.get((axis, bit), "off"))
 
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
@@ -151,8 +151,7 @@ class World:
         return change
 
     def _wire_limit(self, axis: int, sign: int, bit: int, position: float, channel: object) -> None:
-        limit = Limit(self._controller, axis, sign, bit, "abort", physical=True)
-        self._controller.axes[axis].limits.append(limit)
+        limit = self._controller.add_limit(axis, sign, bit, "abort", physical=True)
         position -= self._start(axis)
         self._limits.append((limit, position))
         limit.set_position(position * self._scale(axis))
@@ -181,7 +180,7 @@ class World:
             if "per_unit" in entry:
                 origin = (low if low > -INFINITY else high) - self._start(axis)
                 rise = _number(entry, "per_unit")
-                sensor = Sensor(self._controller, axis, origin, float(value), rise, int(channel))  # type: ignore[arg-type]
+                sensor = Sensor(self._controller.axes[axis], origin, float(value), rise, int(channel))  # type: ignore[arg-type]
                 self._sensors.append(sensor)
                 change = sensor.switch
             self._wire_region(axis, low, high, change)
@@ -283,7 +282,7 @@ class World:
     def _wire_region(self, axis: int, low: float, high: float, change: Callable[[bool], None]) -> None:
         scale = self._scale(axis)
         low, high = low - self._start(axis), high - self._start(axis)
-        region = Region(self._controller, axis, low * scale, high * scale, change)
+        region = Region(self._controller.axes[axis], low * scale, high * scale, change)
         self._regions.append((region, low, high))
 
     def _start(self, axis: int) -> float:
@@ -306,13 +305,13 @@ class World:
         scale = self._scale(axis)
         self._controller.axes[axis].index_origin = -self._start(axis) * scale
         for region, low, high in self._regions:
-            if region.axis == axis:
+            if region.a.index == axis:
                 region.place(low * scale, high * scale)
         for sensor in self._sensors:
-            if sensor.axis == axis:
+            if sensor.a.index == axis:
                 sensor.rescale()
         for limit, position in self._limits:
-            if limit.axis == axis:
+            if limit.a.index == axis:
                 limit.set_position(position * scale)
 
 

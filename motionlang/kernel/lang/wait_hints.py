@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
@@ -129,7 +129,7 @@ def _frees(program: Program | None, controller: Controller, kind: str, axis: int
     if a.move is None and a.buffer and not a.buffer[0].released:
         return f"write GO({axis}) first: it starts the buffered moves"
     if a.move is not None and not a.speed_and_rates(a.move)[0]:
-        at = controller.zeroed.get(axis, -1)
+        at = a.zeroed_at
         since = f" since line {program.source.location(at)[0]}" if at >= 0 and program is not None else ""
         return f"set the speed of axis {axis} above 0 first: it is 0{since}, and the move holds"
     end = a.scale.position_to_user(a.target)

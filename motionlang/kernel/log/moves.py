@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
-from motionlang.kernel.log.move import CONTINUED, Action, Move
+from motionlang.kernel.log.move import CONTINUED, Move
 from motionlang.kernel.log.profiles import joined, parted
 from motionlang.kernel.log.records import MoveRow
 from motionlang.kernel.log.stream import CHUNK, Records, Store, Stream
@@ -14,13 +14,14 @@ from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
+    from motionlang.kernel.controller.queue.action import Action
 
 # The number of moves after which the oldest become rows, and how many of the newest do not.
 MAX_OBJECTS, LEFT = 24_576, 8_192
 # Pieces of continued entries that may wait to become rows.
 MAX_WAITING = 16_000
 # The action of a row that was a path, a jog or the like; its kind is not stored.
-_OTHER = Action()
+_OTHER = cast("Action", object())
 
 
 class _Overlaid(Move):

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.joined import Joined
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, State
 

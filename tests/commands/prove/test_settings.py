@@ -8,10 +8,9 @@ import pytest
 
 from motionlang import prove, run
 from motionlang.kernel import Axis, Source
-from motionlang.kernel.controller import axis_verbs, settings
+from motionlang.kernel.controller import settings
+from motionlang.kernel.controller.motion import jog
 from motionlang.kernel.controller.motion.follow import Gear
-from motionlang.kernel.controller.motion.jog import jog as honest
-from motionlang.kernel.controller.queue.life import Core
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
 MOTIONS = {
@@ -36,7 +35,7 @@ def test_a_setting_that_is_ignored(motion: str, setting: str, monkeypatch: pytes
     """Rates of an arc in progress are not checked."""
     text = f"{RATES}{MOTIONS[motion]} : GO(0)\nWAIT 300\n{setting}\nWAIT 9000\n"
     assert messages(text) == []
-    monkeypatch.setattr(settings, "changed", lambda *_: None)
+    monkeypatch.setattr(settings, "apply_in_motion", lambda *_: None)
     assert bool(messages(text)) is ((motion, setting) != ("arc", "DECEL(0) = 90"))
 
 
@@ -48,12 +47,14 @@ def test_a_setting_that_is_ignored(motion: str, setting: str, monkeypatch: pytes
     ],
 )
 def test_another_velocity_that_is_ignored(text: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    def jog(controller: Core, a: Axis, *rest: Any) -> None:
+    honest = jog.ramp_to
+
+    def only_first(a: Axis, *rest: Any) -> None:
         if a.move is None:
-            honest(controller, a, *rest)
+            honest(a, *rest)
 
     assert messages(text, name) == []
-    monkeypatch.setattr(axis_verbs, "jog", jog)
+    monkeypatch.setattr(jog, "ramp_to", only_first)
     assert messages(text, name) != []
 
 

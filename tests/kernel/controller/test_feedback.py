@@ -20,7 +20,7 @@ def moving(at: float = 0.05) -> tuple[Controller, Feedback]:
     """Return an axis on the way from 0 to 400 counts; at 0.03 s it gets another zero."""
     controller = Controller(1)
     a = controller.axes[0]
-    feedback = a.feedback = Feedback(a, controller.clock, MOTOR, GAINS)
+    feedback = a.feedback = Feedback(a, MOTOR, GAINS)
     for name, value in (("speed", 4000.0), ("accel", 40_000.0), ("decel", 40_000.0)):
         controller.configure(0, name, value)
     controller.move_to(0, 400.0)
@@ -90,7 +90,7 @@ def test_when_a_motor_is_settled(readings: Readings) -> None:
 
 
 def test_positions_are_known_at_the_samples_that_are_stored(readings: Readings) -> None:
-    unmoved = Feedback(Controller(1).axes[0], Controller(1).clock, MOTOR, GAINS)
+    unmoved = Feedback(Controller(1).axes[0], MOTOR, GAINS)
     assert (unmoved.known_position(0.0), unmoved.velocity, unmoved.error) == (None, 0.0, 0.0)
     assert (unmoved.crossing_time(5.0), unmoved.error_crossing_time(5.0)) == (inf, inf)
     assert (unmoved.settled_time(), unmoved.settled_since(), unmoved.resting) == (0.0, 0.0, True)
@@ -143,9 +143,9 @@ def test_an_open_loop_that_is_closed_again_takes_over_the_position() -> None:
     assert len(feedback.changes) == count + 2
     controller.clock.advance(0.2)
     here = feedback.position
-    feedback.take_over(controller)
+    feedback.take_over()
     assert (controller.target(0), controller.demand(0), feedback.closed) == (here, here, True)
-    feedback.take_over(controller)
+    feedback.take_over()
     assert len(feedback.changes) == count + 3
 
 

@@ -9,11 +9,11 @@ import pytest
 
 from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel import Controller, WholeTrack
+from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.log import Move, Store, stream
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import moves as moves_module
 from motionlang.kernel.log import profiles as profiles_module
-from motionlang.kernel.log.move import Action
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices

@@ -21,7 +21,7 @@ from tests.kernel.servo.test_live import GAINS, MOTOR, MOVE, RATE, ROUGH, printe
 def fitted(plant: dict[str, object], section: dict[str, object]) -> tuple[Controller, Feedback]:
     controller = Controller(1)
     a = controller.axes[0]
-    a.feedback = Feedback(a, controller.clock, plant, section)
+    a.feedback = Feedback(a, plant, section)
     return controller, a.feedback
 
 

@@ -176,7 +176,7 @@ def test_the_settling_window_of_a_motor(error: float, announced: bool, window: f
 def fitted(section: dict[str, object]) -> Controller:
     controller = Controller(2)
     a = controller.axes[0]
-    a.feedback = Feedback(a, controller.clock, {"load_inertia": 4e-5}, section)
+    a.feedback = Feedback(a, {"load_inertia": 4e-5}, section)
     return controller
 
 

@@ -21,7 +21,7 @@ from motionlang.kernel.log.stream import Stream
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
+    from motionlang.kernel.controller.axis import Axis
 
 # `until` searches FIRST_TICKS ahead, then twice as far, and so on, up to MAX_TICKS. It searches again from there.
 MAX_TICKS, FIRST_TICKS = 1 << 20, 1 << 10
@@ -50,18 +50,16 @@ class Sensor:
     The value is `value` plus `per_unit` for each user unit beyond `origin`, a machine position.
     """
 
-    def __init__(
-        self, controller: Controller, axis: int, origin: float, value: float, per_unit: float, channel: int
-    ) -> None:
-        self._controller, self.axis, self.channel = controller, axis, channel
-        self._inputs = controller.analogue_inputs
+    def __init__(self, a: Axis, origin: float, value: float, per_unit: float, channel: int) -> None:
+        self.a, self.channel = a, channel
+        self._inputs = a.controller.analogue_inputs
         self.origin, self.value, self.per_unit = origin, value, per_unit
         self.active = False
         self._event: Event | None = None
         # What is sampled from the first tick on that is not logged, and the motion there.
         self._sampled: Sampled
         self._profile: Profile
-        controller.axes[axis].followers.append(self._moved)
+        a.followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
         """Activate or deactivate the sensor as the axis enters or leaves its region."""
@@ -76,23 +74,23 @@ class Sensor:
         """Use the new scale of the axis for further samples."""
         if self._inputs.computed.get(self.channel) is self:
             self._inputs.settle()
-            factors = self._controller.axes[self.axis].scale.factors[0]
+            factors = self.a.scale.factors[0]
             self._sampled = self._sampled._replace(factors=factors)
 
     def tick(self) -> None:
         """Turn the ticks into events from now on."""
         self._cancel()
-        clock = self._controller.clock
+        clock = self.a.clock
         self._event = clock.at(next_tick(clock.now), self._sample)
 
     def level(self) -> float | None:
         """Return the latest sample, or None if the log already has it."""
-        tick = _last(self._controller.clock.now)
+        tick = _last(self.a.clock.now)
         return None if tick < self._sampled.first else self._sample_at(tick)
 
     def log_samples(self, sampled: Stream[Sampled]) -> float | None:
         """Log that samples were taken up to now; return the latest one, None if there is none."""
-        past = _last(self._controller.clock.now) + 1
+        past = _last(self.a.clock.now) + 1
         if past <= self._sampled.first:
             return None
         sampled.add(self._sampled._replace(past=past))
@@ -112,7 +110,7 @@ class Sensor:
         if isinstance(level, tuple):
             distance, centre = level
             return min(self.until(shown, centre + distance), self.until(shown, centre - distance))
-        now = self._controller.clock.now
+        now = self.a.clock.now
         last = _last(now)
         found = self.level()
         value = shown(self._inputs[self.channel] if found is None else found)
@@ -152,14 +150,14 @@ class Sensor:
 
     def _sample(self) -> None:
         self._cancel()
-        controller, a = self._controller, self._controller.axes[self.axis]
-        first = _next(controller.clock.now)
+        a = self.a
+        first = _next(a.clock.now)
         sampled = Sampled(
-            self.channel, self.axis, first, first, a.starts[-1],
+            self.channel, a.index, first, first, a.starts[-1],
             self.value, self.per_unit, self.origin, a.datum, a.scale.factors[0],
         )  # fmt: skip
-        self._inputs[self.channel] = value_at(sampled, controller.position(self.axis))
-        if controller.is_still(self.axis):
+        self._inputs[self.channel] = value_at(sampled, a.actual_position)
+        if a.is_still:
             return
         if a.feedback is not None or not self._inputs.may_compute(self.channel):
             self.tick()

@@ -42,22 +42,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.queue.stop import to_rest, with_standstill
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.buffer import take
+from motionlang.kernel.controller.queue.life import append_profile, go_on
+from motionlang.kernel.controller.queue.plan import rates, to_rest, with_standstill
+from motionlang.kernel.controller.queue.track import end_move, extend_track, log_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move
+from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold, plan, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import rest, with_rest
 from motionlang.kernel.planners.sequence import ProfileSequence
 from motionlang.kernel.planners.superposition import added
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 # A smaller difference of velocities, counts/s, counts as zero.
 _STILL = 1e-9
@@ -84,10 +85,10 @@ class FollowMove(Move):
         self.segments.append((time, profile.shifted(-self.offset) if self.offset else profile))
         self.size += 1
 
-    def begin_new_entry(self, controller: Core, now: float) -> None:
+    def begin_new_entry(self, log: Log, now: float) -> None:
         """Split the log entry if it has become long: this one continues as a new entry."""
         if self.size > MAX_FOLLOWED and self.profile is not None:
-            controller.log.moves.split(self, self.until(now), now, self.size)
+            log.moves.split(self, self.until(now), now, self.size)
             self.segments, self.size = [], 0
 
     @property
@@ -113,11 +114,11 @@ class FollowMove(Move):
 class Follow(Action):
     """A slave's tie to its master, an axis or encoder; `base` defines the relation."""
 
-    __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry",
+    __slots__ = ("_callback", "a", "master", "move", "offset", "offset_began", "offset_entry",
                  "offset_limits")  # fmt: skip
 
-    def __init__(self, controller: Core, a: Axis, master: Axis, move: FollowMove) -> None:
-        self.controller, self.a, self.master, self.move = controller, a, master, move
+    def __init__(self, a: Axis, master: Axis, move: FollowMove) -> None:
+        self.a, self.master, self.move = a, master, move
         # The offset in progress, from 0 to its distance, and its start time.
         self.offset: Profile | None = None
         self.offset_began = 0.0
@@ -128,10 +129,6 @@ class Follow(Action):
         move.action = self
 
     keeps_rates = False
-
-    @property
-    def tie(self) -> Follow:
-        return self
 
     # -- defined by a subclass
 
@@ -149,14 +146,14 @@ class Follow(Action):
 
     def engage(self) -> None:
         """Start to follow; the axis's previous motion has been left."""
-        self.controller.log_move(self.a, self.move, rest(self.move.shape, self._here(), 0.0))
+        log_move(self.a, self.move, rest(self.move.shape, self._here(), 0.0))
         if self.a.arrival is not None:
             self.a.arrival.cancel()
             self.a.arrival = None
         self.move.segments.clear()
         self.master.followers.append(self._callback)
         self.renew(f"{self.move.command} at once")
-        self.more(self.controller, self.a)
+        self.more(self.a)
 
     def renew(self, cause: str = "") -> None:
         """Plan the slave's motion again from now on; `cause` is of a jump of its velocity."""
@@ -165,10 +162,10 @@ class Follow(Action):
         self.disarm()
         coming = self.coming()
         profile = self._with_offset(coming)
-        now = self.controller.clock.now
-        self.move.begin_new_entry(self.controller, now)
+        now = self.a.clock.now
+        self.move.begin_new_entry(self.a.controller.log, now)
         self.move.add(now, profile)
-        self.controller.extend_track(self.a, profile, cause)
+        extend_track(self.a, profile, cause)
         if self.tied:
             self.arm(coming)
 
@@ -179,7 +176,7 @@ class Follow(Action):
 
     def coming(self) -> Profile:
         """Return the master's motion from now on."""
-        return self.master.profiles[-1].after(self.controller.clock.now - self.master.starts[-1])
+        return self.master.profiles[-1].after(self.a.clock.now - self.master.starts[-1])
 
     def detach(self) -> None:
         """End the tie; the slave's profile stays until another motion replaces it."""
@@ -192,30 +189,30 @@ class Follow(Action):
         """True if the slave is at rest until its master moves."""
         return self.a.profiles[-1].end == self.a.profiles[-1].start and not self.a.profiles[-1].peak_speed
 
-    def leave(self, controller: Core, a: Axis, ended: str) -> None:
+    def leave(self, a: Axis, ended: str) -> None:
         self.end_offset(ended)
         self.detach()
 
-    def replan(self, controller: Core, a: Axis) -> None:
+    def replan(self, a: Axis) -> None:
         self.renew()
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         raise Rejected(
             "moving",
             f"axis {a.index} follows axis {self.master.index} and cannot be suspended",
             "suspend the master, or stop the slave",
         )
 
-    def more(self, controller: Core, a: Axis) -> None:
+    def more(self, a: Axis) -> None:
         """Start released offsets during following, one after the other."""
-        while a.buffer and a.tie is self and self.offset is None and not a.suspended:
+        while a.buffer and tie_of(a) is self and self.offset is None and not a.suspended:
             move = next((m for m in a.buffer if m.released and m.action and m.action.lies_on_top), None)
             if move is None:
                 return
             action = move.action
             assert action is not None
-            controller.take_entry(a, a.buffer.index(move))
-            action.begin_on_top(controller, a, move)
+            take(a, a.buffer.index(move))
+            action.begin_on_top(a, move)
 
     def put_off(self, begin: Callable[[], None]) -> bool:
         """True if an offset has to wait, and `begin` is called later; false to begin now."""
@@ -223,7 +220,7 @@ class Follow(Action):
 
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
         """Superpose an offset, whose profile begins at 0; it replaces the one in progress."""
-        now = self.controller.clock.now
+        now = self.a.clock.now
         if self.offset is not None:
             self.fold(self.offset.position(now - self.offset_began))
             self.end_offset("retarget")
@@ -234,13 +231,13 @@ class Follow(Action):
         """Close the log entry of an offset that ends early."""
         entry, self.offset_entry = self.offset_entry, None
         if entry is not None and entry.profile is not None:
-            entry.profile = entry.until(self.controller.clock.now)
+            entry.profile = entry.until(self.a.clock.now)
             entry.ended = ended
 
     def carry(self, profile: Profile, began: float, entry: Move | None) -> None:
         """Superpose an offset that began at the time `began`, and schedule its end."""
         self.offset, self.offset_began, self.offset_entry = profile, began, entry
-        self.controller.clock.at(began + profile.duration, lambda: self._offset_done(profile))
+        self.a.clock.at(began + profile.duration, lambda: self._offset_done(profile))
 
     def fold(self, distance: float) -> None:
         """Add a distance that an offset has covered to the base."""
@@ -249,19 +246,19 @@ class Follow(Action):
         """Return the remaining distance of the offset in progress, and its velocity."""
         if self.offset is None:
             return 0.0, 0.0
-        elapsed = self.controller.clock.now - self.offset_began
+        elapsed = self.a.clock.now - self.offset_began
         return self.offset.end - self.offset.position(elapsed), self.offset.velocity(elapsed)
 
     # -- inside
 
     def _here(self) -> float:
-        return self.a.position(self.controller.clock.now)
+        return self.a.position(self.a.clock.now)
 
     def _with_offset(self, coming: Profile) -> Profile:
         here, offset = self._here(), self.offset
         if offset is None:
             return self.base(coming, here)
-        left = offset.after(self.controller.clock.now - self.offset_began)
+        left = offset.after(self.a.clock.now - self.offset_began)
         return added(self.base(coming, here - left.start), left, self.move.shape)
 
     def _offset_done(self, profile: Profile) -> None:
@@ -269,7 +266,13 @@ class Follow(Action):
             self.offset = self.offset_entry = None
             self.fold(profile.end)
             self.renew()
-            self.more(self.controller, self.a)
+            self.more(self.a)
+
+
+def tie_of(a: Axis) -> Follow | None:
+    """Return the tie of an axis to its master, None if it follows none."""
+    action = a.move.action if a.move is not None else None
+    return action if isinstance(action, Follow) else None
 
 
 class Gear(Follow):
@@ -280,10 +283,8 @@ class Gear(Follow):
 
     __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "keeps_rates", "ramp", "ratio")
 
-    def __init__(
-        self, controller: Core, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool
-    ) -> None:
-        super().__init__(controller, a, master, move)
+    def __init__(self, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool) -> None:
+        super().__init__(a, master, move)
         self.ratio, self.ramp = ratio, ramp
         # The time at which the slave has the velocity of the ratio.
         self._locks_at = INFINITY if ramp else 0.0
@@ -306,8 +307,8 @@ class Gear(Follow):
     def set_ratio(self, ratio: float, ramp: bool) -> None:
         """Set another ratio from now on; setting the present one is a no-op."""
         if ratio == self.ratio and ramp == self.ramp:
-            locked = self._locks_at <= self.controller.clock.now
-            if locked or self._chased_at == self.controller.rates(self.a, self.a.speed):
+            locked = self._locks_at <= self.a.clock.now
+            if locked or self._chased_at == rates(self.a, self.a.speed):
                 return
         self.ratio, self.ramp = ratio, ramp
         self._locks_at = INFINITY if ramp else 0.0
@@ -318,28 +319,28 @@ class Gear(Follow):
         if not (self.a.suspended and self.keeps_rates):
             super().renew(cause)
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         self.keeps_rates = False
         self._pause_offset()
         self.renew()
         return True
 
-    def resume(self, controller: Core, a: Axis) -> None:
+    def resume(self, a: Axis) -> None:
         """Ramp to the ratio again and complete the offset; then start the waiting offsets."""
         self._locks_at = INFINITY
         left, velocity = self.offset_left()  # it may not be at rest yet
         self._paused, self._halt = 0.0, None
         if left or velocity:
-            speed, accel, decel = self.offset_limits or (a.speed, *controller.rates(a, a.speed))
+            speed, accel, decel = self.offset_limits or (a.speed, *rates(a, a.speed))
             jerks = a.accel_jerk, a.decel_jerk
             profile = plan(a.shape, 0.0, left, speed, accel, decel, velocity, a.ramp, *jerks)
             self._log_offset(profile)
-            self.carry(profile, controller.clock.now, self.offset_entry)
+            self.carry(profile, a.clock.now, self.offset_entry)
         self.renew()
         later, self._later = self._later, []
         for begin in later:
             begin()
-        self.more(controller, a)
+        self.more(a)
 
     def put_off(self, begin: Callable[[], None]) -> bool:
         """True if an offset has to wait for the end of the suspension."""
@@ -352,7 +353,7 @@ class Gear(Follow):
         if self._halt is None:
             return super().offset_left()
         stop, began = self._halt
-        elapsed = self.controller.clock.now - began
+        elapsed = self.a.clock.now - began
         return self._paused + stop.end - stop.position(elapsed), stop.velocity(elapsed)
 
     def _pause_offset(self) -> None:
@@ -360,28 +361,28 @@ class Gear(Follow):
         left, velocity = self.offset_left()
         if self.offset is None:
             return
-        stop = to_rest(self.controller, self.a)
+        stop = to_rest(self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
         done = stop.scaled(self.offset.end - left, share)
         self._log_offset(with_rest(done))
         self._paused, self.offset = left - done.distance, None
-        self._halt = done, self.controller.clock.now
+        self._halt = done, self.a.clock.now
 
     def _log_offset(self, profile: Profile) -> None:
         entry = self.offset_entry
         if entry is None or entry.profile is None:
             return
-        before = entry.until(self.controller.clock.now)
+        before = entry.until(self.a.clock.now)
         entry.profile = before.then(profile.scaled(before.end, 1.0))
 
     def base(self, coming: Profile, position: float) -> Profile:
         """Return the geared motion, or the ramp to rest of a suspended slave."""
         if self.a.suspended:
-            rest_of = with_standstill(self.controller, self.a)
+            rest_of = with_standstill(self.a)
             self.keeps_rates = True
             return rest_of
         self.keeps_rates = False
-        if self._locks_at > self.controller.clock.now:
+        if self._locks_at > self.a.clock.now:
             return self._chased(coming, position)
         return self._geared(coming, position)
 
@@ -392,11 +393,11 @@ class Gear(Follow):
 
     def _chased(self, coming: Profile, position: float) -> Profile:
         """Return a linear ramp to the velocity that the ratio requires, then gearing."""
-        now = self.controller.clock.now
+        now = self.a.clock.now
         wanted = coming.scaled(0.0, self.ratio)
         have = self.a.velocity(now) - self.offset_left()[1]
         want = wanted.velocity(0.0)
-        accel, decel = self._chased_at = self.controller.rates(self.a, self.a.speed)
+        accel, decel = self._chased_at = rates(self.a, self.a.speed)
         if abs(want - have) <= _STILL * (1.0 + abs(want)):
             self._locks_at = now
             return self._geared(coming, position)
@@ -421,27 +422,37 @@ def _ramp(position: float, velocity: float, sign: float, accel: float, decel: fl
     return far.cut(far.knots[-2] * 0.999)
 
 
-def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
-    """Make an axis follow a master, or change its ratio."""
+def gear(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
+    """Make an axis follow a master, or change its ratio.
+
+    With `ramp` the slave first ramps to the velocity of the master times `ratio`.
+    """
+    follow_at(a, master, ratio, ramp, command, line)
+    a.controller.motion_listener.gears(a, ratio)
+
+
+def follow_at(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
+    """Begin to follow, or change the ratio."""
     _check_ratio(ratio)
-    tie = a.tie
+    tie = tie_of(a)
     if isinstance(tie, Gear) and tie.master is master:
         tie.set_ratio(ratio, ramp)
         return
     check_chain(a, master)
     if ramp:
-        controller.rates(a, a.speed)
+        rates(a, a.speed)
     move = FollowMove(a.index, command, line, "gear")
-    controller.end_move(a, "retarget")
-    Gear(controller, a, master, move, ratio, ramp).engage()
+    end_move(a, "retarget")
+    Gear(a, master, move, ratio, ramp).engage()
 
 
 def set_ratio(a: Axis, ratio: float) -> None:
     """Change the ratio of an axis that follows a master, at once."""
-    tie = a.tie
+    tie = tie_of(a)
     if isinstance(tie, Gear):
         _check_ratio(ratio)
         tie.set_ratio(ratio, False)
+    a.controller.motion_listener.gears(a, ratio)
 
 
 def _check_ratio(ratio: float) -> None:
@@ -449,33 +460,33 @@ def _check_ratio(ratio: float) -> None:
         raise Rejected("range", f"an axis cannot follow at a ratio of {ratio:.10g}")
 
 
-def leave_master(controller: Core, a: Axis) -> None:
+def leave_master(a: Axis) -> None:
     """Stop following; the present profile continues to its end.
 
     An axis at rest becomes idle.
     """
-    tie = a.tie
+    tie = tie_of(a)
     if tie is None:
         return
-    now = controller.clock.now
+    now = a.clock.now
     if tie.resting:
-        controller.end_move(a, "")
+        end_move(a, "")
         a.target = a.position(now)
-        controller.extend_track(a, hold(a.target))
-        controller.go_on(a)
+        extend_track(a, hold(a.target))
+        go_on(a)
         return
-    tie.leave(controller, a, "")
+    tie.leave(a, "")
     rest_of = a.profiles[-1].after(now - a.starts[-1])
     tie.move.action = Playback()
     tie.move.add(now, rest_of)
     a.target = tie.move.target = rest_of.end
-    controller.append_profile(a, rest_of)
+    append_profile(a, rest_of)
 
 
 def follows(link: Axis | None, a: Axis) -> bool:
     """True if `link` is the axis `a`, or follows it, directly or through others."""
     while link is not None and link is not a:
-        tie = link.tie
+        tie = tie_of(link)
         link = tie.master if tie is not None else None
     return link is a
 

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from math import isclose
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import clamped
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import run_profile
+from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.queue.track import end_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move, keeps_rates
+from motionlang.kernel.log.move import Move, keeps_rates
 from motionlang.kernel.planners import Profile, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted, onset
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 Rates = tuple[float | None, float | None]
 
@@ -34,11 +34,11 @@ class Jog(Action):
         # The settings on which the ramp to the velocity depends.
         self._ramp_settings: tuple[object, ...] = ()
 
-    def plan(self, controller: Core, a: Axis) -> Profile:
-        return self.planned(controller, a, a.move.rates if a.move is not None else None)
+    def plan(self, a: Axis) -> Profile:
+        return self.planned(a, a.move.rates if a.move is not None else None)
 
-    def replan(self, controller: Core, a: Axis) -> None:
-        super().replan(controller, a)
+    def replan(self, a: Axis) -> None:
+        super().replan(a)
         self.aim(a)
 
     def aim(self, a: Axis) -> None:
@@ -47,12 +47,12 @@ class Jog(Action):
         if self.ends and abs(end) < INFINITY and a.move is not None:
             a.target = a.move.target = end
 
-    def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
+    def planned(self, a: Axis, own: Rates | None) -> Profile:
         """Return the motion from the state of the axis to the velocity."""
-        self._ramp_settings = settings = _ramp_settings(controller, a, own)
+        self._ramp_settings = settings = _ramp_settings(a, own)
         accel, decel, jerks = settings[:3]
         eased, position, velocity, acceleration = onset(
-            a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, jerks[0]
+            a.profiles[-1], a.clock.now - a.starts[-1], a.shape, jerks[0]
         )
         if not keeps_rates(a.move):
             acceleration = admitted(acceleration, velocity, accel, decel)
@@ -79,28 +79,35 @@ class Jog(Action):
             return relabelled(made.cut(made.knots[-2]), made.shape)
         return made
 
-    def goes_on(self, controller: Core, a: Axis, velocity: float, own: Rates | None) -> bool:
+    def goes_on(self, a: Axis, velocity: float, own: Rates | None) -> bool:
         """True if the axis already jogs at this velocity, or is on the same ramp to it."""
         if velocity != self.velocity:
             return False
-        wanted, state = _wanted(a, velocity), a.at(controller.clock.now)
+        wanted, state = _wanted(a, velocity), a.at(a.clock.now)
         at_speed = state.velocity == wanted == a.profiles[-1].end_velocity and not state.acceleration
-        return at_speed or self._ramp_settings == _ramp_settings(controller, a, own)
+        return at_speed or self._ramp_settings == _ramp_settings(a, own)
 
 
 def jog(
-    controller: Core, a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool
+    a: Axis, velocity: float, command: str, line: int, own: Rates | None = None, ends: bool = False
 ) -> None:
     """Ramp to a velocity and keep it, at the rates `own` or those of the axis.
 
-    Repeating the command, as the loop of a jog panel does, changes neither profile nor log.
+    With `ends`, a jog to velocity 0 is over when the axis is at rest. Repeating the command, as the loop of a jog panel
+    does, changes neither profile nor log.
     """
+    ramp_to(a, velocity, command, line, own, ends)
+    a.controller.motion_listener.jogs(a, velocity)
+
+
+def ramp_to(a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool) -> None:
+    """Begin or change a jog."""
     present = a.move
     if present is None:
         if ends and not velocity:
             return
     elif isinstance(present.action, Jog) and present.command == command:
-        same = present.action.goes_on(controller, a, velocity, own)
+        same = present.action.goes_on(a, velocity, own)
         if same:
             return
     move = Move(a.index, command, line, INFINITY)
@@ -108,10 +115,10 @@ def jog(
     action = move.action = Jog(velocity, ends)
     move.commanded_speed = abs(velocity)
     if move.commanded_speed > a.max_speed:
-        clamped(controller, a, line, move.commanded_speed)
-    profile = action.planned(controller, a, own)
-    controller.end_move(a, "retarget")
-    controller.run_profile(a, move, profile)
+        clamped(a, line, move.commanded_speed)
+    profile = action.planned(a, own)
+    end_move(a, "retarget")
+    run_profile(a, move, profile)
     action.aim(a)
 
 
@@ -120,12 +127,12 @@ def _wanted(a: Axis, velocity: float) -> float:
 
 
 def _ramp_settings(
-    controller: Core, a: Axis, own: Rates | None
+    a: Axis, own: Rates | None
 ) -> tuple[float, float, tuple[float, float], object, object, object]:
     """Return acceleration, deceleration, jerks and the other settings of the ramps."""
     accel, decel = own or (None, None)
     if accel is None or decel is None:
-        rates = controller.rates(a, a.speed)
-        accel, decel = accel or rates[0], decel or rates[1]
+        its = rates(a, a.speed)
+        accel, decel = accel or its[0], decel or its[1]
     jerks = a.jerks(a.speed, accel, decel)
     return min(accel, a.max_accel), min(decel, a.max_decel), jerks, a.shape, a.ramp, _wanted(a, INFINITY)

@@ -7,16 +7,14 @@ offset.
 from __future__ import annotations
 
 from math import sqrt
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.motion.follow import Follow
+from motionlang.kernel.controller.motion.follow import Follow, tie_of
+from motionlang.kernel.controller.queue.life import move_by, permit_motion
+from motionlang.kernel.controller.queue.plan import rates
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, plan
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 # Bits of the status of the last offset (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))
@@ -30,99 +28,98 @@ class OffsetMove(Move):
     overlaid = True
 
 
-def offset(
-    controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
-) -> None:
+def offset(a: Axis, distance: float, mode: int, over: float, command: str, line: int) -> None:
     """Superpose `distance` on a slave's motion; move any other axis by `distance`.
 
     Modes 2 and 3 spread it over `over` counts of the master.
     """
-    tie = a.tie
-    controller.offset_statuses[a.index] = 0
+    tie = tie_of(a)
+    a.offset_status = 0
     if tie is None:
-        controller.move_by(a.index, distance, command, line)
+        permit_motion(a)
+        move_by(a, distance, command, line)
         return
-    if tie.put_off(lambda: offset(controller, a, distance, mode, over, command, line)):
+    if tie.put_off(lambda: offset(a, distance, mode, over, command, line)):
         return
     left, velocity = tie.offset_left()
-    controller.motion_listener.offset(a, distance, line)
+    a.controller.motion_listener.offset(a, distance, line)
     total = left + distance
     if not total and not velocity:
         return
-    limits = _limits(controller, a, tie, total, mode, over)
+    limits = _limits(a, tie, total, mode, over)
     if limits is None:
-        controller.motion_listener.refuse_offset(a)
+        a.controller.motion_listener.refuse_offset(a)
         return
     speed, accel, decel, bound = limits
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
                    a.accel_jerk, a.decel_jerk)  # fmt: skip
     entry = OffsetMove(a.index, command, line, profile.end)
-    entry.profile, entry.start_time, entry.scale = profile, controller.clock.now, a.scale.counts
-    controller.log.moves.add(entry)
+    entry.profile, entry.start_time, entry.scale = profile, a.clock.now, a.scale.counts
+    a.controller.log.moves.add(entry)
     tie.start_offset(profile, entry)
     tie.offset_limits = None if mode == STANDARD else (speed, accel, decel)
     if bound:
-        _await_bound(controller, a, profile, speed, bound)
+        _await_bound(a, profile, speed, bound)
 
 
-def _await_bound(controller: Core, a: Axis, profile: Profile, speed: float, bound: int) -> None:
+def _await_bound(a: Axis, profile: Profile, speed: float, bound: int) -> None:
     """Set the status bit `bound` at the time when the offset reaches `speed`."""
 
     def reached() -> None:
-        if a.tie is not None and a.tie.offset is profile:
-            controller.offset_statuses[a.index] |= bound
+        if (tie := tie_of(a)) is not None and tie.offset is profile:
+            a.offset_status |= bound
 
     full = speed * (1.0 - 1e-9)
     time = next((knot for knot in profile.knots if abs(profile.velocity(knot)) >= full), None)
     if time is not None:
-        controller.clock.at(controller.clock.now + time, reached)
+        a.clock.at(a.clock.now + time, reached)
 
 
-def crossing_time(controller: Core, a: Axis, left: float) -> float:
+def crossing_time(a: Axis, left: float) -> float:
     """Return when `left` counts of the present offset remain; infinite if never."""
-    tie = a.tie
+    tie = tie_of(a)
     if tie is None or tie.offset is None:
         return INFINITY
-    found = tie.offset.crossing(tie.offset.end - left, controller.clock.now - tie.offset_began)
+    found = tie.offset.crossing(tie.offset.end - left, a.clock.now - tie.offset_began)
     return INFINITY if found is None else tie.offset_began + found
 
 
 def _limits(
-    controller: Core, a: Axis, tie: Follow, distance: float, mode: int, over: float
+    a: Axis, tie: Follow, distance: float, mode: int, over: float
 ) -> tuple[float, float, float, int] | None:
     """Return speed and rates relative to the base, and the status bit of the speed.
 
     None if it is impossible; the status gives the reason.
     """
-    accel, decel = controller.rates(a, a.speed)
+    accel, decel = rates(a, a.speed)
     if mode == STANDARD:
         return a.speed, accel, decel, 0
-    base = a.velocity(controller.clock.now) - tie.offset_left()[1]
+    base = a.velocity(a.clock.now) - tie.offset_left()[1]
     slower = base * distance < 0.0
     most = abs(base) if slower else a.max_speed - abs(base)
     if most <= 0.0:
-        controller.offset_statuses[a.index] |= MIN_SPEED if slower else MAX_SPEED
+        a.offset_status |= MIN_SPEED if slower else MAX_SPEED
         return None
     if mode == SPEED_LIMIT:
         return min(a.speed, most), accel, decel, _bound(a.speed, most, slower)
-    pace = abs(tie.master.velocity(controller.clock.now))
+    pace = abs(tie.master.velocity(a.clock.now))
     if not pace or not over:
-        controller.offset_statuses[a.index] |= PROFILE_ERROR
+        a.offset_status |= PROFILE_ERROR
         return None
     time = abs(over) / pace
     if mode == ACCEL_MODE:
-        return _triangle(controller, a, abs(distance), time, most, slower)
+        return _triangle(a, abs(distance), time, most, slower)
     share = 0.5 / accel + 0.5 / decel
     root = time * time - 4.0 * share * abs(distance)
     if root < 0.0:
-        controller.offset_statuses[a.index] |= MAX_ACCEL | MAX_DECEL
+        a.offset_status |= MAX_ACCEL | MAX_DECEL
         return None
     speed = 2.0 * abs(distance) / (time + sqrt(root))
     return min(speed, most), accel, decel, _bound(speed, most, slower)
 
 
 def _triangle(
-    controller: Core, a: Axis, distance: float, time: float, most: float, slower: bool
+    a: Axis, distance: float, time: float, most: float, slower: bool
 ) -> tuple[float, float, float, int] | None:
     """Return speed, rates and status bit of a triangle that takes `time`.
 
@@ -133,12 +130,12 @@ def _triangle(
     speed, bound = min(peak, most), _bound(peak, most, slower)
     ramp = time - distance / speed
     if ramp <= 0.0:
-        controller.offset_statuses[a.index] |= PROFILE_ERROR | bound
+        a.offset_status |= PROFILE_ERROR | bound
         return None
     rate = speed / ramp
     if rate > a.max_accel or rate > a.max_decel:
         too_steep = (MAX_ACCEL if rate > a.max_accel else 0) | (MAX_DECEL if rate > a.max_decel else 0)
-        controller.offset_statuses[a.index] |= too_steep | bound
+        a.offset_status |= too_steep | bound
         return None
     return speed, rate, rate, bound
 

@@ -7,13 +7,17 @@ A spline that is resumed covers the rest of its segment in the axis's `suspend_t
 from __future__ import annotations
 
 from bisect import bisect_right
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.events import BY_DESIGN
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import continue_with, empty, run_profile
 from motionlang.kernel.controller.queue.stop import Stopping
+from motionlang.kernel.controller.queue.track import end_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest
@@ -21,9 +25,8 @@ from motionlang.kernel.planners.pvt.motion import pvt_segment
 from motionlang.kernel.planners.reparametrised import Reparametrised
 from motionlang.kernel.planners.stop import running
 
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.moves.entries import Timed
-    from motionlang.kernel.controller.queue.life import Core
+# Positions, velocities there, and the times from each to the next one.
+Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
 
 
 class Playback(Action):
@@ -43,28 +46,28 @@ class Playback(Action):
         self._is_paced = False
         self.ordered: Timed | None = None
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         """Slow the playback to a standstill within the axis's `suspend_time`."""
-        path, pace = self._with_continuation(controller, a)
+        path, pace = self._with_continuation(a)
         if pace.end_velocity == 0.0:
             pace = with_rest(pace)
-        self._follow(controller, a, path, pace, "suspend", "")
+        self._follow(a, path, pace, "suspend", "")
         self._aim(a, path)
         return True
 
-    def waiting(self, controller: Core, profile: Profile) -> Profile:
+    def waiting(self, profile: Profile) -> Profile:
         """Return the profile with its playback at a standstill, for a suspended axis."""
-        return self._made(controller, profile, with_rest(hold(0.0).cut(0.0)), "suspend")
+        return self._made(profile, with_rest(hold(0.0).cut(0.0)), "suspend")
 
-    def plan(self, controller: Core, a: Axis) -> Profile:
+    def plan(self, a: Axis) -> Profile:
         """Return the rest of the profile at full rate.
 
         With `on_path` the rest of the segment comes first, in the axis's `suspend_time`.
         """
-        path, along, rate = self.state(controller, a)
+        path, along, rate = self.state(a)
         if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and along < path.knots[-1]:
             self._aim(a, path)
-            return self._segment_in_time(controller, a, path, along)
+            return self._segment_in_time(a, path, along)
         if a.suspend_time > 0.0 and rate < 1.0:
             change = 1.0 / a.suspend_time
             pace = plan_velocity("trapezoid", along, rate, 1.0, change, change)
@@ -72,28 +75,28 @@ class Playback(Action):
             self._aim(a, path)
         else:
             pace = running(along, 1.0)
-        return self._made(controller, path, _to_the_end(path, pace), path.shape)
+        return self._made(path, _to_the_end(path, pace), path.shape)
 
-    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest on the profile and empty the buffer.
 
         False, without effect, in a fault or without `on_path`.
         """
         if not self.on_path or ended == "fault":
             return False
-        path, pace = self._with_continuation(controller, a)
-        controller.empty(a, ended)
+        path, pace = self._with_continuation(a)
+        empty(a, ended)
         self.ordered = None  # it will not reach its last point
-        self._follow(controller, a, path, pace, path.shape, ended)
+        self._follow(a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None
         a.target = move.target = a.profiles[-1].end
         move.action = _StoppingOnPath()
         return True
 
-    def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
+    def state(self, a: Axis) -> tuple[Profile, float, float]:
         """Return the profile, its playback time, and its playback rate."""
-        elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
+        elapsed, last = a.clock.now - a.starts[-1], a.profiles[-1]
         if self._is_paced and isinstance(last, Reparametrised):
             path = last.path.shifted(last.lift) if last.lift else last.path
             return path, last.along.position(elapsed), last.along.velocity(elapsed)
@@ -101,57 +104,55 @@ class Playback(Action):
             raise Rejected("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(elapsed), 0.0, 1.0
 
-    def segments_left(self, controller: Core, a: Axis) -> int:
+    def segments_left(self, a: Axis) -> int:
         """Return the number of segments after the present one."""
-        knots, time, _ = self._knots(controller, a)
+        knots, time, _ = self._knots(a)
         return len(knots) - 1 - bisect_right(knots, time)
 
-    def next_segment_time(self, controller: Core, a: Axis) -> float:
+    def next_segment_time(self, a: Axis) -> float:
         """Return when the next segment begins; INFINITY if it never does."""
-        knots, time, along = self._knots(controller, a)
+        knots, time, along = self._knots(a)
         following = bisect_right(knots, time)
         if following == len(knots):
             return INFINITY
         moment = knots[following] if along is None else along.crossing(knots[following])
         return INFINITY if moment is None else a.starts[-1] + moment
 
-    def _knots(self, controller: Core, a: Axis) -> tuple[tuple[float, ...], float, Profile | None]:
+    def _knots(self, a: Axis) -> tuple[tuple[float, ...], float, Profile | None]:
         """Return the knots of the profile and its playback time.
 
         If the rate varies, the third value is the playback time over machine time, otherwise None.
         """
-        elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
+        elapsed, last = a.clock.now - a.starts[-1], a.profiles[-1]
         if self._is_paced and isinstance(last, Reparametrised):
             return last.path.knots, last.along.position(elapsed), last.along
         return last.knots, elapsed, None
 
-    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+    def shift(self, a: Axis, shift: float) -> None:
         """Shift positions by `shift` counts and drop the points that are past."""
-        last, elapsed = a.profiles[-1], controller.clock.now - a.starts[-1]
+        last, elapsed = a.profiles[-1], a.clock.now - a.starts[-1]
         if not self._is_paced and elapsed < last.duration:
-            self._count_from_here(controller, a, last, elapsed)
+            self._count_from_here(a, last, elapsed)
         if self.ordered is not None:
             points, velocities, times = self.ordered
             self.ordered = [point + shift for point in points], velocities, times
 
     # -- inside
 
-    def _segment_in_time(self, controller: Core, a: Axis, path: Profile, along: float) -> Profile:
+    def _segment_in_time(self, a: Axis, path: Profile, along: float) -> Profile:
         """Return the rest of the present segment as one cubic, then the path unchanged.
 
         The segment is the one that contains `along`; the cubic takes `suspend_time`.
         """
-        state = a.at(controller.clock.now)
-        self._count_from_here(controller, a, path, along, a.suspend_time)
+        state = a.at(a.clock.now)
+        self._count_from_here(a, path, along, a.suspend_time)
         end = path.knots[bisect_right(path.knots, along)]
         goal = path.at(end)
         first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
         self._is_paced = False
         return relabelled(first, path.shape, "segment").then(path.after(end))
 
-    def _count_from_here(
-        self, controller: Core, a: Axis, path: Profile, along: float, time: float = 0.0
-    ) -> None:
+    def _count_from_here(self, a: Axis, path: Profile, along: float, time: float = 0.0) -> None:
         """Let the points begin at the axis, followed by those of the path after `along`.
 
         The next point comes after `time`, or if that is 0 at its time on the path.
@@ -159,7 +160,7 @@ class Playback(Action):
         if self.ordered is None:
             return
         points, velocities, times = self.ordered
-        state, following = a.at(controller.clock.now), bisect_right(path.knots, along)
+        state, following = a.at(a.clock.now), bisect_right(path.knots, along)
         left = len(path.knots) - following
         self.ordered = (
             [state.position, *points[-left:]],
@@ -167,12 +168,12 @@ class Playback(Action):
             [time or path.knots[following] - along, *times[len(times) - left + 1 :]],
         )
 
-    def _with_continuation(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
+    def _with_continuation(self, a: Axis) -> tuple[Profile, Profile]:
         """Return the profile with its continuation, and playback time over machine time.
 
         The playback comes to rest, or runs to the end of the profile if that comes first.
         """
-        path, along, rate = self.state(controller, a)
+        path, along, rate = self.state(a)
         pace = self._slowing(a, along, rate)
         path = self._long_enough(a, path, pace.end)
         return path, _to_the_end(path, pace) if pace.end > path.duration else pace
@@ -198,12 +199,10 @@ class Playback(Action):
             return hold(along).cut(0.0)
         return plan_stop("trapezoid", along, rate, 1.0 / a.suspend_time)
 
-    def _follow(
-        self, controller: Core, a: Axis, path: Profile, pace: Profile, shape: str, ended: str
-    ) -> None:
-        controller.continue_with(a, self._made(controller, path, pace, shape), ended)
+    def _follow(self, a: Axis, path: Profile, pace: Profile, shape: str, ended: str) -> None:
+        continue_with(a, self._made(path, pace, shape), ended)
 
-    def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
+    def _made(self, path: Profile, pace: Profile, shape: str) -> Profile:
         self._is_paced = True
         return Reparametrised(pace, path, shape)
 
@@ -225,3 +224,18 @@ def _to_the_end(path: Profile, pace: Profile) -> Profile:
     made = pace.cut(end)
     made.end = path.duration
     return made
+
+
+def play(
+    a: Axis, profile: Profile, command: str, line: int, on_path: bool = False, step: float = 0.0
+) -> None:
+    """Play a profile that begins at the axis's position.
+
+    With `on_path`, a stop comes to rest on the profile. `step` is the velocity, counts/s, at which a stepper starts and
+    stops abruptly; above it the rates of the axis apply.
+    """
+    move = Move(a.index, command, line, profile.end)
+    move.action = playback = Playback(on_path, step)
+    end_move(a, "retarget")
+    profile = playback.waiting(profile) if a.suspended else profile
+    run_profile(a, move, profile, BY_DESIGN if step else "")

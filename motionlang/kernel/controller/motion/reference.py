@@ -6,22 +6,21 @@ period of the profiler. All writes until another motion form one entry of the lo
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import FollowMove
-from motionlang.kernel.controller.queue import stop
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import append_profile, continue_with, empty
+from motionlang.kernel.controller.queue.plan import braking, with_standstill
+from motionlang.kernel.controller.queue.stop import Stopping
+from motionlang.kernel.controller.queue.track import end_move, log_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, keeps_rates
+from motionlang.kernel.log.move import keeps_rates
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted
 from motionlang.kernel.planners.reference import Slope, plan_reference
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 Slopes = tuple[Slope, Slope]
 
@@ -39,19 +38,19 @@ class Reference(Action):
         self.move = move
         move.action = self
 
-    def engage(self, controller: Core, a: Axis, profile: Profile) -> None:
+    def engage(self, a: Axis, profile: Profile) -> None:
         """Begin with a profile, or continue a reference in progress with it."""
         if a.move is not self.move:
-            controller.end_move(a, "retarget")
-            controller.log_move(a, self.move, profile)
+            end_move(a, "retarget")
+            log_move(a, self.move, profile)
             self.move.segments.clear()
-        self.move.begin_new_entry(controller, controller.clock.now)
-        self.move.add(controller.clock.now, profile)
+        self.move.begin_new_entry(a.controller.log, a.clock.now)
+        self.move.add(a.clock.now, profile)
         a.target = self.move.target = profile.end
-        controller.append_profile(a, profile, BY_DESIGN)
+        append_profile(a, profile, BY_DESIGN)
 
-    def replan(self, controller: Core, a: Axis) -> None:
-        self.engage(controller, a, self.plan(controller, a))
+    def replan(self, a: Axis) -> None:
+        self.engage(a, self.plan(a))
 
 
 class SpeedReference(Reference):
@@ -67,12 +66,12 @@ class SpeedReference(Reference):
         super().__init__(move)
         self.velocity, self.slopes, self.error_rate = velocity, slopes, error_rate
 
-    def plan(self, controller: Core, a: Axis) -> Profile:
+    def plan(self, a: Axis) -> Profile:
         """Return the ramp from the state of the axis; at a velocity of 0 it ends at rest."""
         if a.suspended:
-            return stop.with_standstill(controller, a)
+            return with_standstill(a)
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
-        s = a.at(controller.clock.now)
+        s = a.at(a.clock.now)
         try:
             acceleration, (up, down) = s.acceleration, self.slopes
             if a.move is not self.move and not keeps_rates(a.move):
@@ -82,23 +81,22 @@ class SpeedReference(Reference):
             raise Rejected("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
-    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
         """Brake at `error_rate`, counts/s², after an error.
 
         False, without effect, if that is 0, and for other stops.
         """
         if ended != "fault" or not hard or not self.error_rate:
             return False
-        controller.empty(a, ended)
-        profile = stop.braking(controller, a, self.error_rate)
-        self.move.action = stop.Stopping(True, self.error_rate)
-        controller.continue_with(a, profile, ended)
+        empty(a, ended)
+        profile = braking(a, self.error_rate)
+        self.move.action = Stopping(True, self.error_rate)
+        continue_with(a, profile, ended)
         a.target = self.move.target = profile.end
         return True
 
 
 def refer_speed(
-    controller: Core,
     a: Axis,
     velocity: float,
     slopes: Slopes,
@@ -111,20 +109,20 @@ def refer_speed(
     if isinstance(action, SpeedReference):
         action.error_rate = error_rate
         same = [slope.key() for slope in slopes] == [slope.key() for slope in action.slopes]
-        if velocity == action.velocity and (same or _steady(controller, a)):
+        if velocity == action.velocity and (same or _steady(a)):
             return
         action.velocity, action.slopes = velocity, slopes
-        action.replan(controller, a)
+        action.replan(a)
         return
     if not velocity and a.move is None:
         return
     move = FollowMove(a.index, command, line, "jog")
     made = SpeedReference(move, velocity, slopes, error_rate)
-    made.engage(controller, a, made.plan(controller, a))
+    made.engage(a, made.plan(a))
 
 
-def _steady(controller: Core, a: Axis) -> bool:
-    state = a.at(controller.clock.now)
+def _steady(a: Axis) -> bool:
+    state = a.at(a.clock.now)
     return state.velocity == a.profiles[-1].end_velocity and not state.acceleration
 
 
@@ -137,18 +135,18 @@ class PositionReference(Reference):
         super().__init__(move)
         self.position = position
 
-    def plan(self, controller: Core, a: Axis) -> Profile:
+    def plan(self, a: Axis) -> Profile:
         if a.suspended:
-            return stop.with_standstill(controller, a)
-        here = a.position(controller.clock.now)
+            return with_standstill(a)
+        here = a.position(a.clock.now)
         velocity = (self.position - here) / PERIOD
         return Profile("reference", here, self.position, PERIOD, (velocity, PERIOD, 0.0, velocity))
 
-    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+    def shift(self, a: Axis, shift: float) -> None:
         self.position += shift
 
 
-def refer_position(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
+def refer_position(a: Axis, position: float, command: str, line: int) -> None:
     """Move an axis to a position within a period; a no-op if it is there already."""
     if not abs(position) < INFINITY:
         raise Rejected("range", f"axis {a.index} cannot go to {position:.10g}")
@@ -156,27 +154,27 @@ def refer_position(controller: Core, a: Axis, position: float, command: str, lin
     if isinstance(action, PositionReference):
         if position != action.position:
             action.position = position
-            action.replan(controller, a)
+            action.replan(a)
         return
-    if a.move is None and position == a.position(controller.clock.now):
+    if a.move is None and position == a.position(a.clock.now):
         return
-    move = _last(controller, a, command)
+    move = _last(a, command)
     if move is None:
         made = PositionReference(FollowMove(a.index, command, line, "reference"), position)
-        made.engage(controller, a, made.plan(controller, a))
+        made.engage(a, made.plan(a))
         return
     made = PositionReference(move, position)
     begin, done = move.segments[-1]
     move.add(begin + done.duration, hold(done.end))
     a.move = move
-    made.engage(controller, a, made.plan(controller, a))
+    made.engage(a, made.plan(a))
 
 
-def _last(controller: Core, a: Axis, command: str) -> FollowMove | None:
+def _last(a: Axis, command: str) -> FollowMove | None:
     """Return the axis's last log entry, to be extended, if no other motion followed."""
     if a.move is not None:
         return None
-    for move in reversed(controller.log.moves[-len(controller.axes) :]):
+    for move in reversed(a.controller.log.moves[-len(a.controller.axes) :]):
         if move.axis == a.index:
             goes_on = isinstance(move, FollowMove) and move.command == command and not move.ended
             return move if goes_on and not move.offset else None  # type: ignore[return-value]

@@ -7,7 +7,6 @@ is at standstill and is to stay there; the cause of the next motion calls `wake`
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
@@ -15,13 +14,11 @@ from motionlang.kernel.controller.io.samples import PERIOD
 from motionlang.kernel.controller.io.sensor import next_tick
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.motion.reference import Reference
+from motionlang.kernel.controller.queue.plan import rates
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import far_end
 from motionlang.kernel.planners.dwell import rest
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 
 class Track(Reference):
@@ -30,15 +27,13 @@ class Track(Reference):
     `decide` returns the desired velocity, counts/s, and true if it may still change.
     """
 
-    __slots__ = ("a", "awake", "controller", "decide")
+    __slots__ = ("a", "awake", "decide")
 
     exclusive = True
 
-    def __init__(
-        self, controller: Core, a: Axis, move: FollowMove, decide: Callable[[], tuple[float, bool]]
-    ) -> None:
+    def __init__(self, a: Axis, move: FollowMove, decide: Callable[[], tuple[float, bool]]) -> None:
         super().__init__(move)
-        self.controller, self.a, self.decide = controller, a, decide
+        self.a, self.decide = a, decide
         self.awake = False
 
     @property
@@ -56,15 +51,15 @@ class Track(Reference):
             self.awake = True
             self._await()
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         self.wake()
         return True
 
-    def resume(self, controller: Core, a: Axis) -> None:
+    def resume(self, a: Axis) -> None:
         self.wake()
 
     def _await(self) -> None:
-        clock = self.controller.clock
+        clock = self.a.clock
         clock.at(next_tick(clock.now), self._tick)
 
     def _tick(self) -> None:
@@ -72,35 +67,33 @@ class Track(Reference):
             return
         a = self.a
         wanted, lively = (0.0, False) if a.suspended else self.decide()
-        velocity = a.velocity(self.controller.clock.now)
+        velocity = a.velocity(self.a.clock.now)
         following = self._within(velocity, max(-a.max_speed, min(wanted, a.max_speed)))
         if following != velocity or a.profiles[-1].end_velocity != following:
-            here = a.position(self.controller.clock.now)
+            here = a.position(self.a.clock.now)
             recipe = (velocity, PERIOD, 0.0, following, INFINITY, 0.0, following)
             end = far_end(here + 0.5 * (velocity + following) * PERIOD, following)
-            self.engage(self.controller, a, Profile(self.move.shape, here, end, INFINITY, recipe))
+            self.engage(a, Profile(self.move.shape, here, end, INFINITY, recipe))
         self.awake = bool(following or wanted or velocity or lively)
         if self.awake:
             self._await()
 
     def _within(self, velocity: float, wanted: float) -> float:
         """Return the velocity one period later: the desired one, limited by the rates."""
-        accel, decel = self.controller.rates(self.a, self.a.speed)
+        accel, decel = rates(self.a, self.a.speed)
         change = wanted - velocity
         rises = change * velocity >= 0.0
         most = (min(accel, self.a.max_accel) if rises else min(decel, self.a.max_decel)) * PERIOD
         return wanted if abs(change) <= most else velocity + (most if change > 0.0 else -most)
 
 
-def track(
-    controller: Core, a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int
-) -> Track:
+def track(a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int) -> Track:
     """Let the function `decide` move an axis at standstill, from the next tick on."""
     if a.move is not None:
         raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
-    controller.rates(a, a.speed)
+    rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")
-    made = Track(controller, a, move, decide)
-    made.engage(controller, a, rest("track", a.position(controller.clock.now), INFINITY))
+    made = Track(a, move, decide)
+    made.engage(a, rest("track", a.position(a.clock.now), INFINITY))
     made.wake()
     return made

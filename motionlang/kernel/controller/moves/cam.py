@@ -7,22 +7,23 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from math import ulp
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, Event
 from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import Follow, FollowMove, check_chain, follows
-from motionlang.kernel.controller.queue import buffer, stop
+from motionlang.kernel.controller.queue import buffer
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.buffer import take
+from motionlang.kernel.controller.queue.life import go_on
+from motionlang.kernel.controller.queue.stop import decelerate
+from motionlang.kernel.controller.queue.track import extend_track
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import rest
 from motionlang.kernel.planners.reparametrised import travelled
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
@@ -49,13 +50,11 @@ class CurveFollow(Follow):
 
     __slots__ = ("_event", "curve", "datum", "direction", "lift", "ordered", "origin")
 
-    def __init__(
-        self, controller: Core, a: Axis, master: Axis, move: FollowMove, curve: Profile, direction: int
-    ) -> None:
-        super().__init__(controller, a, master, move)
+    def __init__(self, a: Axis, master: Axis, move: FollowMove, curve: Profile, direction: int) -> None:
+        super().__init__(a, master, move)
         self.curve, self.direction, self.lift = curve, direction, 0.0
         self.ordered: Ordered | None = None
-        self.origin, self.datum = master.position(controller.clock.now), _datum(master)
+        self.origin, self.datum = master.position(a.clock.now), _datum(master)
         self._event: Event | None = None
 
     def over(self, forward: bool) -> bool:
@@ -80,7 +79,7 @@ class CurveFollow(Follow):
 
     def arm(self, coming: Profile) -> None:
         """Schedule when the master leaves the curve, at either end if it may reverse."""
-        along, clock = self._along(coming), self.controller.clock
+        along, clock = self._along(coming), self.a.clock
         length = self.curve.duration
         times: list[tuple[float, bool]] = []
         time: float | None
@@ -104,12 +103,12 @@ class CurveFollow(Follow):
             self._event.cancel()
             self._event = None
 
-    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+    def shift(self, a: Axis, shift: float) -> None:
         self.lift += shift
 
-    def resume(self, controller: Core, a: Axis) -> None:
+    def resume(self, a: Axis) -> None:
         """Start the waiting offsets; the curve itself was never suspended."""
-        self.more(controller, a)
+        self.more(a)
 
     def fold(self, distance: float) -> None:
         self.lift += distance
@@ -132,24 +131,24 @@ class CurveFollow(Follow):
         if curve is not self.curve:  # the history of the slave stores it
             size = len(curve.pieces) // _PIECES
             self.move.size += size
-            self.controller.log.room -= size
+            self.a.controller.log.room -= size
             self.curve = curve
 
     def finish(self) -> None:
         """End the curve: the slave stops, at once if it is slow enough."""
-        controller, a = self.controller, self.a
+        a = self.a
         self.end_offset("stop")
         self.detach()
-        if abs(a.velocity(controller.clock.now)) > 1e-6:
-            stop.stop(controller, a, "")
+        if abs(a.velocity(a.clock.now)) > 1e-6:
+            decelerate(a, "")
             return
         end = self._at(self.curve.duration)
         move = self.move
-        move.profile = move.until(controller.clock.now)
+        move.profile = move.until(a.clock.now)
         a.move = None
         a.target = move.target = end
-        controller.extend_track(a, hold(end))
-        controller.go_on(a)
+        extend_track(a, hold(end))
+        go_on(a)
 
     # -- inside
 
@@ -159,7 +158,7 @@ class CurveFollow(Follow):
             goes_on = self.over(forward)
         except Rejected as rejected:
             rejected.line = rejected.line or self.move.line
-            self.controller.run_time_fault(rejected)
+            self.a.controller.run_time_fault(rejected)
             goes_on = False
         if goes_on:
             self.renew(BY_DESIGN)
@@ -171,7 +170,7 @@ class CurveFollow(Follow):
 
         The distance exceeds rounding errors. Up to it the slave is on the straight continuation of this cycle.
         """
-        length, late = self.curve.duration, 4.0 * along.speed_bound * ulp(self.controller.clock.now)
+        length, late = self.curve.duration, 4.0 * along.speed_bound * ulp(self.a.clock.now)
         return max(late, _NEAR * length) if late < INFINITY else _UNKNOWN * length
 
     def _along(self, coming: Profile) -> Profile:
@@ -200,7 +199,6 @@ class Cam(CurveFollow):
 
     def __init__(
         self,
-        controller: Core,
         a: Axis,
         master: Axis,
         move: FollowMove,
@@ -208,7 +206,7 @@ class Cam(CurveFollow):
         cyclic: bool,
         first: int,
     ) -> None:
-        super().__init__(controller, a, master, move, curve, 1)
+        super().__init__(a, master, move, curve, 1)
         self.cyclic, self.first = cyclic, first
 
     @property
@@ -235,7 +233,7 @@ class Cam(CurveFollow):
         if along.shape == "hold" or not 0 <= segment < len(knots) - 1:
             return INFINITY
         times = map(along.crossing, knots[segment : segment + 2])
-        return self.controller.clock.now + min((time for time in times if time is not None), default=INFINITY)
+        return self.a.clock.now + min((time for time in times if time is not None), default=INFINITY)
 
     def _segment(self, along: float) -> int:
         """Return the segment of the curve at a distance along it, from 0."""
@@ -251,22 +249,22 @@ class Fly(Action):
     def __init__(self, master: Axis, distance: float, over: float) -> None:
         self.master, self.distance, self.over = master, distance, over
 
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: Move) -> None:
         """Tie the axis to its master; a Rejected carries the line of the entry."""
         try:
             check_chain(a, self.master)
-            self.follow(controller, a, move, 0.0).engage()
+            self.follow(a, move, 0.0).engage()
         except Rejected as rejected:
             rejected.line = move.line
             raise
 
-    def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
+    def follow(self, a: Axis, move: Move, ratio: float) -> Shear:
         """Return the tie of this segment, with `ratio` of slave to master at its start."""
-        here = a.position(controller.clock.now)
+        here = a.position(a.clock.now)
         entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
         entry.id = move.id
         curve = _segment(here, self.distance, abs(self.over), ratio)
-        tie = Shear(controller, a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
+        tie = Shear(a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
         tie.ordered = (0.0, self.over), (0.0, self.distance), "even"
         return tie
 
@@ -281,19 +279,19 @@ class Shear(CurveFollow):
 
         False if there is none.
         """
-        controller, a = self.controller, self.a
+        a = self.a
         head = self._next_entry()
         if head is None or not isinstance(head.action, Fly):
             return False
         following = head.action
         if follows(following.master, a):
             return False  # it is rejected when it begins by itself
-        controller.take_entry(a)
+        take(a)
         ratio = self.curve.end_velocity
         if (following.over > 0.0) is not (self.direction > 0) or following.master is not self.master:
             ratio = 0.0
         self._close()
-        tie = following.follow(controller, a, head, ratio)
+        tie = following.follow(a, head, ratio)
         tie.curve = tie.curve.shifted(self.end - tie.curve.start)
         if following.master is self.master:
             tie.origin = self.origin + self.direction * self.curve.duration
@@ -308,16 +306,16 @@ class Shear(CurveFollow):
         buffered = self.a.buffer
         while buffered and buffered[0].released:
             head = buffered[0]
-            if not isinstance(head.action, (buffer.Outputs, buffer.Pulse)):
+            if head.action is None or not head.action.is_instant:
                 return head
-            self.controller.take_entry(self.a)
-            head.action.begin(self.controller, self.a, head)
+            take(self.a)
+            head.action.begin(self.a, head)
         return None
 
     def _close(self) -> None:
         """Close this segment's entry of the log."""
         self.detach()
-        move, now = self.move, self.controller.clock.now
+        move, now = self.move, self.a.clock.now
         move.profile = move.until(now)
         self.a.move = None
 
@@ -364,9 +362,7 @@ def _segment(start: float, distance: float, over: float, ratio: float) -> Profil
     return from_curve("fly", start, start + distance, ((0.0, over), (piece,), (("fly", 0),)), ratio, last)
 
 
-def load_fly(
-    controller: Core, a: Axis, master: Axis, distance: float, over: float, command: str, line: int
-) -> None:
+def load_fly(a: Axis, master: Axis, distance: float, over: float, command: str, line: int) -> None:
     """Load a segment of a flying shear into the buffer."""
     if not (MIN_CYCLE <= abs(over) < 1e300 and abs(distance) < 1e300):
         raise Rejected(

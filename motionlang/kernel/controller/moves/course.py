@@ -25,7 +25,6 @@ from motionlang.kernel.tools import total
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.moves.path import PathMove
-    from motionlang.kernel.controller.queue.life import Core
 
 # How far a path may overshoot its end, as a fraction of its length, before it counts as overshooting.
 SLACK = 1e-9
@@ -46,8 +45,8 @@ class Course:
     or after a course that it is blended with.
     """
 
-    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
-        self._controller, self.here, self.axes = controller, here, here.axes
+    def __init__(self, here: PathMove, starts: Sequence[float]) -> None:
+        self.here, self.axes, self._clock = here, here.axes, here.axes[0].clock
         self.segment = here.lay(starts)
         self.starts, self.begins = list(starts), list(starts)
         self.ahead: list[tuple[PathMove, Segment]] = []
@@ -64,7 +63,7 @@ class Course:
     @property
     def elapsed(self) -> float:
         """The time since the present profile began."""
-        return self._controller.clock.now - self.began
+        return self._clock.now - self.began
 
     @property
     def end_time(self) -> float:
@@ -151,12 +150,12 @@ class Course:
 
     def change(self, profile: Profile, goal: PathMove | None) -> None:
         """Adopt a profile that has just been planned."""
-        self.planned_at = self._controller.clock.now
+        self.planned_at = self._clock.now
         self.follow(profile, goal)
 
     def follow(self, profile: Profile, goal: PathMove | None) -> None:
         """Adopt another profile, or the rest of the present one, from now on."""
-        self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
+        self.profile, self.goal, self.began = profile, goal, self._clock.now
         self.present = self.profile
         if self.leads_on:
             time = profile.crossing(self.segment.length)
@@ -169,7 +168,7 @@ class Course:
 
     def cut_log(self) -> None:
         """Close the log entries of the present path now."""
-        now = self._controller.clock.now
+        now = self._clock.now
         for move in self.here.moves:
             move.profile = move.until(now)
 
@@ -209,7 +208,7 @@ class Course:
                     position = move.profile.end
         by = [position - start for position, start in zip(positions, self.starts, strict=True)]
         for path in (*self.entered, *(path for path, _ in self.ahead)):
-            path.displace(self._controller, by)
+            path.displace(by)
 
     # ------------------------------------------------------------------------------------------------ planning
 
@@ -236,7 +235,7 @@ class Course:
         planned = self.planned(0.0)
         if planned is not None:
             self.profile, self.goal = planned
-            self.planned_at = self._controller.clock.now
+            self.planned_at = self._clock.now
 
     def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
         """Return a profile from the state at `time` to rest, and the last path it reaches.
@@ -244,7 +243,7 @@ class Course:
         None if the distance does not suffice to stop there. If a ramp to rest can reduce its acceleration to zero only
         at rest, the profile completes that ramp and continues from rest.
         """
-        pace = self.here.pace(self._controller, self.segment)
+        pace = self.here.pace(self.segment)
         if self.is_suspended or not pace.speed:
             stop = self.with_standstill(time)
             return None if stop is None else (stop, None)
@@ -264,13 +263,13 @@ class Course:
     def report_late_rates(self) -> None:
         """Log rates of the settings with which the course could not stop at its end."""
         pace, k, leader = (
-            self.here.pace(self._controller, self.segment),
+            self.here.pace(self.segment),
             abs(self.here.scales[0]),
             self.here.moves[0],
         )
         if pace.speed and (pace.accel, pace.decel) != self.rates:
             written, in_force = (pace.accel * k, pace.decel * k), (self.rates[0] * k, self.rates[1] * k)
-            too_late(self._controller, self.axes[0], leader, written, in_force)
+            too_late(self.axes[0], leader, written, in_force)
 
     def _from_rest(
         self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
@@ -292,7 +291,7 @@ class Course:
         """
         stretches, goal = [(self.segment.length, pace)], self.here
         for action, segment in self.ahead:
-            following = action.pace(self._controller, segment)
+            following = action.pace(segment)
             if not following.speed:
                 break
             length, before = stretches[-1]
@@ -332,7 +331,7 @@ class Course:
         paths = [(self.here, self.segment), *self.ahead]
         room, most = total(segment.length for _, segment in paths[:first]), INFINITY
         for k, (action, segment) in enumerate(paths[first:], first):
-            pace = action.pace(self._controller, segment)
+            pace = action.pace(segment)
             limit = pace.decel if decel is None else INFINITY if beyond else action.max_decel(segment)
             distance, room, most = room, room + segment.length, min(most, limit)
             jerk = max(pace.decel_jerk, _least_jerk(self.profile.at(time)))

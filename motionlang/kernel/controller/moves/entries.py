@@ -7,31 +7,26 @@ wait for the following to end: it begins as soon as it is released and the previ
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
 from motionlang.kernel.controller.motion.offset import offset
-from motionlang.kernel.controller.motion.profile_playback import Playback
+from motionlang.kernel.controller.motion.profile_playback import Playback, Timed
 from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
 from motionlang.kernel.controller.queue import buffer
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import run_profile, start_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.table_motion import table_curve
 
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
-
 Points = tuple[Sequence[float], Sequence[float]]
 
 Table = Callable[[float], Points]
-
-# Positions, velocities there, and the times from each to the next one.
-Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
 
 Make = Callable[[float], Timed]
 
@@ -77,19 +72,19 @@ class CamEntry(Action):
     def __init__(self, master: Axis, table: Table, cyclic: bool, first: int) -> None:
         self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
 
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: Move) -> None:
         """Tie the axis to its master on a table read now.
 
         Raises Rejected if the table cannot be followed.
         """
         check_chain(a, self.master)
-        here = a.position(controller.clock.now)
+        here = a.position(a.clock.now)
         points = self.table(here)
         curve = curve_of(a, points)
         target = INFINITY if self.cyclic else here + curve.end
         entry = FollowMove(a.index, move.command, move.line, "cam", target)
         entry.id = move.id
-        cam = TableCam(controller, a, self.master, entry, curve, self.cyclic, self.first)
+        cam = TableCam(a, self.master, entry, curve, self.cyclic, self.first)
         cam.table, cam.lift = self.table, here
         cam.use(points)
         cam.engage()
@@ -108,7 +103,6 @@ def curve_of(a: Axis, points: Points) -> Profile:
 
 
 def load_cam(
-    controller: Core,
     a: Axis,
     master: Axis,
     table: Table,
@@ -121,7 +115,7 @@ def load_cam(
 
     Only differences between the slave's positions count. If `table` returns the same object, the curve is the same.
     """
-    start = _start(controller, a)
+    start = _start(a)
     curve = curve_of(a, table(start))
     move = Move(a.index, command, line, INFINITY if cyclic else start + curve.end)
     move.base = None if cyclic else start
@@ -129,10 +123,10 @@ def load_cam(
     buffer.put(a, move)
 
 
-def _start(controller: Core, a: Axis) -> float:
+def _start(a: Axis) -> float:
     """Return where an entry will begin, if that is known at loading."""
     end = buffer.end(a)
-    return end if abs(end) < INFINITY else a.position(controller.clock.now)
+    return end if abs(end) < INFINITY else a.position(a.clock.now)
 
 
 # --------------------------------------------------------------------------------------------------- offsets
@@ -147,18 +141,16 @@ class OffsetEntry(Action):
     def __init__(self, distance: float, mode: int, over: float) -> None:
         self.distance, self.mode, self.over = distance, mode, over
 
-    def begin_on_top(self, controller: Core, a: Axis, move: Move) -> None:
-        offset(controller, a, self.distance, self.mode, self.over, move.command, move.line)
+    def begin_on_top(self, a: Axis, move: Move) -> None:
+        offset(a, self.distance, self.mode, self.over, move.command, move.line)
 
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: Move) -> None:
         move.action = None
-        move.target = a.position(controller.clock.now) + self.distance
-        controller.start_move(a, move)
+        move.target = a.position(a.clock.now) + self.distance
+        start_move(a, move)
 
 
-def load_offset(
-    controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
-) -> None:
+def load_offset(a: Axis, distance: float, mode: int, over: float, command: str, line: int) -> None:
     """Load an offset, in one of the modes of OFFSETMODE."""
     move = buffer.counted(a, distance, command, line)
     move.action = OffsetEntry(distance, mode, over)
@@ -186,9 +178,9 @@ class PointsEntry(Action):
     def prolong(self, end: float) -> Profile | None:
         return plan_pvt(*self.make(end)) if self.again is not None else None
 
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: Move) -> None:
         """Make the profile and play it; with `again` the next entry waits in the buffer."""
-        points = self.make(a.position(controller.clock.now))
+        points = self.make(a.position(a.clock.now))
         profile = through(a, points)
         if self.again is not None:
             following = Move(a.index, move.command, move.line, profile.end)
@@ -198,8 +190,8 @@ class PointsEntry(Action):
         playback = Playback(on_path=True)
         playback.ordered = points
         move.target, move.action = profile.end, playback
-        profile = playback.waiting(controller, profile) if a.suspended else profile
-        controller.run_profile(a, move, profile, BY_DESIGN)
+        profile = playback.waiting(profile) if a.suspended else profile
+        run_profile(a, move, profile, BY_DESIGN)
 
 
 def through(a: Axis, points: Timed) -> Profile:
@@ -210,9 +202,9 @@ def through(a: Axis, points: Timed) -> Profile:
         raise Rejected("range", f"axis {a.index} cannot follow the spline: {problem}") from None
 
 
-def load_points(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
+def load_points(a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
     """Load timed points; `make` is called with the position at which they begin."""
-    start = _start(controller, a)
+    start = _start(a)
     move = Move(a.index, command, line, through(a, make(start)).end)
     move.base = start
     move.action = PointsEntry(make, again)

@@ -7,7 +7,6 @@ rates are those of the path, and GO on it releases all entries.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
@@ -15,13 +14,13 @@ from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corn
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.moves.path_run import PathRun
 from motionlang.kernel.controller.queue import buffer
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import permit_motion
+from motionlang.kernel.controller.queue.plan import speed_and_rates
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move
+from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.lookahead import Pace
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 
 class PathMove(Action):
@@ -70,7 +69,7 @@ class PathMove(Action):
         geometry = self.geometry.moved(starts) if self.relative else self.geometry
         return geometry.lay(starts, self.scales)
 
-    def pace(self, controller: Core, segment: Segment) -> Pace:
+    def pace(self, segment: Segment) -> Pace:
         """Return speed and rates along the path in user units.
 
         They are those of the master, within the limits of each axis.
@@ -78,7 +77,7 @@ class PathMove(Action):
         if self.policy is not None:
             return self.policy.pace()
         master, move = self.axes[0], self.moves[0]
-        speed, accel, decel = controller.speed_and_rates(master, move)
+        speed, accel, decel = speed_and_rates(master, move)
         k = abs(self.scales[0])
         most = self._limits(segment)
         jerks = master.jerks(speed, accel, decel)
@@ -136,35 +135,35 @@ class PathMove(Action):
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
-    def ready(self, controller: Core, a: Axis, move: Move) -> bool:
+    def ready(self, a: Axis, move: Move) -> bool:
         return all(each.move is None for each in self.axes) and self.is_next_at(0)
 
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: Move) -> None:
         """Take the entry out of every axis's buffer and run the path."""
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
-                buffer.reach(controller, other, each)
-        PathRun(controller, self, [each.target for each in self.axes]).start()
+                buffer.reach(other, each)
+        PathRun(self, [each.target for each in self.axes]).start()
 
     # -- in motion
 
     def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
         return (move,) if self.run is None else self.run.entries(a)
 
-    def displace(self, controller: Core, by: Sequence[float]) -> None:
+    def displace(self, by: Sequence[float]) -> None:
         """Displace the path because the one that it is blended with was cut short."""
         self.displaced = by
-        controller.motion_listener.displace(self)
+        self.axes[0].controller.motion_listener.displace(self)
 
-    def replan(self, controller: Core, a: Axis) -> None:
+    def replan(self, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):
             self.run.replan()
 
-    def more(self, controller: Core, a: Axis) -> None:
+    def more(self, a: Axis) -> None:
         if self.run is not None:
             self.run.more()
 
-    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
         if self.run is None:
             return False
         self.run.stop(a, ended, hard)
@@ -176,16 +175,16 @@ class PathMove(Action):
     def together_with(self, a: Axis) -> tuple[Axis, ...]:
         return self.axes
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         if self.run is not None:
             self.run.suspend()
         return True
 
-    def resume(self, controller: Core, a: Axis) -> None:
+    def resume(self, a: Axis) -> None:
         if self.run is not None:
             self.run.resume()
 
-    def leave(self, controller: Core, a: Axis, ended: str) -> None:
+    def leave(self, a: Axis, ended: str) -> None:
         """Abandon the path on all axes; a new target for one of them is rejected."""
         if self.run is None:
             return
@@ -197,7 +196,7 @@ class PathMove(Action):
             )
         self.run.abandon(a, ended)
 
-    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+    def shift(self, a: Axis, shift: float) -> None:
         """Shift the positions of a path with a policy for a new zero of the axis.
 
         Raises Rejected on other paths.
@@ -211,31 +210,26 @@ class PathMove(Action):
             "wait until the path has ended",
         )
 
-    def plan(self, controller: Core, a: Axis) -> Profile:
+    def plan(self, a: Axis) -> Profile:
         raise AssertionError("a path is planned by its run")
 
 
-def load_line(
-    controller: Core, axes: Sequence[int], targets: Sequence[float], command: str, line: int
-) -> None:
+def load_line(axes: Sequence[Axis], targets: Sequence[float], command: str, line: int) -> None:
     """Load a straight line to `targets`, counts, into the buffers of its axes."""
-    members = _members(controller, axes)
-    _put(members, Line(list(targets)), list(targets), command, line)
+    _permit(axes)
+    _put(axes, Line(list(targets)), list(targets), command, line)
 
 
-def load_line_by(
-    controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
-) -> None:
+def load_line_by(axes: Sequence[Axis], distances: Sequence[float], command: str, line: int) -> None:
     """Load a straight line by `distances` from the ends of the moves before it."""
-    members = _members(controller, axes)
-    starts = _starts(members)
+    _permit(axes)
+    starts = _starts(axes)
     targets = [start + distance for start, distance in zip(starts, distances, strict=True)]
-    _put(members, Line(list(distances)), targets, command, line, starts)
+    _put(axes, Line(list(distances)), targets, command, line, starts)
 
 
 def load_arc(
-    controller: Core,
-    axes: Sequence[int],
+    axes: Sequence[Axis],
     centre: Sequence[float],
     angle: float,
     rest: Sequence[float],
@@ -247,29 +241,31 @@ def load_arc(
 
     If it is `relative`, centre and rest count from its start.
     """
-    members = _members(controller, axes)
-    starts = _starts(members)
+    _permit(axes)
+    starts = _starts(axes)
     if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
         raise Rejected("range", "the centre and the angle of an arc must be finite numbers")
     geometry = Arc((centre[0], centre[1]), angle, list(rest))
     laid = geometry.moved(starts) if relative else geometry
-    ends = laid.ends(starts, [a.scale.counts for a in members])
-    _put(members, geometry, ends, command, line, starts if relative else None)
+    ends = laid.ends(starts, [a.scale.counts for a in axes])
+    _put(axes, geometry, ends, command, line, starts if relative else None)
 
 
 def load_guided(
-    controller: Core, axes: Sequence[int], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
+    axes: Sequence[Axis], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
 ) -> None:
     """Load a path with a policy into the buffers of its axes; geometry in counts."""
-    members = [controller.movable(axis) for axis in axes]
-    ends = geometry.ends(_starts(members), policy.scales)
-    _put(members, geometry, ends, command, line, policy=policy)
+    for a in axes:
+        permit_motion(a)
+    ends = geometry.ends(_starts(axes), policy.scales)
+    _put(axes, geometry, ends, command, line, policy=policy)
 
 
-def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
+def _permit(axes: Sequence[Axis]) -> None:
     if len(set(axes)) != len(axes) or len(axes) < 2:
         raise Rejected("axis", "a path needs two or more different axes", "use MOVEA or MOVER for one axis")
-    return [controller.movable(axis) for axis in axes]
+    for a in axes:
+        permit_motion(a)
 
 
 def _starts(members: Sequence[Axis]) -> list[float]:

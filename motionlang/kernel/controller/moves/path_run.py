@@ -54,7 +54,9 @@ from motionlang.kernel.controller.clock import INFINITY, Event
 from motionlang.kernel.controller.events import BY_DESIGN, clamped_blend
 from motionlang.kernel.controller.moves.course import SLACK, Course
 from motionlang.kernel.controller.queue.buffer import motions, reach
-from motionlang.kernel.controller.triggers.conditions import release
+from motionlang.kernel.controller.queue.life import empty, start_waiting
+from motionlang.kernel.controller.queue.stop import freeze, release
+from motionlang.kernel.controller.queue.track import amend_log, extend_track, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
@@ -65,7 +67,6 @@ if TYPE_CHECKING:
 
     # A course, its new profile, and the path at whose end that comes to rest, if any.
     Plan = tuple[Course, Profile, PathMove | None]
-    from motionlang.kernel.controller.queue.life import Core
 
 # The largest share of a path that is blended into the next one. The rest is left for the path before it.
 MAX_SHARE = 0.5
@@ -77,9 +78,9 @@ class PathRun:
     `ended` is the cause of an early end; `hard` is true if a hard stop ended it.
     """
 
-    def __init__(self, controller: Core, first: PathMove, starts: Sequence[float]) -> None:
-        self._controller, self.axes = controller, first.axes
-        self.courses = [Course(controller, first, starts)]
+    def __init__(self, first: PathMove, starts: Sequence[float]) -> None:
+        self.axes, self._controller = first.axes, first.axes[0].controller
+        self.courses = [Course(first, starts)]
         self.ended = ""
         self.hard = False
         self._over = False
@@ -128,8 +129,8 @@ class PathRun:
         a hard stop.
         """
         for each in self.axes:
-            release(self._controller, each)
-        self._controller.empty(a, ended)
+            release(each)
+        empty(a, ended)
         for course in self._live:
             course.is_stopping = True
             if course.here.policy is not None:
@@ -179,7 +180,7 @@ class PathRun:
         self._join()
         for a in self.axes:
             if a is not leaving:
-                self._controller.freeze(a, ended)
+                freeze(a, ended)
 
     def shift(self, a: Axis, by: float) -> None:
         """Shift the positions of an axis by `by` counts for a new zero; the paths stay."""
@@ -235,18 +236,17 @@ class PathRun:
 
     def _enter(self, course: Course) -> None:
         """Start every axis on its curve of the path that a course has just reached."""
-        controller = self._controller
         course.here.run = self
         if course.here.policy is not None:
             course.here.policy.begins()
         course.follow(course.profile, course.goal)
-        with controller.together():
+        with self._controller.together():
             for k, (a, move, end) in enumerate(zip(self.axes, course.here.moves, course.ends, strict=True)):
                 move.target = end
                 move.ended = self.ended
                 made = course.of(k)
-                controller.log_move(a, move, made)
-                controller.extend_track(a, self._total(k, made), BY_DESIGN)
+                log_move(a, move, made)
+                extend_track(a, self._total(k, made), BY_DESIGN)
             self._await()
         if self.ended:
             self._aim()
@@ -255,14 +255,13 @@ class PathRun:
         """Put new profiles of courses in force from now on."""
         if not plans:
             return
-        controller = self._controller
         for course, profile, goal in plans:
             course.change(profile, goal)
             course.cut_log()
         self._join([course for course, _, _ in plans])
-        with controller.together():
+        with self._controller.together():
             for k, a in enumerate(self.axes):
-                controller.extend_track(a, self._total(k, self.courses[-1].of(k)), BY_DESIGN)
+                extend_track(a, self._total(k, self.courses[-1].of(k)), BY_DESIGN)
             self._await()
 
     def _join(self, changed: Sequence[Course] = ()) -> None:
@@ -273,7 +272,8 @@ class PathRun:
                 course.begin_at([move.profile.end for move in before.here.moves if move.profile is not None])
             if course in changed:
                 moves = course.here.moves
-                self._controller.amend_log(moves, [course.of(k) for k in range(len(moves))], self.ended)
+                made = [course.of(k) for k in range(len(moves))]
+                amend_log(self._controller.log, self._controller.clock.now, moves, made, self.ended)
             before = course
 
     def _aim(self) -> None:
@@ -336,7 +336,7 @@ class PathRun:
 
     def _go_on(self, course: Course) -> None:
         """Enter the next path of a course without a stop, on the rest of the profile."""
-        controller, rest = self._controller, course.profile.after(course.elapsed)
+        rest = course.profile.after(course.elapsed)
         course.leave(True)
         for a in self.axes:
             a.move = None
@@ -345,25 +345,24 @@ class PathRun:
             del course.entered[:-1]
         for a, move in zip(self.axes, course.here.moves, strict=True):
             if move in a.buffer:
-                reach(controller, a, move)
+                reach(a, move)
         course.go_on(rest)
         self._enter(course)
 
     def _finish(self) -> None:
         """End the run with all axes at rest, at their ends or where they were stopped."""
-        controller = self._controller
         self._over = True
         self._cancel()
         for a, move in zip(self.axes, self.courses[0].here.moves, strict=True):
             end = a.profiles[-1].end
             a.move = None
             a.target = move.target = end
-            controller.extend_track(a, hold(end), BY_DESIGN)
+            extend_track(a, hold(end), BY_DESIGN)
         for a in self.axes:
-            controller.start_waiting(a)
+            start_waiting(a)
         for a in self.axes:
             if a.move is None:
-                controller.notify("idle", a.index)
+                a.controller.notify("idle", a.index)
 
     def _cancel(self) -> None:
         if self._event is not None:
@@ -403,7 +402,7 @@ class PathRun:
 
     def _blend(self) -> None:
         """Begin the next path, superposed on the rest of the present one."""
-        controller, newest = self._controller, self.courses[-1]
+        newest = self.courses[-1]
         following = newest.following()
         if following is None or len(self.courses) > 1:
             return
@@ -411,18 +410,18 @@ class PathRun:
             self._limited(self._commanded_blend, newest.remaining)
         self._cancel_blend()
         self._wanted, self._is_late = None, False
-        course = Course(controller, following, newest.segment.ends)
+        course = Course(following, newest.segment.ends)
         try:
             _prepare(course, begins=True)
         except Rejected as rejected:  # the entry is skipped, and the one behind it may be blended into
             for a, move in zip(self.axes, following.moves, strict=True):
-                reach(controller, a, move)
-            controller.run_time_fault(rejected)
+                reach(a, move)
+            self._controller.run_time_fault(rejected)
             self._plan_blend()
             return
         for a, move in zip(self.axes, following.moves, strict=True):
             a.move = None
-            reach(controller, a, move)
+            reach(a, move)
         self.courses.append(course)
         self._join()
         self._enter(course)
@@ -431,7 +430,7 @@ class PathRun:
         """Report a blend over `got` user units, less than `commanded`."""
         if got < commanded * (1.0 - SLACK):
             line = self.courses[-1].here.moves[0].line
-            clamped_blend(self._controller, self.axes[0], line, commanded, got)
+            clamped_blend(self.axes[0], line, commanded, got)
 
     def _cancel_blend(self) -> None:
         self._commanded_blend = None

@@ -1,19 +1,14 @@
-"""The move buffer: entries other than moves, loading, and removal."""
+"""The move buffer of an axis: loading an entry, where it will end, and its removal."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, Move
-from motionlang.kernel.planners.dwell import rest
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
+from motionlang.kernel.log.move import Move
 
 
 def put(a: Axis, move: Move) -> None:
@@ -21,13 +16,6 @@ def put(a: Axis, move: Move) -> None:
     if len(a.buffer) >= a.buffer_size:
         raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
     a.buffer.append(stamped(a, move))
-
-
-def put_action(a: Axis, action: Action, command: str, line: int) -> None:
-    """Load an entry that is not a move; it ends where the entry before it does."""
-    move = counted(a, 0.0, command, line)
-    move.action = action
-    put(a, move)
 
 
 def counted(a: Axis, distance: float, command: str, line: int) -> Move:
@@ -92,15 +80,19 @@ def known_end(a: Axis) -> float:
     return there
 
 
-def taken(controller: Core, a: Axis) -> None:
-    """Notify if removing an entry makes the number of free ones exceed the level set."""
-    if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
-        controller.notify("buffer-low", a.index)
+def take(a: Axis, index: int = 0) -> None:
+    """Remove an entry, by default the first one, from the buffer.
+
+    The listeners are notified if the number of free entries then exceeds the level set.
+    """
+    a.last_id = a.buffer.pop(index).id
+    if a.buffer_low >= 0 and a.buffer_size - len(a.buffer) == a.buffer_low + 1:
+        a.controller.notify("buffer-low", a.index)
 
 
 def motions(a: Axis) -> Iterator[Move]:
     """Return the entries other than outputs, which do not delay a path."""
-    return (move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse)))
+    return (move for move in a.buffer if move.action is None or not move.action.is_instant)
 
 
 def motion_at(a: Axis, index: int) -> Move | None:
@@ -108,54 +100,11 @@ def motion_at(a: Axis, index: int) -> Move | None:
     return next(islice(motions(a), index, None), None)
 
 
-def reach(controller: Core, a: Axis, move: Move) -> None:
+def reach(a: Axis, move: Move) -> None:
     """Remove an entry from the buffer, and execute the outputs before it."""
     while a.buffer[0] is not move:
         head = a.buffer[0]
         assert head.action is not None
-        controller.take_entry(a)
-        head.action.begin(controller, a, head)
-    controller.take_entry(a)
-
-
-class Dwell(Action):
-    """A rest of `duration` seconds."""
-
-    __slots__ = ("duration",)
-
-    def __init__(self, duration: float) -> None:
-        if not 0.0 <= duration < 1e300:
-            raise Rejected("range", f"an axis cannot dwell for {duration:.10g} seconds")
-        self.duration = duration
-
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        here = a.position(controller.clock.now)
-        move.target = here
-        controller.run_profile(a, move, rest("dwell", here, self.duration))
-
-
-class Outputs(Action):
-    """A change of digital outputs, which takes no time."""
-
-    __slots__ = ("values",)
-
-    def __init__(self, values: dict[int, float]) -> None:
-        self.values = values
-
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        for channel, value in self.values.items():
-            controller.outputs[channel] = value
-
-
-class Pulse(Action):
-    """A digital output turned on for `duration` seconds; another pulse prolongs it."""
-
-    __slots__ = ("channel", "duration")
-
-    def __init__(self, channel: int, duration: float) -> None:
-        if not 0.0 <= duration < 1e300:
-            raise Rejected("range", f"a pulse cannot last {duration:.10g} seconds")
-        self.channel, self.duration = channel, duration
-
-    def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        controller.pulse(self.channel, self.duration)
+        take(a)
+        head.action.begin(a, head)
+    take(a)

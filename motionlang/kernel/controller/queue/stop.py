@@ -1,19 +1,23 @@
-"""Stop, suspend and resume motion, and change the end of a move."""
+"""Stop, suspend and resume motion, halt it at once, and change the end of a move."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.kernel.controller.axis import BY_WORD, Axis
-from motionlang.kernel.controller.triggers.conditions import release
+from motionlang.kernel.controller.events import stopped
+from motionlang.kernel.controller.queue import buffer
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import (
+    close_loop,
+    continue_with,
+    empty,
+    move_to,
+    replan_move,
+    start_next,
+)
+from motionlang.kernel.controller.queue.plan import braking, stop_rate
+from motionlang.kernel.controller.queue.track import end_move, extend_track
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Action, keeps_rates
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.dwell import with_rest
-from motionlang.kernel.planners.ramp_down import stop_in_motion
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
+from motionlang.kernel.planners import hold
 
 
 class Stopping(Action):
@@ -27,20 +31,20 @@ class Stopping(Action):
     def __init__(self, hard: bool = False, rate: float = 0.0) -> None:
         self.hard, self.rate = hard, rate
 
-    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
         if hard and (ended == "fault" or not self.hard):
             return False
-        controller.empty(a, ended)
+        empty(a, ended)
         return True
 
     def is_stopping(self, hard: bool) -> bool:
         return self.hard or not hard
 
-    def suspend(self, controller: Core, a: Axis) -> bool:
+    def suspend(self, a: Axis) -> bool:
         return True
 
 
-def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
+def decelerate(a: Axis, ended: str, hard: bool = False) -> None:
     """Decelerate to rest at the set rate; a `hard` stop uses `error_decel`.
 
     The deceleration is limited to `max_decel`, except in a fault.
@@ -51,53 +55,88 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
     if hard:
         decel = a.error_decel if ended == "fault" else min(a.error_decel, a.max_decel)
     else:
-        decel = _decel(controller, a)
-    profile = braking(controller, a, decel)
+        decel = stop_rate(a)
+    profile = braking(a, decel)
     if move.action is not None:
-        move.action.leave(controller, a, ended)
+        move.action.leave(a, ended)
     move.action = Stopping(hard)
-    controller.continue_with(a, profile, ended)
+    continue_with(a, profile, ended)
     a.target = move.target = profile.end
 
 
-def check_stop(controller: Core, a: Axis) -> None:
+def _check_stop(a: Axis) -> None:
     """Raise Rejected, before anything changes, if a stop has no deceleration."""
     move = a.move
     if move is not None and (move.action is None or type(move.action).stop is Action.stop):
-        _decel(controller, a)
+        stop_rate(a)
 
 
-def braking(controller: Core, a: Axis, decel: float) -> Profile:
-    """Return the motion from the state of the axis to rest."""
-    now, (speed, own_accel, own_decel) = controller.clock.now, a.speed_and_rates(a.move)
-    jerks = a.jerks(speed, own_accel, own_decel)
-    accel = None if keeps_rates(a.move) else min(own_accel, a.max_accel)
-    try:
-        made = stop_in_motion(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
-    except ValueError as problem:
-        raise Rejected("range", f"axis {a.index} cannot stop: {problem}") from None
-    rounding = a.here(now) - made.start
-    return made.shifted(rounding) if rounding else made
+def stop(a: Axis, ended: str = "stop", hard: bool = False) -> None:
+    """Decelerate to rest at the set rate and empty the move buffer.
+
+    A `hard` stop uses `error_decel`.
+    """
+    if not hard:
+        _check_stop(a)
+    if ended == "stop":
+        stopped(a, ended, hard)
+    a.controller.motion_listener.stop(a, ended)
+    close_loop(a)
+    freed = release(a)
+    if a.homing is not None:
+        a.homing.cancel()
+    if a.move is None or a.move.action is None or not a.move.action.stop(a, ended, hard):
+        empty(a, ended)
+        decelerate(a, ended, hard)
+    a.controller.motion_listener.heed(a)
+    for each in freed:
+        if each is not a and not each.suspended:
+            start_next(each)
 
 
-def to_rest(controller: Core, a: Axis) -> Profile:
-    """Return the motion from the state of the axis to rest at its set rate."""
-    return braking(controller, a, _decel(controller, a))
+def come_to_rest(a: Axis, ended: str = "") -> None:
+    """Decelerate to rest at the set rate; the move buffer stays and runs next."""
+    if ended == "stop" and not a.is_at_standstill:
+        stopped(a, ended)
+    if ended:
+        a.controller.motion_listener.stop(a, ended)
+    decelerate(a, ended)
 
 
-def with_standstill(controller: Core, a: Axis) -> Profile:
-    """Return the motion to rest, followed by rest until another command."""
-    return with_rest(to_rest(controller, a))
+def abort(a: Axis, ended: str = "cancel") -> None:
+    """Halt at once, without a ramp, and empty the move buffer."""
+    if ended == "cancel":
+        stopped(a, ended)
+    freeze(a, ended)
+    close_loop(a)
 
 
-def _decel(controller: Core, a: Axis) -> float:
-    speed, _, decel = a.speed_and_rates(a.move)
-    if not decel and not speed and a.move is not None and a.move.rates_in_force is not None:
-        decel = a.move.rates_in_force[1]  # a ramp time says nothing about a stop at speed 0
-    return min(decel or controller.decel(a, speed), a.max_decel)
+def freeze(a: Axis, ended: str) -> None:
+    """Stop the axis at once at its present position."""
+    a.controller.motion_listener.freeze(a, ended)
+    release(a)
+    if a.homing is not None:
+        a.homing.cancel()
+    empty(a, ended)
+    if a.arrival is not None:
+        a.arrival.cancel()
+        a.arrival = None
+    move = a.move
+    if move is None:
+        return
+    a.target = here = a.here(a.clock.now)
+    end_move(a, ended)
+    extend_track(a, hold(here), ended, move)
+    a.controller.notify("idle", a.index)
 
 
-def suspend(controller: Core, a: Axis, reason: int) -> None:
+def suspend(a: Axis, reason: int) -> None:
+    """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
+    _suspend(a, reason)
+    a.controller.motion_listener.heed(a)
+
+
+def _suspend(a: Axis, reason: int) -> None:
     """Ramp to rest and keep the moves; motion commanded meanwhile waits too.
 
     A keyword suspends all axes of a path. An input suspends its own axis, together with the path that it is on. If a
@@ -109,32 +148,38 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
     for each in sharing if reason == BY_WORD else (a,):
         each.suspend_reasons |= reason
         if reason == BY_WORD:
-            before = controller.suspended_with.get(each.index, ())
-            controller.suspended_with[each.index] = tuple(dict.fromkeys((*before, *sharing)))
+            each.suspended_with = tuple(dict.fromkeys((*each.suspended_with, *sharing)))
     if not fresh or move is None:
         return
     try:
-        is_handled = move.action is not None and move.action.suspend(controller, a)
+        is_handled = move.action is not None and move.action.suspend(a)
     except Rejected as rejected:
         if reason == BY_WORD:
-            release(controller, a)
+            release(a)
             raise
-        controller.run_time_fault(rejected)
+        a.controller.run_time_fault(rejected)
         return
     if not is_handled:
-        controller.replan_move(a)
+        replan_move(a)
 
 
-def resume(controller: Core, a: Axis, reason: int) -> None:
+def resume(a: Axis, reason: int) -> None:
+    """Remove a reason for suspension; continue if none remains."""
+    _resume(a, reason)
+    if not a.suspended and a.move is None and a.buffer:
+        start_next(a)
+
+
+def _resume(a: Axis, reason: int) -> None:
     """Remove a reason for suspension; if none remains, continue to the target."""
     sharing = _sharing(a)
     if reason == BY_WORD:
         if not any(each.suspend_reasons & reason for each in sharing):
             return
-        freed = [other for each in sharing for other in release(controller, each)]
+        freed = [other for each in sharing for other in release(each)]
         for each in dict.fromkeys(freed):
             if each not in sharing and not each.suspended and each.move is None:
-                controller.start_next(each)
+                start_next(each)
     elif not a.suspend_reasons & reason:
         return
     else:
@@ -142,20 +187,41 @@ def resume(controller: Core, a: Axis, reason: int) -> None:
     if a.move is None or any(each.suspended for each in sharing):
         return
     if a.move.action is None:
-        controller.replan_move(a)
+        replan_move(a)
     else:
-        a.move.action.resume(controller, a)
+        a.move.action.resume(a)
+
+
+def release(a: Axis) -> tuple[Axis, ...]:
+    """End the suspension by a keyword of an axis and of the axes suspended with it.
+
+    Return these axes.
+    """
+    freed = (a, *(each for each in a.suspended_with if each is not a))
+    for each in freed:
+        each.suspend_reasons &= ~BY_WORD
+        each.suspended_with = ()
+    return freed
 
 
 def _sharing(a: Axis) -> tuple[Axis, ...]:
     return (a,) if a.move is None or a.move.action is None else a.move.action.together_with(a)
 
 
-def retarget(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
-    """Change the end of the position move in progress; at rest start a new move."""
+def retarget(a: Axis, position: float, command: str, line: int) -> None:
+    """Change the end of the move in progress to `position`; at rest start a new move.
+
+    Loaded moves keep their ends.
+    """
+    before = a.target
+    _give_end(a, position, command, line)
+    buffer.keep_ends(a, position - before)
+
+
+def _give_end(a: Axis, position: float, command: str, line: int) -> None:
     move = a.move
     if move is None:
-        controller.move_to(a.index, position, command, line)
+        move_to(a, position, command, line)
         return
     if move.action is not None:
         raise Rejected(
@@ -167,7 +233,7 @@ def retarget(controller: Core, a: Axis, position: float, command: str, line: int
         return
     before, move.target = move.target, position
     try:
-        controller.replan_move(a)
+        replan_move(a)
     except Rejected:
         move.target = before
         raise

@@ -1,23 +1,16 @@
 """Conditions that stop an axis: errors, and reasons for suspension.
 
-No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which checks the
+No kind of motion knows of a limit. Every new profile of an axis passes `extend_track`, which checks the
 conditions of the axis. A condition is also checked when its state, position, mode or enablement changes. If a
 profile reverses into a condition that is met, an event checks the condition again at that time.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from motionlang.kernel.controller.axis import BY_WORD, Axis
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.controller.faults import fault_names
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel.controller.power import fault
 from motionlang.kernel.planners.direction import sets_off
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
-    from motionlang.kernel.controller.queue.life import Core
 
 # The actions of an axis on a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only notifies.
 ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
@@ -33,11 +26,11 @@ class Condition:
     or another motion is begun into it, but not at every check.
     """
 
-    __slots__ = ("_action", "_enabled", "_event", "_raised", "axis", "bit", "controller", "sign")
+    __slots__ = ("_action", "_enabled", "_event", "_raised", "a", "bit", "sign")
 
-    def __init__(self, controller: Controller, axis: int, sign: int, bit: int, action: str) -> None:
+    def __init__(self, a: Axis, sign: int, bit: int, action: str) -> None:
         assert action in ACTIONS, action
-        self.controller, self.axis, self.sign, self.bit = controller, axis, sign, bit
+        self.a, self.sign, self.bit = a, sign, bit
         self._action, self._enabled, self._raised = action, True, False
         self._event: Event | None = None
 
@@ -79,9 +72,9 @@ class Condition:
         if not self._enabled or self._action == "ignore" or not self.met:
             self._raised = False
             return
-        waiting = self.controller.deferred_checks
+        waiting = self.a.controller.deferred_checks
         if waiting is not None:
-            waiting.append(self)
+            waiting.append(self.check)
             return
         raised, self._raised = self._raised, self._bars(towards)
         if self._raised and not raised:
@@ -89,7 +82,7 @@ class Condition:
 
     def act(self) -> None:
         """Raise the fault of the condition."""
-        self.controller.fault(self.axis, self.bit, self._action)
+        fault(self.a, self.bit, self._action)
 
     def forget(self) -> None:
         """Forget a previous action, because another motion begins."""
@@ -103,7 +96,7 @@ class Condition:
         """
         if not self.sign:
             return True
-        a, clock = self.controller.axes[self.axis], self.controller.clock
+        a, clock = self.a, self.a.clock
         if a.move is None or towards == self.sign:
             return a.move is not None
         elapsed = clock.now - a.starts[-1]
@@ -119,8 +112,8 @@ class Undirected(Condition):
 
     __slots__ = ("_active",)
 
-    def __init__(self, controller: Controller, axis: int, sign: int, bit: int, action: str) -> None:
-        super().__init__(controller, axis, sign, bit, action)
+    def __init__(self, a: Axis, sign: int, bit: int, action: str) -> None:
+        super().__init__(a, sign, bit, action)
         self._active = False
 
     @property
@@ -131,51 +124,3 @@ class Undirected(Condition):
         """Set the state of the error."""
         self._active = active
         self.check()
-
-
-class Together:
-    """A block that starts several axes; conditions are checked at its end."""
-
-    __slots__ = ("_controller", "_outer")
-
-    def __init__(self, controller: Core) -> None:
-        self._controller = controller
-        self._outer: list[Condition] | None = None
-
-    def __enter__(self) -> None:
-        self._outer = self._controller.deferred_checks
-        if self._outer is None:
-            self._controller.deferred_checks = []
-
-    def __exit__(self, kind: object, *_: object) -> None:
-        if self._outer is not None:
-            return
-        waiting, self._controller.deferred_checks = self._controller.deferred_checks or [], None
-        if kind is None:
-            for condition in dict.fromkeys(waiting):
-                condition.check()
-
-
-def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
-    """End the suspension by a keyword of an axis and of the axes suspended with it.
-
-    Return these axes.
-    """
-    freed = (a, *(each for each in controller.suspended_with.get(a.index, ()) if each is not a))
-    for each in freed:
-        each.suspend_reasons &= ~BY_WORD
-        controller.suspended_with.pop(each.index, None)
-    return freed
-
-
-def refuse_motion(controller: Core, a: Axis) -> None:
-    """Raise Rejected if the axis is locked by an error, disabled, or its brake is set."""
-    if a.faults & a.locks:
-        what = fault_names(a.faults)
-        raise Rejected(
-            "axis-error", f"axis {a.index} has an error: {what}", "clear the error before moving it"
-        )
-    if not a.enabled:
-        raise Rejected("disabled-axis", f"axis {a.index} is off", "enable the axis before moving it")
-    if a.index in controller.braked:
-        raise Rejected("brake", f"the brake of axis {a.index} is set", "release the brake before moving it")

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.faults import (
@@ -19,14 +18,17 @@ from motionlang.kernel.controller.faults import (
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
 )
+from motionlang.kernel.controller.motion.jog import jog
+from motionlang.kernel.controller.motion.profile_playback import play
+from motionlang.kernel.controller.queue.life import permit_motion
+from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.queue.stop import come_to_rest
+from motionlang.kernel.controller.queue.track import define_position
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.controller.watch import Watch, watched_position
+from motionlang.kernel.controller.watch import Watch, begin, end, watched_position
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import plan
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
 
 Rates = tuple[float | None, float | None]
 
@@ -56,8 +58,7 @@ class Homing:
 
     def __init__(
         self,
-        controller: Controller,
-        axis: int,
+        a: Axis,
         direction: int,
         speed: float,
         back_off_speed: float,
@@ -73,7 +74,7 @@ class Homing:
         command: str = "HOME",
         line: int = 0,
     ) -> None:
-        self._controller, self.axis, self._direction = controller, axis, direction
+        self.a, self._direction = a, direction
         self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
         self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
         self._rates = rates
@@ -85,8 +86,8 @@ class Homing:
         self.before = 0.0
         self.state = "done"
         # Called first when the axis comes to rest, so that no other subscriber sees it at rest in between.
-        controller.homings[axis] = self
-        controller.listeners.put_first(self._on_change)
+        a.homing = self
+        a.controller.listeners.put_first(self._on_change)
         self._allow_limit(False)
         try:
             if switch == INDEX:
@@ -97,16 +98,12 @@ class Homing:
             self._release()
             raise
 
-    @property
-    def _axis(self) -> Axis:
-        return self._controller.axes[self.axis]
-
     def cancel(self) -> None:
         """End the homing, complete or not; the cause of its end then controls the axis."""
         self.state = "done"
         if self._move is not None:
             self._move.rates = None  # a stop that ends the homing is one at the rates of the axis
-        if self._on_change not in self._controller.listeners:
+        if self._on_change not in self.a.controller.listeners:
             return
         self._release()
         if self._ended is not None:
@@ -119,19 +116,19 @@ class Homing:
 
     def _release(self) -> None:
         """Return the control of the axis and of its limits."""
-        self._controller.listeners.remove(self._on_change)
-        self._controller.homings.pop(self.axis, None)
+        self.a.controller.listeners.remove(self._on_change)
+        self.a.homing = None
         self._allow_limit(True)
         self._unwatch()
 
     @property
     def endless_motion(self) -> str:
         """The reason why the motion never ends; "" if it will reach a watch or stop."""
-        a = self._axis
+        a = self.a
         velocity = a.profiles[-1].end_velocity
         if self.state not in _ENDLESS or not velocity:
             return ""
-        here = self._controller.position(self.axis)
+        here = a.actual_position
         deaf = {limit.watch for limit in a.limits if not limit.enabled and limit.bit in _SOFT}
         ahead = any(
             0.0 < (watched_position(a, watch) - here) * velocity < math.inf
@@ -142,10 +139,10 @@ class Homing:
             return ""
         what = "limit switch" if self._switch == LIMIT else "switch"
         if self.has_passed_switch:
-            return f"axis {self.axis} ran past its {what} while stopping and does not meet it again"
+            return f"axis {self.a.index} ran past its {what} while stopping and does not meet it again"
         if not self.provided and self.state == "search":
-            return f"axis {self.axis} homes towards a {what} that does not exist"
-        return f"axis {self.axis} {_ENDLESS[self.state].format(what)}"
+            return f"axis {self.a.index} homes towards a {what} that does not exist"
+        return f"axis {self.a.index} {_ENDLESS[self.state].format(what)}"
 
     @property
     def has_passed_switch(self) -> bool:
@@ -158,24 +155,25 @@ class Homing:
             step()
         except Rejected as rejected:
             rejected.line = rejected.line or self.line
-            controller, a = self._controller, self._axis
+            a = self.a
             self.cancel()
             if a.move is not None:
-                controller.come_to_rest(self.axis)
-            controller.motion_listener.refuse(a)
-            controller.run_time_fault(rejected)
+                come_to_rest(a)
+            a.controller.motion_listener.refuse(a)
+            a.controller.run_time_fault(rejected)
 
     def _unwatch(self) -> None:
         if self._watch is not None:
-            self._controller.unwatch(self.axis, self._watch)
+            end(self.a, self._watch)
             self._watch = None
 
     # ---------------------------------------------------------------------------------------------- moving
 
     def _jog(self, velocity: float) -> None:
         self._move = None  # this jog may replace the previous one
-        self._controller.jog(self.axis, velocity, self._command, self.line, self._rates)
-        self._move = self._axis.move
+        permit_motion(self.a)
+        jog(self.a, velocity, self._command, self.line, self._rates)
+        self._move = self.a.move
 
     def _search(self) -> None:
         """Move towards the switch; if the axis is already on it, back off at once."""
@@ -192,56 +190,55 @@ class Homing:
     def _seek_index(self, direction: int, speed: float) -> None:
         """Continue to the next mark of the encoder, a machine position."""
         self.state = "index"
-        mark = next_index(self._controller, self.axis, direction)
+        mark = next_index(self.a, direction)
         self._jog(direction * speed)
-        self._watch = self._controller.watch(
-            self.axis, mark, lambda _: self._take(self._datum_found), physical=True
-        )
+        self._watch = Watch(mark, lambda _: self._take(self._datum_found), physical=True)
+        begin(self.a, self._watch)
 
     def _datum_found(self) -> None:
         """Set the datum at the last edge; the axis continues to its stop."""
-        controller = self._controller
         self._unwatch()
         self.state = "stopping"
         self.found = True
-        self.before = controller.position(self.axis)
-        controller.define_position(self.axis, self._datum)
-        controller.come_to_rest(self.axis)
+        self.before = self.a.actual_position
+        define_position(self.a, self._datum)
+        come_to_rest(self.a)
 
     def _go_to_offset(self, offset: float) -> None:
         """Move from the stop to the offset position, at creep speed."""
         self.state = "offset"
-        a, controller = self._axis, self._controller
+        a = self.a
         accel, decel = self._rates
         if accel is None or decel is None:
-            its = controller.rates(a, self._creep_speed)
+            its = rates(a, self._creep_speed)
             accel, decel = accel or its[0], decel or its[1]
         accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
         target = self._datum + offset
-        here, speed = a.position(controller.clock.now), min(self._creep_speed, a.max_speed)
+        here, speed = a.position(a.clock.now), min(self._creep_speed, a.max_speed)
         profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
-        controller.play(self.axis, profile, self._command, self.line)
+        permit_motion(a)
+        play(a, profile, self._command, self.line)
         self._move = a.move
 
     # --------------------------------------------------------------------------------------------- switches
 
     def _limits(self) -> list[Limit]:
         bit = LIMIT_FORWARD if self._direction > 0 else LIMIT_REVERSE
-        return [limit for limit in self._axis.limits if limit.bit == bit]
+        return [limit for limit in self.a.limits if limit.bit == bit]
 
     def _on_switch(self) -> bool:
         if self._switch == HOME:
-            return self._controller.is_on_home_switch(self.axis)
+            return self.a.is_at_home
         return any(limit.active for limit in self._limits())
 
     def _allow_limit(self, allowed: bool) -> None:
         """Enable or disable the software limits, and a limit switch used for homing."""
         searched = self._limits() if self._switch == LIMIT else []
-        for limit in [*searched, *(each for each in self._axis.limits if each.bit in _SOFT)]:
+        for limit in [*searched, *(each for each in self.a.limits if each.bit in _SOFT)]:
             limit.enabled = allowed
 
     def _on_change(self, what: str, axis: int) -> None:
-        if axis != self.axis:
+        if axis != self.a.index:
             return
         if what == "fault":
             self.cancel()
@@ -252,7 +249,7 @@ class Homing:
         active = self._on_switch()
         if self.state == "search" and active:
             self.state = "on-switch"
-            self._controller.come_to_rest(self.axis)
+            come_to_rest(self.a)
         elif self.state == "back-off" and not active:
             if self._index:
                 self._seek_index(-self._direction, self._creep_speed)
@@ -268,20 +265,19 @@ class Homing:
             self._back_off()  # also if the stop ran across the complete switch: it returns across it
             return
         offset = self._offset
-        here = self._controller.position(self.axis) - self._datum
+        here = self.a.actual_position - self._datum
         if self.state == "stopping" and offset is not None and here != offset:
             self._go_to_offset(offset)
             return
         self.cancel()
 
 
-def next_index(controller: Controller, axis: int, direction: int) -> float:
+def next_index(a: Axis, direction: int) -> float:
     """Return the next index mark in a direction, machine counts; infinite if none."""
-    a = controller.axes[axis]
     pitch = a.index_pitch
     if not pitch > 0:
         return math.inf * direction
-    here = controller.position(axis) - a.datum - a.index_origin
+    here = a.actual_position - a.datum - a.index_origin
     step = here / pitch
     mark = math.floor(step + 1e-9) + 1 if direction > 0 else math.ceil(step - 1e-9) - 1
     return mark * pitch + a.index_origin

@@ -6,13 +6,9 @@ axis then takes the limit's `action`. Moving away from an active limit is always
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.triggers.conditions import Condition
-from motionlang.kernel.controller.watch import Watch
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.watch import Watch, begin, end
 
 
 class Limit(Condition):
@@ -25,10 +21,8 @@ class Limit(Condition):
 
     __slots__ = ("_switch", "physical", "watch")
 
-    def __init__(
-        self, controller: Controller, axis: int, sign: int, bit: int, action: str, physical: bool = False
-    ) -> None:
-        super().__init__(controller, axis, sign, bit, action)
+    def __init__(self, a: Axis, sign: int, bit: int, action: str, physical: bool = False) -> None:
+        super().__init__(a, sign, bit, action)
         self.physical = physical
         self._switch = False
         self.watch: Watch | None = None
@@ -47,12 +41,12 @@ class Limit(Condition):
 
     def set_position(self, position: float | None) -> None:
         """Set the position of the limit; None removes it."""
-        controller = self.controller
         if self.watch is not None:
-            controller.unwatch(self.axis, self.watch)
+            end(self.a, self.watch)
             self.watch = None
         if position is not None:
-            self.watch = controller.watch(self.axis, position, self._pass, self.physical)
+            self.watch = Watch(position, self._pass, self.physical)
+            begin(self.a, self.watch)
         self.check()
 
     def set_active(self, active: bool) -> None:
@@ -60,8 +54,8 @@ class Limit(Condition):
         changed, self._switch = self._switch is not active, active
         self.check()
         if changed:
-            self.controller.notify("limit", self.axis)
+            self.a.controller.notify("limit", self.a.index)
 
     def _pass(self, direction: int) -> None:
         self.check(direction)
-        self.controller.notify("limit", self.axis)
+        self.a.controller.notify("limit", self.a.index)

@@ -9,15 +9,12 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from math import floor
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.events import BY_DESIGN
+from motionlang.kernel.controller.queue.track import extend_track
 from motionlang.kernel.controller.watch import Watch, begin, end, margin
 from motionlang.kernel.planners import Profile
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.queue.life import Core
 
 
 class Cells:
@@ -31,7 +28,6 @@ class Cells:
 
     def __init__(
         self,
-        controller: Core,
         track: Axis,
         edges: Sequence[float],
         change: Callable[[int], None],
@@ -39,7 +35,7 @@ class Cells:
         physical: bool = False,
         view: Callable[[Profile], Profile] | None = None,
     ) -> None:
-        self._controller, self._source, self._track = controller, track, track
+        self._source, self._track = track, track
         self.edges, self.change, self.period, self.physical = tuple(edges), change, period, physical
         self._watches: dict[int, Watch] = {}
         self._follow: Callable[[Profile], None] | None = None
@@ -68,14 +64,14 @@ class Cells:
 
     def _seen(self, view: Callable[[Profile], Profile]) -> Axis:
         """Return a track of the source's motion, transformed by a view."""
-        source, controller = self._source, self._controller
-        made = Axis(source.index)
+        source = self._source
+        made = Axis(source.index, source.controller)
         made.put_on(source.starts[-1], view(source.profiles[-1]))
         made.datum = source.datum
 
         def follow(profile: Profile) -> None:
             made.datum = source.datum
-            controller.extend_track(made, view(profile), BY_DESIGN)
+            extend_track(made, view(profile), BY_DESIGN)
 
         self._follow = follow
         source.followers.append(follow)
@@ -83,7 +79,7 @@ class Cells:
 
     def _here(self) -> float:
         track = self._track
-        now = self._controller.clock.now
+        now = track.clock.now
         position = track.position(now) if track.feedback is None else track.feedback.position
         return position - track.datum if self.physical else position
 
@@ -110,7 +106,7 @@ class Cells:
         assert position is not None
         watch = Watch(position, lambda direction: self._enter(k + 1 if direction > 0 else k), self.physical)
         self._watches[k] = watch
-        begin(self._track, watch, self._controller.clock)
+        begin(self._track, watch)
         if not watch.side:
             watch.side = 1 if k < self.index else -1
 

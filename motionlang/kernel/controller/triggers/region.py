@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.watch import Watch
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.controller import Controller
+from motionlang.kernel.controller.watch import Watch, begin, end
 
 
 class Region:
@@ -21,13 +18,12 @@ class Region:
 
     def __init__(
         self,
-        controller: Controller,
-        axis: int,
+        a: Axis,
         low: float,
         high: float,
         change: Callable[[bool], None],
     ) -> None:
-        self._controller, self.axis, self.change = controller, axis, change
+        self.a, self.change = a, change
         self.low, self.high = low, high
         self._watches: list[Watch] = []
         self.inside = False
@@ -37,9 +33,10 @@ class Region:
         """Move the region, and notify of a change that this causes."""
         self.remove()
         self.low, self.high = low, high
-        for end, inwards in ((low, 1), (high, -1)):
-            if abs(end) < INFINITY:
-                watch = self._controller.watch(self.axis, end, self._pass, physical=True)
+        for position, inwards in ((low, 1), (high, -1)):
+            if abs(position) < INFINITY:
+                watch = Watch(position, self._pass, physical=True)
+                begin(self.a, watch)
                 watch.side = watch.side or inwards  # at an end is inside: to leave it is a pass
                 self._watches.append(watch)
         self._set(low <= self._here() <= high)
@@ -47,11 +44,11 @@ class Region:
     def remove(self) -> None:
         """Stop watching."""
         for watch in self._watches:
-            self._controller.unwatch(self.axis, watch)
+            end(self.a, watch)
         self._watches.clear()
 
     def _here(self) -> float:
-        return self._controller.position(self.axis) - self._controller.axes[self.axis].datum
+        return self.a.actual_position - self.a.datum
 
     def _pass(self, direction: int) -> None:
         """Handle a pass of an end; inside is above the low end and below the high one."""

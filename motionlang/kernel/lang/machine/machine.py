@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import Clock, WatchedClock
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.controller.world import World
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import floor
 
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.readers import Writer
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.mccl.axis.backlash import Backlash
 from motionlang.kernel.mccl.axis.flags import FAULTS
 from motionlang.kernel.mccl.models import Model

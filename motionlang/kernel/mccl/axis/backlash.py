@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from copy import copy
 
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.motion.takeup import Takeup
+from motionlang.kernel.controller.verbs import Controller
 
 
 class Backlash:

@@ -99,7 +99,7 @@ class Index:
         pitch = track.index_pitch
         if pitch:
             origin = track.index_origin - floor(track.index_origin / pitch) * pitch
-            self._cells = Cells(self._controller, track, (origin,), self._mark, pitch, self._physical)
+            self._cells = Cells(track, (origin,), self._mark, pitch, self._physical)
 
     def take(self) -> bool:
         """Return True if a mark was passed since the last call."""

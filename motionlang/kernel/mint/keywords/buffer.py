@@ -88,7 +88,7 @@ class Triggers(Settings):
                        int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip
         counts = found.to_counts(self.setting("TRIGGERVALUE", axis))
         made = Watch(counts, lambda _: self._start(axis), False)
-        begin(found.track, made, self.controller.clock)
+        begin(found.track, made)
         self._watches[axis] = found.track, made
 
 

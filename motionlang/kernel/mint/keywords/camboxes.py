@@ -94,7 +94,6 @@ class CamBox:
         if self.lead:
             view = partial(Extrapolated, lead=self.lead)
         self._cells = Cells(
-            self._environment.controller,
             source.track,
             edges,
             self._show,

@@ -94,7 +94,7 @@ def _watch_motion(
         before, last.side = last.side, index
         on_edge(index != 1 if both else (index > before) is forward)
 
-    cells = Cells(environment.controller, source.track, edges, changed, source.period, source.physical, view)
+    cells = Cells(source.track, edges, changed, source.period, source.physical, view)
     last.side = cells.index
     return cells.remove
 

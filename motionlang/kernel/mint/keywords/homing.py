@@ -59,8 +59,7 @@ class Homes(Settings):
         provided = self._provided(axis, direction, switch, index, line)
         speed = self.setting("HOMESPEED", axis)
         self._active[axis] = Homing(
-            self.controller,
-            axis,
+            self.controller.axes[axis],
             direction,
             speed,
             speed / self.setting("HOMEBACKOFF", axis),
@@ -76,10 +75,11 @@ class Homes(Settings):
         )
 
     def _ended(self, homing: Homing) -> None:
-        self._active.pop(homing.axis, None)
-        self.found[homing.axis] = homing.found
+        axis = homing.a.index
+        self._active.pop(axis, None)
+        self.found[axis] = homing.found
         if homing.found:
-            self._before[homing.axis] = homing.before
+            self._before[axis] = homing.before
 
     def _provided(self, axis: int, direction: int, switch: str, index: bool, line: int) -> bool:
         """True if the machine has all switches and marks that HOME searches for.

@@ -78,7 +78,7 @@ class Latch:
         if self.trigger_mode != BY_INDEX:
             return
         for direction in (1, -1):
-            self._watch_mark(next_index(self._controller, self.axis, direction))
+            self._watch_mark(next_index(self._controller.axes[self.axis], direction))
 
     def _watch_mark(self, mark: float) -> None:
         if abs(mark) < INFINITY:
@@ -95,7 +95,7 @@ class Latch:
         self._unwatch(kept=mark)
         self._catch()
         if self.armed:
-            self._watch_mark(next_index(self._controller, self.axis, direction))
+            self._watch_mark(next_index(self._controller.axes[self.axis], direction))
         else:
             self._unwatch()
 

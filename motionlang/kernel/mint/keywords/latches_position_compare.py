@@ -58,7 +58,7 @@ class Compare:
         """Watch positions; on an axis that wraps, each of them recurs in every wrap."""
         track = self._controller.axes[self._axis]
         edges = [position % wrap_counts for position in positions] if wrap_counts else positions
-        return Cells(self._controller, track, sorted(edges), change, wrap_counts)
+        return Cells(track, sorted(edges), change, wrap_counts)
 
     def set(self, name: str, value: int) -> None:
         setattr(self, name, value)

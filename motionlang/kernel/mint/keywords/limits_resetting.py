@@ -76,7 +76,7 @@ def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int
     """
     controller = environment.controller
     return len(environment.machine.log.events), [
-        (controller.room(axis), controller.is_suspended(axis), controller.homings.get(axis))
+        (controller.room(axis), controller.is_suspended(axis), controller.axes[axis].homing)
         for axis in numbers
         if axis in controller.axes
     ]

@@ -10,8 +10,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.motion.profile_playback import Playback
-from motionlang.kernel.controller.moves.entries import Timed
+from motionlang.kernel.controller.motion.profile_playback import Playback, Timed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -177,7 +176,7 @@ def read_index(splines: Splines, axis: int) -> int:
     a = splines.controller.axes[axis]
     if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Playback):
         return 0
-    ahead = a.move.action.segments_left(splines.controller, a)
+    ahead = a.move.action.segments_left(a)
     # A cycle that was suspended near its end is followed by the next one.
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
@@ -190,7 +189,7 @@ def bind_index(environment: Environment, row: Keyword) -> Operation:
         a = controller.axes[axis]
         if a.move is None or not isinstance(a.move.action, Playback):
             return INFINITY
-        return a.move.action.next_segment_time(controller, a)
+        return a.move.action.next_segment_time(a)
 
     return with_dependency(environment, of(Splines, read_index)(environment, row), until)
 

@@ -38,8 +38,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import TypeVar
 
-from motionlang.kernel.controller.axis_verbs import SETTINGS
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.controller.settings import SETTINGS
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.keywords import table

@@ -7,9 +7,9 @@ from math import ceil, floor
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.controller import Controller
 from motionlang.kernel.controller.faults import ALL
 from motionlang.kernel.controller.queue.buffer import end
+from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
@@ -121,7 +121,8 @@ class Environment(Waits):
 
     def _held(self, what: str, axis: int) -> None:
         """Warn, once for each time that it is set, that a speed of 0 holds a move."""
-        move, at = self.controller.axes[axis].move, self.controller.zeroed.get(axis, -1)
+        a = self.controller.axes[axis]
+        move, at = a.move, a.zeroed_at
         if self.holds.get(axis) == at:
             return
         self.holds[axis] = at

@@ -171,7 +171,7 @@ def test_a_new_zero_shifts_the_points_that_are_left(name: str, begin: float) -> 
     c.play(0, cubic_table(UNEVEN, [0.0, 3.0, 5.0, 2.0]), "SPLINE", 3, True)
     axis, playback = until(c, time).axes[0], Playback()
     playback.ordered = [0.0, 3.0, 5.0, 2.0], [0.0, 10.0, 20.0, 0.0], [0.5, 1.0, 0.25]
-    playback.shift(c, axis, 100.0)
+    playback.shift(axis, 100.0)
     points, velocities, times = playback.ordered
     count = len(left)
     assert points == [pytest.approx(axis.position(time) + 100.0), *[103.0, 105.0, 102.0][-count:]]

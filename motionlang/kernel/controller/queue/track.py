@@ -1,0 +1,115 @@
+"""The track of an axis and the log entries of its moves, which every motion extends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from motionlang.kernel.controller import watch
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.events import BY_DESIGN, check_velocity
+from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import MAX_PIECES, Move
+from motionlang.kernel.planners import Profile, hold
+
+
+def extend_track(a: Axis, profile: Profile, cause: str = "", ended: Move | None = None) -> None:
+    """Put `profile` on the track now: solve watches, notify followers, check limits.
+
+    A jump of velocity is reported with its `cause`, unless the profile is `BY_DESIGN`. `ended` is the move that a
+    standstill ends.
+    """
+    if cause != BY_DESIGN and (profile.start_velocity or a.profiles[-1].shape != "hold"):
+        check_velocity(a, profile, cause, ended or a.move)
+    controller = a.controller
+    controller.motion_listener.add(a)
+    a.starts.append(a.clock.now)
+    a.profiles.append(profile)
+    a.present = profile
+    log = controller.log
+    log.room -= 1
+    if log.room < 0:
+        controller.make_room()
+    if a.feedback is not None:
+        a.feedback.changed()
+    else:
+        if a.watches:
+            watch.solve(a)
+        if a.present is not profile:  # a crossed watch has given it another profile and notified of that
+            return
+    for follower in tuple(a.followers):
+        follower(profile)
+    for limit in a.limits:
+        limit.check()
+
+
+def log_move(a: Axis, move: Move, profile: Profile) -> None:
+    """Log the start of a move and make it the move in progress of its axis."""
+    move.profile, move.start_time = profile, a.clock.now
+    move.scale, move.zero = a.scale.counts, a.scale.zero
+    a.move = move  # first: an interrupt in between then leaves no log entry without an owner
+    a.controller.log.moves.add(move)
+    a.target = move.target
+    for limit in a.limits:
+        limit.forget()
+
+
+def amend_log(log: Log, now: float, entries: Sequence[Move], profiles: Sequence[Profile], ended: str) -> None:
+    """Replace the rest of a move, or of a path's moves, in the log only.
+
+    Entries with many pieces continue as others, those of a path all at once.
+    """
+    parts = [move.until(now) for move in entries]
+    is_full = not ended and max(len(done.knots) for done in parts) > MAX_PIECES
+    for move, done, profile in zip(entries, parts, profiles, strict=True):
+        log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
+        if is_full:
+            log.moves.split(move, done, now, len(done.knots))
+            move.profile = profile
+            continue
+        # If a new zero was set in between, the two differ by it, and by its rounding.
+        move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
+        move.ended = ended or move.ended
+
+
+def end_move(a: Axis, ended: str) -> None:
+    """Close the log entry of a move that is being replaced; the motion continues."""
+    move = a.move
+    if move is not None and move.profile is not None:
+        if move.action is not None:
+            move.action.leave(a, ended)
+        done = move.until(a.clock.now)
+        exact = a.here(a.clock.now) - move.offset
+        # An axis that has not moved is where it was. The position of one on two blended paths is that of
+        # neither path.
+        if done.distance and abs(exact - done.end) < watch.margin(exact):
+            done = done.ending_at(exact)
+        move.profile = done
+        move.ended = ended
+        a.move = None
+        if a.homing is not None:
+            a.homing.replaced(move)
+
+
+def log_dropped(a: Axis, move: Move) -> None:
+    """Log a move of an axis, or of another one on its path, that will not be executed."""
+    a.controller.log.dropped.add(move)
+    a.controller.log.note(a.clock.now, "dropped", move.axis, ordered=move.line, text=move.command)
+
+
+def define_position(a: Axis, position: float) -> None:
+    """Give the present position a new value; the rest of a move shifts with it."""
+    now = a.clock.now
+    here = a.here(now)
+    shift = position - a.actual_position
+    if not shift:
+        return
+    rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
+    if a.move is not None and a.move.action is not None:
+        a.move.action.shift(a, shift)
+    a.datum += shift
+    a.target += shift
+    if a.move is not None:
+        a.move.offset += shift
+        a.move.target += shift
+    extend_track(a, rest.shifted(shift))
+    a.cross(now, here + shift if a.feedback is not None else position)

@@ -1,0 +1,103 @@
+"""The state of a controller: its axes, and what they share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import Clock, Event
+from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
+from motionlang.kernel.controller.listeners import Listeners
+from motionlang.kernel.controller.motion_listener import MotionListener
+from motionlang.kernel.errors import Rejected
+from motionlang.kernel.log.log import Log
+
+
+class ControllerState:
+    """The `axes`, numbered from `first`, with their clock, log, channels and listeners.
+
+    An axis that does not exist raises KeyError.
+    """
+
+    def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
+        self.clock, self.log = clock, log
+        self.axes: dict[int, Axis] = {number: Axis(number, self) for number in range(first, first + axes)}
+        self.inputs = Channels(clock, log.inputs)
+        self.outputs = Channels(clock, log.outputs, log.here)
+        self.analogue_inputs = AnalogueInputs(clock, log)
+        self.analogue_outputs = Channels(clock, log.analogue_outputs, log.here)
+        # The events at which pulses of outputs end.
+        self._pulses: dict[int, Event] = {}
+        # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.
+        self.encoders: dict[int, Axis] = {}
+        self.listeners = Listeners()
+        # The checks of conditions to be made once all axes of a motion have their profiles; None to check at once.
+        self.deferred_checks: list[Callable[[], None]] | None = None
+        # It is notified of verbs, profiles and settings as they happen.
+        self.motion_listener = MotionListener()
+        # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
+        self.fault_handler: Callable[[Rejected], bool] | None = None
+
+    def encoder(self, channel: int) -> Axis:
+        """Return the track of an encoder channel driven from outside."""
+        found = self.encoders.get(channel)
+        if found is None:
+            found = self.encoders[channel] = Axis(channel, self)
+        return found
+
+    def pulse(self, channel: int, duration: float) -> None:
+        """Turn a digital output on for `duration` seconds; another pulse prolongs it."""
+        pending = self._pulses.get(channel)
+        if pending is not None:
+            pending.cancel()
+        self.outputs[channel] = 1
+        end = self.clock.now + duration
+        self._pulses[channel] = self.clock.at(end, lambda: self.outputs.__setitem__(channel, 0))
+
+    def notify(self, what: str, axis: int) -> None:
+        """Notify the listeners of a kind; they may unsubscribe meanwhile."""
+        self.listeners.notify(what, axis)
+
+    def run_time_fault(self, rejected: Rejected) -> None:
+        """Raise a run-time fault outside a statement; unless handled, it ends the program."""
+        if self.fault_handler is None or not self.fault_handler(rejected):
+            raise rejected
+
+    def together(self) -> Together:
+        """Return a block that starts several axes; limits are checked at its end."""
+        return Together(self)
+
+    def make_room(self) -> None:
+        """Pack old profiles of all tracks to free memory."""
+        self.log.make_room((*self.axes.values(), *self.encoders.values()))
+
+    def finish_updates(self) -> None:
+        """Roll back or finish partial updates after an interrupt."""
+        axes = (*self.axes.values(), *self.encoders.values())
+        self.log.finish_updates(axes)
+        for a in axes:
+            del a.starts[len(a.profiles) :]
+        self.motion_listener.finish_updates()
+
+
+class Together:
+    """A block that starts several axes; conditions are checked at its end."""
+
+    __slots__ = ("_controller", "_outer")
+
+    def __init__(self, controller: ControllerState) -> None:
+        self._controller = controller
+        self._outer: list[Callable[[], None]] | None = None
+
+    def __enter__(self) -> None:
+        self._outer = self._controller.deferred_checks
+        if self._outer is None:
+            self._controller.deferred_checks = []
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        if self._outer is not None:
+            return
+        waiting, self._controller.deferred_checks = self._controller.deferred_checks or [], None
+        if kind is None:
+            for check in dict.fromkeys(waiting):
+                check()
