@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
 from itertools import chain, islice
-from math import copysign, inf, sin
+from math import copysign, inf
 
 from motionlang.kernel.planners import crossing as _crossing
 from motionlang.kernel.planners.pieces import (
@@ -201,30 +201,6 @@ class Profile:
         if time >= self.duration:
             return self._beyond(time)
         return position_in(*self.piece_at(time)) if time > 0.0 else self.start
-
-    def positions(self, times: Iterable[float]) -> list[float]:
-        """Return `position` at each of the `times`, which must rise.
-
-        The results are equal to the last bit, in a third of the time.
-        """
-        if not self.pieced:
-            return [self.position(time) for time in times]
-        knots, pieces, _ = self.curve
-        last, duration, k = len(pieces) - 1, self.duration, 0
-        found = []
-        for time in times:
-            if time >= duration:
-                found.append(self._beyond(time))
-            elif time > 0.0:
-                while k < last and knots[k + 1] <= time:
-                    k += 1
-                c0, c1, c2, c3, amplitude, omega, phase = pieces[k]
-                x = time - knots[k]
-                p = ((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0
-                found.append(p + amplitude * sin(omega * x + phase) if amplitude else p)
-            else:
-                found.append(self.start)
-        return found
 
     def velocity(self, time: float) -> float:
         """Return the velocity at `time`."""

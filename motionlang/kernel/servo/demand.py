@@ -175,7 +175,7 @@ class Generator:
         while cycle < until:
             k = self.in_force(cycle)
             past, start, offset = min(self.past(k), until), self.track.starts[k], self.offset(k)
-            times = [(i + 1) * self.period - start for i in range(cycle, past)]
-            made += [position + offset for position in self.track.profiles[k].positions(times)]
+            position = self.track.profiles[k].position
+            made += [position((i + 1) * self.period - start) + offset for i in range(cycle, past)]
             cycle = past
         return made

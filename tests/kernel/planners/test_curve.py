@@ -37,16 +37,6 @@ def test_the_crossing_is_not_before_the_requested_time(move: Move, fraction: flo
     assert time >= after
 
 
-@quick
-@given(moves(), st.lists(st.floats(-0.2, 1.3), max_size=30))
-def test_positions_one_after_the_other_are_the_same_to_the_last_bit(move: Move, shares: list[float]) -> None:
-    made = move.planned()
-    times = sorted([*(share * made.duration for share in shares), *made.knots])
-    one_by_one = [made.position(time) for time in times]
-    assert made.positions(times) == one_by_one
-    assert hold(3.5).positions([-1.0, 0.0, 1e9]) == [3.5, 3.5, 3.5]
-
-
 def test_the_end_is_reached_at_the_end() -> None:
     move = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     assert move.crossing(12.0) == 2.0
