@@ -52,6 +52,7 @@ class Axis:
         "accel_jerk_time",
         "accel_time",
         "arrival",
+        "barriers",
         "blend_distance",
         "blend_mode",
         "buffer",
@@ -177,6 +178,8 @@ class Axis:
         # Called with each new profile when it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
+        # Those that a motion can meet: they have a position, or their switch is closed.
+        self.barriers: list[Limit] = []
         # The homing in progress, which controls the axis alone; its buffer waits for the end.
         self.homing: Homing | None = None
         self.offset_status = 0  # the status of its last offset, bits (`motion/offset.py`)

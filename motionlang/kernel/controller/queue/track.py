@@ -38,7 +38,7 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: Move | None 
             return
     for follower in tuple(a.followers):
         follower(profile)
-    for limit in a.limits:
+    for limit in a.barriers:
         limit.check()
 
 
@@ -49,7 +49,7 @@ def log_move(a: Axis, move: Move, profile: Profile) -> None:
     a.move = move  # first: an interrupt in between then leaves no log entry without an owner
     a.controller.log.moves.add(move)
     a.target = move.target
-    for limit in a.limits:
+    for limit in a.barriers:
         limit.forget()
 
 

@@ -47,14 +47,19 @@ class Limit(Condition):
         if position is not None:
             self.watch = Watch(position, self._pass, self.physical)
             begin(self.a, self.watch)
-        self.check()
+        self._changed()
 
     def set_active(self, active: bool) -> None:
         """Open or close the switch."""
         changed, self._switch = self._switch is not active, active
-        self.check()
+        self._changed()
         if changed:
             self.a.controller.notify("limit", self.a.index)
+
+    def _changed(self) -> None:
+        """Check the limit, which a motion may or may not be able to meet from now on."""
+        self.a.barriers = [each for each in self.a.limits if each.watch is not None or each._switch]
+        self.check()
 
     def _pass(self, direction: int) -> None:
         self.check(direction)
