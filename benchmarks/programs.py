@@ -189,7 +189,7 @@ def _ask(host: socket.socket, line: bytes, end: bytes) -> None:
 
 
 PROGRAMS: dict[str, Program] = {
-    "shift": Program(shift, "x real time", 60_000.0, True),
+    "shift": Program(shift, "x real time", 50_000.0, True),
     "parse": Program(parsing, "ms/kB", 5.0, False),
     "start": Program(start, "x an empty Python", 20.0, False),
     "motors": Program(motors, "x real time", 25.0, True),
