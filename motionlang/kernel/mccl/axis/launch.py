@@ -71,11 +71,7 @@ def _from_minimum(controller: Controller, axis: AxisState, target: float) -> tup
     the peak, v² = MV² + distance/(1/2A + 1/2D).
     """
     number = axis.number
-    if (
-        axis.minimum <= 0.0
-        or controller.setting(number, "shape") != "trapezoid"
-        or not controller.is_enabled(number)
-    ):
+    if axis.minimum <= 0.0 or controller.setting(number, "shape") != "trapezoid":
         return None
     speed, accel, decel = (
         float(controller.setting(number, name) or 0.0) for name in ("speed", "accel", "decel")

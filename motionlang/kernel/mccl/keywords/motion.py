@@ -279,7 +279,7 @@ def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
     """
     controller = task.board.controller
     number = axis.number
-    if controller.is_idle(number) or not controller.is_enabled(number):
+    if controller.is_idle(number):
         return False
     if controller.setting(number, "shape") != "trapezoid":
         return True
