@@ -74,7 +74,7 @@ CHANGES = frozenset(
 # Results of these on an axis or a controller still belong to it.
 VIEWS = frozenset(("items", "values", "encoder"))
 CONTROLLERS = frozenset(("controller", "_controller"))
-OF_THE_CONTROLLER = frozenset(("Axis", "Controller", "Core", "Feedback", "Limit", "Move", "Scale"))
+OF_THE_CONTROLLER = frozenset(("Axis", "Controller", "ControllerState", "Feedback", "Limit", "Move", "Scale"))
 
 
 def is_of_controller(node: ast.AST, names: set[str]) -> bool:
