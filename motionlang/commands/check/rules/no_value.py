@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.variables import Suggestions, variables
 from motionlang.commands.check.rule import Case, Rule, Warn
-from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of
+from motionlang.kernel.mccl.resolve.command import REGISTER
+from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of, variable
 from motionlang.kernel.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME
 
 if TYPE_CHECKING:
@@ -41,7 +42,10 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
         return
     given = {number for found, _, _ in uses if found is not None for number in found.sets}
     for found, command, at in uses:
-        for number in sorted((found.reads if found is not None else frozenset()) - given - {ACCUMULATOR}):
+        reads = set(found.reads) if found is not None else set()
+        if command.kind == REGISTER:
+            reads.add(variable(int(command.value)))
+        for number in sorted(reads - given - {ACCUMULATOR}):
             register = number if number >= 0 else -1 - number
             stored = "no line of this file stores a value there: it is 0"
             message = f"{command.text} reads register {register}, and {stored}"
