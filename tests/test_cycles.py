@@ -22,12 +22,16 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel", "moves report report_types result"):
         "a run makes its report on request, and a report is made from a run",
     ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",
-    ("kernel/controller", "axis core feedback joined motion_listener readings"):
-        "a controller owns its axes, an axis its move and its motor; each part asks its owner",
+    ("commands/check", "axis_state facts reach"):
+        "the state of the axes is one of the facts, and is worked out from the others",
+    ("kernel/controller", "axis feedback joined motion_listener state watch"):
+        "a controller owns its axes, and an axis knows it, its watches and its motor",
     ("kernel/controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
     ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
     ("ide/debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("hosts/mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
+    ("kernel/lang", "dialect literals program"):
+        "a dialect makes a program, whose literals have the addresses of a program",
     ("kernel/lang", "debugging loop_log loops step_task"):
         "a task knows its loops and its hook, which are those of a task",
     ("ide/lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",

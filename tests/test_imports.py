@@ -34,8 +34,8 @@ LAZY = {
     "kernel/mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",
     "commands/run/command.py": "keyboard",
     # Questions about a program that a run does not ask.
-    "kernel/mccl/runtime/program.py": "resolve.board resolve.definitions resolve.errors resolve.wait_causes "
-    "runtime.listing runtime.structure",
+    "kernel/mccl/runtime/program.py": "resolve.board resolve.chosen_rates resolve.definitions resolve.errors "
+    "resolve.wait_causes runtime.listing runtime.structure",
     "kernel/mint/program.py": "check.port resolve.definitions resolve.wait_causes steps.listing steps.structure "
     "syntax.extent syntax.layout",
     # Those that need one another.

@@ -16,15 +16,16 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
-# The modules that compute motion; `plan_move` and the moves planned without it are in `core`.
+# The modules that compute motion.
 _MODULES = {
     "kernel/planners": (
         "ramps shapes target transition ramp_down stop jerk_limited segment_speed lookahead reparametrised curve "
-        "cubics arc table table_motion reference superposition dwell pieces sequence crossing"
+        "cubics arc table_motion reference superposition dwell pieces sequence crossing"
     ),
     "commands/plan": "solve reach",
-    "kernel/controller": "core",
-    "kernel/controller/motion": "feedrate jog halt follow offset profile_playback reference takeup",
+    "kernel/controller": "settings",
+    "kernel/controller/queue": "plan life stop track",
+    "kernel/controller/motion": "jog follow offset profile_playback reference takeup",
     "kernel/controller/moves": "cam course entries geometry path path_run",
 }
 FILES = tuple(f"{folder}/{name}.py" for folder, names in _MODULES.items() for name in names.split())

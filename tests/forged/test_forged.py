@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import prove
-from tests.forged.changes import Change, changes, chosen, forged
+from tests.forged.changes import FILES, PACKAGE, Change, changes, chosen, forged
 from tests.forged.plugin import rejected_by
 from tests.forged.verdicts import honest, ran, verdict
 
@@ -72,6 +72,10 @@ def named(module: str, function: str, before: str, after: str) -> Change:
     wanted = (f"motionlang.{module}", function, before, after)
     found = changes(module.replace(".", "/") + ".py")
     return next(each for each in found if (each.module, each.function, each.before, each.after) == wanted)
+
+
+def test_the_files_that_can_be_changed_exist() -> None:
+    assert [name for name in FILES if not (PACKAGE / name).exists()] == []
 
 
 @pytest.mark.parametrize(("module", "function", "before", "after", "program"), SLICE)

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.facts import Structure
 from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
+from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.step_list import ListedUnit
+from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
 from motionlang.kernel.mint.check.body import Program as Declared
@@ -25,6 +27,7 @@ from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
+from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
 from motionlang.kernel.mint.steps.inspection import Inspection
@@ -35,12 +38,6 @@ from motionlang.kernel.mint.syntax.parser import read
 from motionlang.kernel.mint.syntax.traversal import copied
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
-
-if TYPE_CHECKING:
-    from motionlang.kernel.lang.facts import Structure
-    from motionlang.kernel.lang.step_graph import StepGraph
-    from motionlang.kernel.lang.steps import Steps
-    from motionlang.kernel.mint.resolve.symbols import Function
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64

@@ -7,17 +7,12 @@ that a move behind it may use. Axes that another task or handler uses are left o
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import COMMANDS, IDLE
-from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.facts import Facts, Part, spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
-from motionlang.kernel.lang import RETURN
-
-if TYPE_CHECKING:
-    from motionlang.commands.check.facts import Facts, Part
-    from motionlang.kernel.lang import AxisKey as Key
-    from motionlang.kernel.lang import Use
+from motionlang.kernel.lang import RETURN, Use
+from motionlang.kernel.lang import AxisKey as Key
 
 # A bit for each property of each axis.
 Bits = dict[tuple["Key", str], int]

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.facts import Facts, spelt
 from motionlang.commands.check.rule import Case, Rule, Warn
-
-if TYPE_CHECKING:
-    from motionlang.commands.check.facts import Facts
 
 
 def check(facts: Facts, warn: Warn) -> None:
