@@ -147,7 +147,7 @@ class Axis:
         self.suspend_reasons = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
         self.suspended_with: tuple[Axis, ...] = ()  # the axes suspended together with it by one keyword
         self.suspend_time = 0.1  # seconds in which the playback of a profile comes to rest
-        # Limits that apply to paths, whatever their master commands.
+        # The highest speed and rates of its moves and paths, whatever a program commands.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
         # True if paths are run without slowing down at corners up to an angle, degrees.
         self.contour_mode = False

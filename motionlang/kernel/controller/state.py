@@ -64,7 +64,7 @@ class ControllerState:
             raise rejected
 
     def together(self) -> Together:
-        """Return a block that starts several axes; limits are checked at its end."""
+        """Return a block that starts several axes; conditions are checked at its end."""
         return Together(self)
 
     def make_room(self) -> None:

@@ -22,7 +22,7 @@ Names:
     x                               time since the knot at which a piece begins
 
 Where a profile is a curve over a length (a path, a cam), its "time" is that length: user units of path, or
-counts of the master. `pvt/` is in counts and seconds; the segments of `fit` last whole milliseconds.
+counts of the master. `pvt/` is in counts and seconds.
 """
 
 from __future__ import annotations

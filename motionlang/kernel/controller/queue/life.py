@@ -1,7 +1,7 @@
 """The life of a move: GO releases it, it starts when it is first in its buffer, and ends.
 
 `start_move` plans a profile from the axis's state and settings, puts it on the axis's track and schedules one event
-for its end. There `arrive` starts the next move of the buffer, if it has been released.
+for its end. There `_arrive` starts the next move of the buffer, if it has been released.
 """
 
 from __future__ import annotations

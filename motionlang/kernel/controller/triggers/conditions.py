@@ -1,8 +1,8 @@
-"""Conditions that stop an axis: errors, and reasons for suspension.
+"""Conditions that stop an axis: limits of its travel, and errors.
 
-No kind of motion knows of a limit. Every new profile of an axis passes `extend_track`, which checks the
-conditions of the axis. A condition is also checked when its state, position, mode or enablement changes. If a
-profile reverses into a condition that is met, an event checks the condition again at that time.
+No kind of motion knows of a limit. Every new profile of an axis passes `extend_track`, which checks the limits that it
+can meet. A condition is also checked when its state, position, mode or enablement changes. If a profile reverses into a
+limit that is met, an event checks the limit again at that time.
 """
 
 from __future__ import annotations
@@ -86,8 +86,7 @@ class Condition:
 
     def forget(self) -> None:
         """Forget a previous action, because another motion begins."""
-        if self.sign:
-            self._raised = False
+        self._raised = False
 
     def _bars(self, towards: int) -> bool:
         """True if the axis moves in the barred direction.
@@ -112,8 +111,8 @@ class Undirected(Condition):
 
     __slots__ = ("_active",)
 
-    def __init__(self, a: Axis, sign: int, bit: int, action: str) -> None:
-        super().__init__(a, sign, bit, action)
+    def __init__(self, a: Axis, bit: int, action: str) -> None:
+        super().__init__(a, 0, bit, action)
         self._active = False
 
     @property

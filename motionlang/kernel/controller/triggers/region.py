@@ -24,7 +24,6 @@ class Region:
         change: Callable[[bool], None],
     ) -> None:
         self.a, self.change = a, change
-        self.low, self.high = low, high
         self._watches: list[Watch] = []
         self.inside = False
         self.place(low, high)

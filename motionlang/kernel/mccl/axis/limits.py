@@ -61,7 +61,7 @@ class Limits:
             SOFT_HIGH: self._new(1, SOFT_LIMIT_FORWARD),
             SOFT_LOW: self._new(-1, SOFT_LIMIT_REVERSE),
         }
-        self._amplifier = Undirected(board.controller.axes[axis.number], 0, ERROR_INPUT, "off")
+        self._amplifier = Undirected(board.controller.axes[axis.number], ERROR_INPUT, "off")
 
     def set_mode(self, mode: int) -> None:
         """Set the effect of a tripped limit (LM)."""

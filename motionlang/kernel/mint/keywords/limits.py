@@ -109,7 +109,7 @@ class AxisErrors(Settings):
         if found is None:
             if not active:
                 return
-            found = Undirected(self.controller.axes[axis], 0, bit, self.action(axis, bit))
+            found = Undirected(self.controller.axes[axis], bit, self.action(axis, bit))
             self._inputs[axis, bit, channel] = found
         found.set_active(active)
 
