@@ -126,7 +126,7 @@ VERBS: dict[str, str] = {
     "analogue_input": "An analogue input.",
     "set_analogue_output": "Set an analogue output.",
     "encoder": "An encoder channel that the world turns, as the track of its counts.",
-    "rates": "The rates in force for a move at some speed.",
+    "rates": "The rates of an axis at its speed.",
     "may_enable": "True if the enable input of an axis is on, or it has none.",
     "moving": "The axes that are not idle.",
     "settling": "The axes whose motors have not come to rest.",

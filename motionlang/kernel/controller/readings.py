@@ -325,6 +325,7 @@ class Readings(ControllerState):
         a = self.axes[axis]
         return a.buffer_size - len(a.buffer)
 
-    def rates(self, a: Axis, speed: float) -> tuple[float, float]:
-        """Return the rates for a move at `speed`; raise Rejected unless both are positive."""
-        return rates(a, speed)
+    def rates(self, axis: int) -> tuple[float, float]:
+        """Return the rates of an axis at its speed; raise Rejected unless both are positive."""
+        a = self.axes[axis]
+        return rates(a, a.speed)

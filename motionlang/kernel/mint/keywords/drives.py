@@ -82,9 +82,9 @@ class Drives(Settings):
         return share * top_speed(self.environment, axis)
 
     def _slopes(self, axis: int, name: str) -> tuple[Slope, Slope]:
-        a, top = self.controller.axes[axis], top_speed(self.environment, axis)
+        top = top_speed(self.environment, axis)
         times = [self.setting(f"{name}{ramp}TIME", axis) / 1000.0 for ramp in ("ACCEL", "DECEL")]
-        rates = (0.0, 0.0) if all(times) else self.controller.rates(a, a.speed)
+        rates = (0.0, 0.0) if all(times) else self.controller.rates(axis)
         made = []
         for ramp, time, rate in zip(("ACCEL", "DECEL"), times, rates, strict=True):
             edges = [self.setting(f"{name}{ramp}JERK{edge}TIME", axis) / 1000.0 for edge in ("START", "END")]

@@ -96,7 +96,7 @@ def _speed(preset: Preset) -> None:
     controller = preset.presets.controller
     scale = controller.axes[preset.axis].scale
     velocity = scale.to_counts(preset.value("PRESETMOVESPEED"), "uu/s")
-    own = controller.rates(controller.axes[preset.axis], controller.axes[preset.axis].speed)
+    own = controller.rates(preset.axis)
     accel, decel = (rate or its for rate, its in zip(preset.rates(abs(velocity)), own, strict=True))
     slopes = Slope(accel), Slope(decel)
     controller.refer_speed(preset.axis, velocity, slopes, 0.0, "SPEEDREF", preset.line)
