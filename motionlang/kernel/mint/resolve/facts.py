@@ -64,9 +64,7 @@ class FactsReader:
     def _statement(self, node: nodes.Stmt) -> None:
         match node:
             case nodes.If():
-                self._head(node.start, node.condition, "If {}")
-                self._block(node.body)
-                self._block(node.orelse)
+                self._if(node)
             case nodes.Select():
                 self._head(node.start, node.subject, "Select Case {}")
                 for case in node.cases:
@@ -100,6 +98,16 @@ class FactsReader:
                 self._block(node.body)
             case _:
                 self._simple(node)
+
+    def _if(self, node: nodes.If) -> None:
+        """Read an If and its ElseIfs, each the only statement of the Else before, without nesting."""
+        chain = [node]
+        while len(chain[-1].orelse) == 1 and isinstance(following := chain[-1].orelse[0], nodes.If):
+            chain.append(following)
+        for each in chain:
+            self._head(each.start, each.condition, "If {}")
+            self._block(each.body)
+        self._block(chain[-1].orelse)
 
     def _head(self, at: int, condition: nodes.Expr, form: str) -> None:
         text = self._text(condition)
