@@ -94,8 +94,9 @@ class _Reader:
             if closer:
                 self._watch_columns(closer)
             at = self._after(at) if self.stack.feed(self.tokens[at]) else self._mistake(at)
-            if at == self.start and self._is_too_deep():
+            if (at == self.start or self.kinds[at - 1] == "THEN") and self._is_too_deep():
                 self._report_depth()
+                del self.kept[self.kept_before :]
                 break
         self._close(opened_blocks(self.mark))
 
@@ -104,8 +105,11 @@ class _Reader:
         self.mark, self.kept_before, self.start = self.stack.copy(), len(self.kept), at
 
     def _is_too_deep(self) -> bool:
-        deep = len(self.stack) > 2 * MAX_DEPTH
-        return deep and sum(symbol == "body" for symbol, _ in self.stack) > MAX_DEPTH
+        if len(self.stack) <= 2 * MAX_DEPTH:
+            return False
+        symbols = [symbol for symbol, _ in self.stack]
+        of_a_line = symbols.count("line_then") + (symbols[0] == "THEN")
+        return max(symbols.count("body"), of_a_line) > MAX_DEPTH
 
     def _report_depth(self) -> None:
         """Report blocks that are nested too deeply."""

@@ -32,3 +32,11 @@ def test_signs_are_levels_of_an_expression(sign: str) -> None:
 def test_blocks_are_nested_up_to_a_depth(depth: int, message: str) -> None:
     text = "While 1\n" * depth + "PRINT 1\n" + "End While\n" * depth
     assert [each[2] for each in errors(text)] == ([message] if message else [])
+
+
+@pytest.mark.parametrize("text", ["If x Then ", "If x Then y = 2 Else "])
+def test_ifs_of_one_line_are_nested_up_to_a_depth(text: str) -> None:
+    assert errors(text * 200 + "y = 1") == []
+    message = "blocks are nested more than 200 deep here"
+    assert [each[2] for each in errors(text * 201 + "y = 1\nz = 2\n")] == [message]
+    assert [each[2] for each in errors(text * 10_000 + "y = 1")] == [message]
