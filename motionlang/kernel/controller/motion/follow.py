@@ -41,6 +41,7 @@ cycle takes as much memory as any other profile; a cycle with a changed table co
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 
 from motionlang.kernel.controller.axis import Axis
@@ -50,6 +51,7 @@ from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.buffer import take
 from motionlang.kernel.controller.queue.life import append_profile, go_on
 from motionlang.kernel.controller.queue.plan import rates, to_rest, with_standstill
+from motionlang.kernel.controller.queue.stop import come_to_rest, freeze
 from motionlang.kernel.controller.queue.track import end_move, extend_track, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
@@ -114,8 +116,7 @@ class FollowMove(Move):
 class Follow(Action):
     """A slave's tie to its master, an axis or encoder; `base` defines the relation."""
 
-    __slots__ = ("_callback", "a", "master", "move", "offset", "offset_began", "offset_entry",
-                 "offset_limits")  # fmt: skip
+    __slots__ = ("a", "master", "move", "offset", "offset_began", "offset_entry", "offset_limits")
 
     def __init__(self, a: Axis, master: Axis, move: FollowMove) -> None:
         self.a, self.master, self.move = a, master, move
@@ -125,7 +126,6 @@ class Follow(Action):
         self.offset_entry: Move | None = None  # its log entry
         # Speed and rates that OFFSETMODE gave it; None for those of the axis.
         self.offset_limits: tuple[float, float, float] | None = None
-        self._callback = lambda _: self.renew("a jump of its master")
         move.action = self
 
     keeps_rates = False
@@ -151,7 +151,7 @@ class Follow(Action):
             self.a.arrival.cancel()
             self.a.arrival = None
         self.move.segments.clear()
-        self.master.followers.append(self._callback)
+        self.master.followers.append(self._master_changed)
         self.renew(f"{self.move.command} at once")
         self.more(self.a)
 
@@ -181,8 +181,8 @@ class Follow(Action):
     def detach(self) -> None:
         """End the tie; the slave's profile stays until another motion replaces it."""
         self.disarm()
-        if self._callback in self.master.followers:
-            self.master.followers.remove(self._callback)
+        if self._master_changed in self.master.followers:
+            self.master.followers.remove(self._master_changed)
 
     @property
     def resting(self) -> bool:
@@ -251,6 +251,25 @@ class Follow(Action):
 
     # -- inside
 
+    def _master_changed(self, _: Profile) -> None:
+        self._renew_or_rest("a jump of its master")
+
+    def _renew_or_rest(self, cause: str = "") -> None:
+        """Renew the slave's motion; if that is rejected, come to rest with a run-time fault.
+
+        The fault is an event, so that the master completes its command and checks its limits first.
+        """
+        a = self.a
+        try:
+            self.renew(cause)
+        except Rejected as rejected:
+            rejected.line = rejected.line or self.move.line
+            try:
+                come_to_rest(a, "fault")
+            except Rejected:  # it has no deceleration
+                freeze(a, "fault")
+            a.clock.at(a.clock.now, partial(a.controller.run_time_fault, rejected))
+
     def _here(self) -> float:
         return self.a.position(self.a.clock.now)
 
@@ -265,7 +284,7 @@ class Follow(Action):
         if self.offset is profile and self.tied:
             self.offset = self.offset_entry = None
             self.fold(profile.end)
-            self.renew()
+            self._renew_or_rest()
             self.more(self.a)
 
 
