@@ -21,7 +21,7 @@ future motion, `coming`. `FollowMove` is the slave's entry in the log. It stores
 followed, and joins them when it is read.
 
 A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`; offsets
-commanded meanwhile wait in `_later`. A cam or a shear cannot be suspended. An input that would suspend it
+commanded meanwhile wait in the buffer. A cam or a shear cannot be suspended. An input that would suspend it
 holds its axis once the cam or shear is over, and delays new offsets until the input is released.
 
 Invariants.
@@ -40,7 +40,6 @@ cycle takes as much memory as any other profile; a cycle with a changed table co
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
 
@@ -214,10 +213,6 @@ class Follow(Action):
             take(a, a.buffer.index(move))
             action.begin_on_top(a, move)
 
-    def put_off(self, begin: Callable[[], None]) -> bool:
-        """True if an offset has to wait, and `begin` is called later; false to begin now."""
-        return False
-
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
         """Superpose an offset, whose profile begins at 0; it replaces the one in progress."""
         now = self.a.clock.now
@@ -300,7 +295,7 @@ class Gear(Follow):
     With `ramp` the slave first ramps to that velocity at its own rates.
     """
 
-    __slots__ = ("_chased_at", "_halt", "_later", "_locks_at", "_paused", "keeps_rates", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_halt", "_locks_at", "_paused", "keeps_rates", "ramp", "ratio")
 
     def __init__(self, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool) -> None:
         super().__init__(a, master, move)
@@ -309,12 +304,10 @@ class Gear(Follow):
         self._locks_at = INFINITY if ramp else 0.0
         # True once a suspension has planned its rest, at its own rates.
         self.keeps_rates = False
-        # The remaining distance of the suspended offset, and the offsets that wait for the end of the
-        # suspension.
+        # The remaining distance of the suspended offset.
         self._paused = 0.0
         # The ramp of the offset to rest in a suspension, and its start time.
         self._halt: tuple[Profile, float] | None = None
-        self._later: list[Callable[[], None]] = []
         # The rates of the ramp to that velocity.
         self._chased_at = (0.0, 0.0)
 
@@ -356,16 +349,7 @@ class Gear(Follow):
             self._log_offset(profile)
             self.carry(profile, a.clock.now, self.offset_entry)
         self.renew()
-        later, self._later = self._later, []
-        for begin in later:
-            begin()
         self.more(a)
-
-    def put_off(self, begin: Callable[[], None]) -> bool:
-        """True if an offset has to wait for the end of the suspension."""
-        if self.a.suspended:
-            self._later.append(begin)
-        return self.a.suspended
 
     def offset_left(self) -> tuple[float, float]:
         """Return the remaining distance of the offset, and its velocity."""

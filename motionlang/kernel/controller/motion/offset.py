@@ -39,8 +39,6 @@ def offset(a: Axis, distance: float, mode: int, over: float, command: str, line:
         permit_motion(a)
         move_by(a, distance, command, line)
         return
-    if tie.put_off(lambda: offset(a, distance, mode, over, command, line)):
-        return
     left, velocity = tie.offset_left()
     a.controller.motion_listener.offset(a, distance, line)
     total = left + distance
