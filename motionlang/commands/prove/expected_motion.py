@@ -376,10 +376,6 @@ class ExpectedMotion(MotionListener):
         """Record the start of an offset, to which the rest of the previous one is added."""
         self.offsets[a.index, self._controller.clock.now] = line, distance
 
-    def refuse_offset(self, a: Axis) -> None:
-        """Remove the offset that was to begin now, since its axis's limits prevent it."""
-        self.offsets.pop((a.index, self._controller.clock.now), None)
-
     def stop(self, a: Axis, ended: str) -> None:
         """Record a decelerated stop of an axis and of the axes that move together with it."""
         if a.move is not None:

@@ -39,9 +39,6 @@ class MotionListener:
     def offset(self, a: Axis, distance: float, line: int) -> None:
         """An offset of a distance, counts, is about to begin."""
 
-    def refuse_offset(self, a: Axis) -> None:
-        """The limits of an axis prevent the offset that was about to begin."""
-
     def refuse(self, a: Axis) -> None:
         """A buffered move, or a step of a homing, was rejected as it began."""
 

@@ -49,13 +49,13 @@ from motionlang.kernel.controller.motion.profile_playback import Playback
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.buffer import take
 from motionlang.kernel.controller.queue.life import append_profile, go_on
-from motionlang.kernel.controller.queue.plan import rates, to_rest, with_standstill
+from motionlang.kernel.controller.queue.plan import plan_distance, rates, to_rest, with_standstill
 from motionlang.kernel.controller.queue.stop import come_to_rest, freeze
 from motionlang.kernel.controller.queue.track import end_move, extend_track, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.planners import Profile, hold, plan, plan_velocity
+from motionlang.kernel.planners import Profile, hold, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import rest, with_rest
 from motionlang.kernel.planners.sequence import ProfileSequence
@@ -211,7 +211,11 @@ class Follow(Action):
             action = move.action
             assert action is not None
             take(a, a.buffer.index(move))
-            action.begin_on_top(a, move)
+            try:
+                action.begin_on_top(a, move)
+            except Rejected as rejected:
+                rejected.line = rejected.line or move.line
+                raise
 
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
         """Superpose an offset, whose profile begins at 0; it replaces the one in progress."""
@@ -252,18 +256,31 @@ class Follow(Action):
     def _renew_or_rest(self, cause: str = "") -> None:
         """Renew the slave's motion; if that is rejected, come to rest with a run-time fault.
 
-        The fault is an event, so that the master completes its command and checks its limits first.
+        The master completes its command and checks its limits first.
         """
         a = self.a
         try:
             self.renew(cause)
         except Rejected as rejected:
-            rejected.line = rejected.line or self.move.line
             try:
                 come_to_rest(a, "fault")
             except Rejected:  # it has no deceleration
                 freeze(a, "fault")
-            a.clock.at(a.clock.now, partial(a.controller.run_time_fault, rejected))
+            self._fail(rejected, self.move)
+
+    def _fail(self, rejected: Rejected, move: Move) -> None:
+        """Raise a run-time fault of a move once the present event is over."""
+        rejected.line = rejected.line or move.line
+        self.a.clock.at(self.a.clock.now, partial(self.a.controller.run_time_fault, rejected))
+
+    def _start_waiting(self) -> None:
+        """Start released offsets like `more`; each rejected one is a run-time fault."""
+        while True:
+            try:
+                self.more(self.a)
+                return
+            except Rejected as rejected:
+                self.a.controller.run_time_fault(rejected)
 
     def _here(self) -> float:
         return self.a.position(self.a.clock.now)
@@ -280,7 +297,7 @@ class Follow(Action):
             self.offset = self.offset_entry = None
             self.fold(profile.end)
             self._renew_or_rest()
-            self.more(self.a)
+            self._start_waiting()
 
 
 def tie_of(a: Axis) -> Follow | None:
@@ -343,11 +360,7 @@ class Gear(Follow):
         left, velocity = self.offset_left()  # it may not be at rest yet
         self._paused, self._halt = 0.0, None
         if left or velocity:
-            speed, accel, decel = self.offset_limits or (a.speed, *rates(a, a.speed))
-            jerks = a.accel_jerk, a.decel_jerk
-            profile = plan(a.shape, 0.0, left, speed, accel, decel, velocity, a.ramp, *jerks)
-            self._log_offset(profile)
-            self.carry(profile, a.clock.now, self.offset_entry)
+            self._complete_offset(left, velocity)
         self.renew()
         self.more(a)
 
@@ -370,6 +383,19 @@ class Gear(Follow):
         self._log_offset(with_rest(done))
         self._paused, self.offset = left - done.distance, None
         self._halt = done, self.a.clock.now
+
+    def _complete_offset(self, left: float, velocity: float) -> None:
+        """Superpose the rest of a suspended offset; if that is rejected, drop it with a run-time fault."""
+        a, entry = self.a, self.offset_entry
+        try:
+            limits = self.offset_limits or (a.speed, *rates(a, a.speed))
+            profile = plan_distance(a, a.shape, 0.0, left, limits, (a.accel_jerk, a.decel_jerk), velocity)
+        except Rejected as rejected:
+            self.end_offset("stop")
+            self._fail(rejected, self.move if entry is None else entry)
+            return
+        self._log_offset(profile)
+        self.carry(profile, a.clock.now, entry)
 
     def _log_offset(self, profile: Profile) -> None:
         entry = self.offset_entry

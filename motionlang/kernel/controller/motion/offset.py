@@ -12,9 +12,9 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.follow import Follow, tie_of
 from motionlang.kernel.controller.queue.life import move_by, permit_motion
-from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.queue.plan import plan_distance, rates
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.planners import Profile, plan
+from motionlang.kernel.planners import Profile
 
 # Bits of the status of the last offset (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))
@@ -40,17 +40,18 @@ def offset(a: Axis, distance: float, mode: int, over: float, command: str, line:
         move_by(a, distance, command, line)
         return
     left, velocity = tie.offset_left()
-    a.controller.motion_listener.offset(a, distance, line)
     total = left + distance
     if not total and not velocity:
+        a.controller.motion_listener.offset(a, distance, line)
         return
     limits = _limits(a, tie, total, mode, over)
     if limits is None:
-        a.controller.motion_listener.refuse_offset(a)
         return
     speed, accel, decel, bound = limits
-    profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
-                   a.accel_jerk, a.decel_jerk)  # fmt: skip
+    shape = a.shape if mode < ACCEL_MODE else "trapezoid"
+    jerks = a.accel_jerk, a.decel_jerk
+    profile = plan_distance(a, shape, 0.0, total, (speed, accel, decel), jerks, velocity)
+    a.controller.motion_listener.offset(a, distance, line)
     entry = OffsetMove(a.index, command, line, profile.end)
     entry.profile, entry.start_time, entry.scale = profile, a.clock.now, a.scale.counts
     a.controller.log.moves.add(entry)

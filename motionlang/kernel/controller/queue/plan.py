@@ -67,6 +67,22 @@ def plan_move(a: Axis, move: Move, in_force: tuple[float, float] | None = None) 
         raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
 
 
+def plan_distance(
+    a: Axis,
+    shape: str,
+    start: float,
+    end: float,
+    limits: tuple[float, float, float],
+    jerks: tuple[float, float],
+    velocity: float = 0.0,
+) -> Profile:
+    """Return a profile of an axis from `start` to `end` within speed and rates; raise Rejected if there is none."""
+    try:
+        return plan(shape, start, end, *limits, velocity, a.ramp, *jerks)
+    except ValueError as problem:
+        raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
+
+
 def stop_rate(a: Axis) -> float:
     """Return the deceleration of a stop at the set rate; raise Rejected unless positive."""
     speed, _, decel = a.speed_and_rates(a.move)

@@ -21,14 +21,13 @@ from motionlang.kernel.controller.faults import (
 from motionlang.kernel.controller.motion.jog import jog
 from motionlang.kernel.controller.motion.profile_playback import play
 from motionlang.kernel.controller.queue.life import permit_motion
-from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.queue.plan import plan_distance, rates
 from motionlang.kernel.controller.queue.stop import come_to_rest
 from motionlang.kernel.controller.queue.track import define_position
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.watch import Watch, begin, end, watched_position
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
-from motionlang.kernel.planners import plan
 
 Rates = tuple[float | None, float | None]
 
@@ -215,7 +214,8 @@ class Homing:
         accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
         target = self._datum + offset
         here, speed = a.position(a.clock.now), min(self._creep_speed, a.max_speed)
-        profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+        jerks = a.accel_jerk, a.decel_jerk
+        profile = plan_distance(a, a.shape, here, target, (speed, accel, decel), jerks)
         permit_motion(a)
         play(a, profile, self._command, self.line)
         self._move = a.move
