@@ -77,13 +77,11 @@ class Playback(Action):
             pace = running(along, 1.0)
         return self._made(path, _to_the_end(path, pace), path.shape)
 
-    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
-        """Come to rest on the profile and empty the buffer.
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        return self.on_path and ended != "fault"
 
-        False, without effect, in a fault or without `on_path`.
-        """
-        if not self.on_path or ended == "fault":
-            return False
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
+        """Come to rest on the profile and empty the buffer."""
         path, pace = self._with_continuation(a)
         empty(a, ended)
         self.ordered = None  # it will not reach its last point
@@ -92,7 +90,6 @@ class Playback(Action):
         assert move is not None
         a.target = move.target = a.profiles[-1].end
         move.action = _StoppingOnPath()
-        return True
 
     def state(self, a: Axis) -> tuple[Profile, float, float]:
         """Return the profile, its playback time, and its playback rate."""

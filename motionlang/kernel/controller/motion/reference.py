@@ -81,19 +81,16 @@ class SpeedReference(Reference):
             raise Rejected("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
-    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
-        """Brake at `error_rate`, counts/s², after an error.
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        return ended == "fault" and hard and self.error_rate != 0.0
 
-        False, without effect, if that is 0, and for other stops.
-        """
-        if ended != "fault" or not hard or not self.error_rate:
-            return False
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
+        """Brake at `error_rate`, counts/s², after an error."""
         empty(a, ended)
         profile = braking(a, self.error_rate)
         self.move.action = Stopping(True, self.error_rate)
         continue_with(a, profile, ended)
         a.target = self.move.target = profile.end
-        return True
 
 
 def refer_speed(

@@ -163,11 +163,12 @@ class PathMove(Action):
         if self.run is not None:
             self.run.more()
 
-    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
-        if self.run is None:
-            return False
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        return self.run is not None
+
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
+        assert self.run is not None
         self.run.stop(a, ended, hard)
-        return True
 
     def is_stopping(self, hard: bool) -> bool:
         return self.run is not None and self.run.ended != "" and (self.run.hard or not hard)

@@ -69,9 +69,13 @@ class Action:
     def shift(self, a: Axis, shift: float) -> None:
         """Handle a new zero that is about to increase positions by `shift`."""
 
-    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
-        """Come to rest in a manner of its own; False to decelerate as usual."""
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        """True if such a stop is made by `stop`, in a manner of its own; False to decelerate as usual."""
         return False
+
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
+        """Come to rest and empty the buffer; only called if the action `stops_itself`."""
+        raise NotImplementedError
 
     def is_stopping(self, hard: bool) -> bool:
         """True if it is coming to rest already, and such a stop would change nothing."""

@@ -83,11 +83,11 @@ def plan_distance(
         raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
 
 
-def stop_rate(a: Axis) -> float:
-    """Return the deceleration of a stop at the set rate; raise Rejected unless positive."""
-    speed, _, decel = a.speed_and_rates(a.move)
-    if not decel and not speed and a.move is not None and a.move.rates_in_force is not None:
-        decel = a.move.rates_in_force[1]  # a ramp time says nothing about a stop at speed 0
+def stop_rate(a: Axis, move: Move | None) -> float:
+    """Return the deceleration of a stop at the rate of `move`, or else of the axis; raise Rejected unless positive."""
+    speed, _, decel = a.speed_and_rates(move)
+    if not decel and not speed and move is not None and move.rates_in_force is not None:
+        decel = move.rates_in_force[1]  # a ramp time says nothing about a stop at speed 0
     if not decel:
         decel = a.rates(speed)[1]
         _check_rate(a, decel, "a deceleration", "stop")
@@ -109,7 +109,7 @@ def braking(a: Axis, decel: float) -> Profile:
 
 def to_rest(a: Axis) -> Profile:
     """Return the motion from the state of the axis to rest at its set rate."""
-    return braking(a, stop_rate(a))
+    return braking(a, stop_rate(a, a.move))
 
 
 def with_standstill(a: Axis) -> Profile:

@@ -31,11 +31,11 @@ class Stopping(Action):
     def __init__(self, hard: bool = False, rate: float = 0.0) -> None:
         self.hard, self.rate = hard, rate
 
-    def stop(self, a: Axis, ended: str, hard: bool) -> bool:
-        if hard and (ended == "fault" or not self.hard):
-            return False
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        return not hard or (self.hard and ended != "fault")
+
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
         empty(a, ended)
-        return True
 
     def is_stopping(self, hard: bool) -> bool:
         return self.hard or not hard
@@ -55,7 +55,7 @@ def decelerate(a: Axis, ended: str, hard: bool = False) -> None:
     if hard:
         decel = a.error_decel if ended == "fault" else min(a.error_decel, a.max_decel)
     else:
-        decel = stop_rate(a)
+        decel = stop_rate(a, move)
     profile = braking(a, decel)
     if move.action is not None:
         move.action.leave(a, ended)
@@ -64,20 +64,14 @@ def decelerate(a: Axis, ended: str, hard: bool = False) -> None:
     a.target = move.target = profile.end
 
 
-def _check_stop(a: Axis) -> None:
-    """Raise Rejected, before anything changes, if a stop has no deceleration."""
-    move = a.move
-    if move is not None and (move.action is None or type(move.action).stop is Action.stop):
-        stop_rate(a)
-
-
 def stop(a: Axis, ended: str = "stop", hard: bool = False) -> None:
     """Decelerate to rest at the set rate and empty the move buffer.
 
     A `hard` stop uses `error_decel`.
     """
-    if not hard:
-        _check_stop(a)
+    if not hard and a.move is not None and _own_stop(a, ended, hard) is None:
+        # Raises Rejected before anything changes. The stop of a homing is one at the rates of the axis.
+        stop_rate(a, a.move if a.homing is None else None)
     if ended == "stop":
         stopped(a, ended, hard)
     a.controller.motion_listener.stop(a, ended)
@@ -85,13 +79,22 @@ def stop(a: Axis, ended: str = "stop", hard: bool = False) -> None:
     freed = release(a)
     if a.homing is not None:
         a.homing.cancel()
-    if a.move is None or a.move.action is None or not a.move.action.stop(a, ended, hard):
+    action = _own_stop(a, ended, hard)
+    if action is not None:
+        action.stop(a, ended, hard)
+    else:
         empty(a, ended)
         decelerate(a, ended, hard)
     a.controller.motion_listener.heed(a)
     for each in freed:
         if each is not a and not each.suspended:
             start_next(each)
+
+
+def _own_stop(a: Axis, ended: str, hard: bool) -> Action | None:
+    """Return the action of the move in progress if it makes such a stop itself."""
+    action = None if a.move is None else a.move.action
+    return action if action is not None and action.stops_itself(ended, hard) else None
 
 
 def come_to_rest(a: Axis, ended: str = "") -> None:
