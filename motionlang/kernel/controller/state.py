@@ -63,6 +63,10 @@ class ControllerState:
         if self.fault_handler is None or not self.fault_handler(rejected):
             raise rejected
 
+    def run_time_fault_later(self, rejected: Rejected) -> None:
+        """Raise a run-time fault once the present statement or event is over."""
+        self.clock.at(self.clock.now, lambda: self.run_time_fault(rejected))
+
     def together(self) -> Together:
         """Return a block that starts several axes; conditions are checked at its end."""
         return Together(self)

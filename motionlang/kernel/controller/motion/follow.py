@@ -40,7 +40,6 @@ cycle takes as much memory as any other profile; a cycle with a changed table co
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import pairwise
 
 from motionlang.kernel.controller.axis import Axis
@@ -50,7 +49,7 @@ from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.buffer import take
 from motionlang.kernel.controller.queue.life import append_profile, go_on
 from motionlang.kernel.controller.queue.plan import plan_distance, rates, to_rest, with_standstill
-from motionlang.kernel.controller.queue.stop import come_to_rest, freeze
+from motionlang.kernel.controller.queue.stop import give_up
 from motionlang.kernel.controller.queue.track import end_move, extend_track, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
@@ -258,20 +257,10 @@ class Follow(Action):
 
         The master completes its command and checks its limits first.
         """
-        a = self.a
         try:
             self.renew(cause)
         except Rejected as rejected:
-            try:
-                come_to_rest(a, "fault")
-            except Rejected:  # it has no deceleration
-                freeze(a, "fault")
-            self._fail(rejected, self.move)
-
-    def _fail(self, rejected: Rejected, move: Move) -> None:
-        """Raise a run-time fault of a move once the present event is over."""
-        rejected.line = rejected.line or move.line
-        self.a.clock.at(self.a.clock.now, partial(self.a.controller.run_time_fault, rejected))
+            give_up(self.a, rejected)
 
     def _start_waiting(self) -> None:
         """Start released offsets like `more`; each rejected one is a run-time fault."""
@@ -392,7 +381,8 @@ class Gear(Follow):
             profile = plan_distance(a, a.shape, 0.0, left, limits, (a.accel_jerk, a.decel_jerk), velocity)
         except Rejected as rejected:
             self.end_offset("stop")
-            self._fail(rejected, self.move if entry is None else entry)
+            rejected.line = rejected.line or (self.move if entry is None else entry).line
+            a.controller.run_time_fault_later(rejected)
             return
         self._log_offset(profile)
         self.carry(profile, a.clock.now, entry)

@@ -15,6 +15,7 @@ from motionlang.kernel.controller.io.sensor import next_tick
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.motion.reference import Reference
 from motionlang.kernel.controller.queue.plan import rates
+from motionlang.kernel.controller.queue.stop import give_up
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import far_end
@@ -68,7 +69,11 @@ class Track(Reference):
         a = self.a
         wanted, lively = (0.0, False) if a.suspended else self.decide()
         velocity = a.velocity(self.a.clock.now)
-        following = self._within(velocity, max(-a.max_speed, min(wanted, a.max_speed)))
+        try:
+            following = self._within(velocity, max(-a.max_speed, min(wanted, a.max_speed)))
+        except Rejected as rejected:
+            give_up(a, rejected)
+            return
         if following != velocity or a.profiles[-1].end_velocity != following:
             here = a.position(self.a.clock.now)
             recipe = (velocity, PERIOD, 0.0, following, INFINITY, 0.0, following)

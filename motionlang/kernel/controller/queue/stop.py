@@ -106,6 +106,17 @@ def come_to_rest(a: Axis, ended: str = "") -> None:
     decelerate(a, ended)
 
 
+def give_up(a: Axis, rejected: Rejected) -> None:
+    """End a motion that cannot continue with a run-time fault: come to rest, at once if there is no deceleration."""
+    assert a.move is not None
+    rejected.line = rejected.line or a.move.line
+    try:
+        come_to_rest(a, "fault")
+    except Rejected:
+        freeze(a, "fault")
+    a.controller.run_time_fault_later(rejected)
+
+
 def abort(a: Axis, ended: str = "cancel") -> None:
     """Halt at once, without a ramp, and empty the move buffer."""
     if ended == "cancel":
