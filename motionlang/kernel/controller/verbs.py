@@ -289,9 +289,12 @@ class Controller(Readings):
     # ---------------------------------------------------------------------------------------------- moving
 
     def go(self, axes: Iterable[int]) -> None:
-        """Release all moves in the buffers of `axes`; idle axes start now, together."""
-        for axis in axes:
-            life.go(self._movable(axis))
+        """Release all moves in the buffers of `axes`; idle axes start now, together.
+
+        If one of them cannot be moved, none starts.
+        """
+        for a in [self._movable(axis) for axis in axes]:
+            life.go(a)
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from any state of motion."""

@@ -52,7 +52,7 @@ def finite(row: Keyword, value: float) -> None:
 
 
 def do_go(environment: Environment, row: Keyword) -> Operation:
-    """GO: start the axes; if one does not exist, none starts."""
+    """GO: start the axes; if one does not exist or cannot be moved, none starts."""
     known, start = environment.controller.axes, environment.controller.go
 
     def go(axes: tuple[int, ...], line: int) -> None:
