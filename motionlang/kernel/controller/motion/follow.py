@@ -378,7 +378,7 @@ class Gear(Follow):
         a, entry = self.a, self.offset_entry
         try:
             limits = self.offset_limits or (a.speed, *rates(a, a.speed))
-            profile = plan_distance(a, a.shape, 0.0, left, limits, (a.accel_jerk, a.decel_jerk), velocity)
+            profile = plan_distance(a, a.shape, 0.0, left, limits, a.jerks(a.speed, *limits[1:]), velocity)
         except Rejected as rejected:
             self.end_offset("stop")
             rejected.line = rejected.line or (self.move if entry is None else entry).line

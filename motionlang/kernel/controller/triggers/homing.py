@@ -211,10 +211,10 @@ class Homing:
         if accel is None or decel is None:
             its = rates(a, self._creep_speed)
             accel, decel = accel or its[0], decel or its[1]
+        jerks = a.jerks(self._creep_speed, accel, decel)
         accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
         target = self._datum + offset
         here, speed = a.position(a.clock.now), min(self._creep_speed, a.max_speed)
-        jerks = a.accel_jerk, a.decel_jerk
         profile = plan_distance(a, a.shape, here, target, (speed, accel, decel), jerks)
         permit_motion(a)
         play(a, profile, self._command, self.line)
