@@ -282,11 +282,31 @@ class Follow(Action):
         return added(self.base(coming, here - left.start), left, self.move.shape)
 
     def _offset_done(self, profile: Profile) -> None:
-        if self.offset is profile and self.tied:
-            self.offset = self.offset_entry = None
+        if self.offset is not profile:
+            return
+        self.offset = self.offset_entry = None
+        if self.tied:
             self.fold(profile.end)
             self._renew_or_rest()
             self._start_waiting()
+
+
+class _Leaving(Playback):
+    """The rest of the motion of a slave that has left its master, with its offset."""
+
+    __slots__ = ("_tie",)
+
+    def __init__(self, tie: Follow) -> None:
+        super().__init__()
+        self._tie = tie
+
+    def suspend(self, a: Axis) -> bool:
+        super().suspend(a)
+        self._tie.end_offset("stop")
+        return True
+
+    def leave(self, a: Axis, ended: str) -> None:
+        self._tie.end_offset(ended)
 
 
 def tie_of(a: Axis) -> Follow | None:
@@ -494,9 +514,11 @@ def leave_master(a: Axis) -> None:
         extend_track(a, hold(a.target))
         go_on(a)
         return
-    tie.leave(a, "")
+    if tie.offset is None:
+        tie.end_offset("")  # one that is suspended
+    tie.detach()
     rest_of = a.profiles[-1].after(now - a.starts[-1])
-    tie.move.action = Playback()
+    tie.move.action = _Leaving(tie)
     tie.move.add(now, rest_of)
     a.target = tie.move.target = rest_of.end
     append_profile(a, rest_of)

@@ -6,6 +6,7 @@ Positions are exact at any time.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel import Controller, Rejected, Trace
-from tests.cases import examples
+from tests.cases import cases, examples
 from tests.kernel.controller.machines import cam, machine, offset, until
 
 quick = settings(max_examples=examples(60))
@@ -526,6 +527,42 @@ def test_a_slave_that_leaves_its_master_completes_its_profile() -> None:
     assert entry.profile.duration == pytest.approx(2.1)
     c.leave_master(1)  # a no-op
     assert c.is_idle(1)
+
+
+@cases(
+    "cut, distance, ended",
+    [(lambda c: None, 5.0, ""), (lambda c: c.stop(1), 3.0, "stop"), (lambda c: c.abort(1), 3.0, "cancel"),
+     (lambda c: c.suspend(1), 3.0, "stop")],
+)  # fmt: skip
+def test_a_slave_that_leaves_its_master_completes_its_offset(
+    cut: Callable[[Controller], None], distance: float, ended: str
+) -> None:
+    """The offset of 5 takes 0.6 s, of which the slave has covered 2 as it leaves, and 3 at the cut."""
+    c = machine()
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    offset(until(c, 1.0), 1, 5.0, command="OFFSET")
+    until(c, 1.25).leave_master(1)
+    cut(until(c, 1.35))
+    until(c, 9.0)
+    (entry,) = (move for move in c.log.moves if move.command == "OFFSET")
+    assert entry.profile is not None
+    assert entry.profile.end == pytest.approx(distance)
+    assert entry.ended == ended
+    assert ended or c.position(1) == pytest.approx(15.0)
+
+
+def test_a_stop_after_an_offset_leaves_its_entry() -> None:
+    c = machine()
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    offset(until(c, 1.0), 1, 5.0, command="OFFSET")
+    until(c, 1.25).leave_master(1)
+    until(c, 1.7).stop(1)
+    (entry,) = (move for move in c.log.moves if move.command == "OFFSET")
+    assert entry.profile is not None
+    assert entry.profile.duration == pytest.approx(0.6)
+    assert not entry.ended
 
 
 def test_a_slave_at_rest_that_leaves_its_master_is_idle() -> None:
