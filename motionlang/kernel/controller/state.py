@@ -64,7 +64,10 @@ class ControllerState:
             raise rejected
 
     def run_time_fault_later(self, rejected: Rejected) -> None:
-        """Raise a run-time fault once the present statement or event is over."""
+        """Raise a run-time fault once the present statement or event is over.
+
+        The motion that caused it is complete by then, with its limits checked.
+        """
         self.clock.at(self.clock.now, lambda: self.run_time_fault(rejected))
 
     def together(self) -> Together:

@@ -253,10 +253,7 @@ class Follow(Action):
         self._renew_or_rest("a jump of its master")
 
     def _renew_or_rest(self, cause: str = "") -> None:
-        """Renew the slave's motion; if that is rejected, come to rest with a run-time fault.
-
-        The master completes its command and checks its limits first.
-        """
+        """Renew the slave's motion, or come to rest with a run-time fault."""
         try:
             self.renew(cause)
         except Rejected as rejected:
@@ -394,7 +391,7 @@ class Gear(Follow):
         self._halt = done, self.a.clock.now
 
     def _complete_offset(self, left: float, velocity: float) -> None:
-        """Superpose the rest of a suspended offset; if that is rejected, drop it with a run-time fault."""
+        """Superpose the rest of a suspended offset, or drop it with a run-time fault."""
         a, entry = self.a, self.offset_entry
         try:
             limits = self.offset_limits or (a.speed, *rates(a, a.speed))

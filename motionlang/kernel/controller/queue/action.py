@@ -70,11 +70,11 @@ class Action:
         """Handle a new zero that is about to increase positions by `shift`."""
 
     def stops_itself(self, ended: str, hard: bool) -> bool:
-        """True if such a stop is made by `stop`, in a manner of its own; False to decelerate as usual."""
+        """True if `stop` makes such a stop; False to decelerate as usual."""
         return False
 
     def stop(self, a: Axis, ended: str, hard: bool) -> None:
-        """Come to rest and empty the buffer; only called if the action `stops_itself`."""
+        """Come to rest in a manner of its own, and empty the buffer."""
         raise NotImplementedError
 
     def is_stopping(self, hard: bool) -> bool:

@@ -76,7 +76,10 @@ def plan_distance(
     jerks: tuple[float, float],
     velocity: float = 0.0,
 ) -> Profile:
-    """Return a profile of an axis from `start` to `end` within speed and rates; raise Rejected if there is none."""
+    """Return a profile from `start` to `end` with given `limits`, a speed and rates.
+
+    Raises Rejected if there is none.
+    """
     try:
         return plan(shape, start, end, *limits, velocity, a.ramp, *jerks)
     except ValueError as problem:
@@ -84,7 +87,10 @@ def plan_distance(
 
 
 def stop_rate(a: Axis, move: Move | None) -> float:
-    """Return the deceleration of a stop at the rate of `move`, or else of the axis; raise Rejected unless positive."""
+    """Return the deceleration of a stop, at the rate of `move` if it has its own.
+
+    Raises Rejected unless it is positive.
+    """
     speed, _, decel = a.speed_and_rates(move)
     if not decel and not speed and move is not None and move.rates_in_force is not None:
         decel = move.rates_in_force[1]  # a ramp time says nothing about a stop at speed 0

@@ -107,7 +107,10 @@ def come_to_rest(a: Axis, ended: str = "") -> None:
 
 
 def give_up(a: Axis, rejected: Rejected) -> None:
-    """End a motion that cannot continue with a run-time fault: come to rest, at once if there is no deceleration."""
+    """End a motion that cannot continue: come to rest, and raise a run-time fault.
+
+    An axis without a deceleration halts at once.
+    """
     assert a.move is not None
     rejected.line = rejected.line or a.move.line
     try:

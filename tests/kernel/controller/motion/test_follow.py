@@ -552,6 +552,19 @@ def test_a_slave_that_leaves_its_master_completes_its_offset(
     assert ended or c.position(1) == pytest.approx(15.0)
 
 
+def test_a_slave_that_has_left_its_master_needs_a_deceleration_to_stop() -> None:
+    c = machine()
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    until(c, 1.0).leave_master(1)
+    c.load_to(1, 13.0)
+    c.configure(1, "decel", 0.0)
+    with pytest.raises(Rejected, match="axis 1 cannot stop: its deceleration is 0"):
+        c.stop(1)
+    assert len(c.axes[1].buffer) == 1
+    assert not list(c.log.dropped)
+
+
 def test_a_stop_after_an_offset_leaves_its_entry() -> None:
     c = machine()
     c.gear(1, 0, 0.5)
