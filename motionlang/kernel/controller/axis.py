@@ -199,7 +199,7 @@ class Axis:
         return move.action.entries(self, move)
 
     @property
-    def moves(self) -> bool:
+    def is_moving(self) -> bool:
         """True if a move is in progress."""
         return self.move is not None
 

@@ -179,7 +179,7 @@ def writer(a: Axis, name: str, unit: str = "") -> Writer:
         if power is not None:
             rate, per_unit = factors[power]
             value = value * per_unit / rate
-        if (live and a.moves) or not value:
+        if (live and a.is_moving) or not value:
             configure(a, name, value)
             return
         if getattr(a, name) != value:

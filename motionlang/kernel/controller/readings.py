@@ -135,7 +135,7 @@ class Readings(ControllerState):
         return may_enable(self.axes[axis])
 
     def is_idle(self, axis: int) -> bool:
-        return not self.axes[axis].moves
+        return not self.axes[axis].is_moving
 
     def is_on_home_switch(self, axis: int) -> bool:
         return self.axes[axis].is_at_home
@@ -146,7 +146,7 @@ class Readings(ControllerState):
     def idle_time(self, axis: int) -> float:
         """Return when the axis will be idle if nothing else happens; infinite in a jog."""
         a = self.axes[axis]
-        return a.end_of_motion() if a.moves else self.clock.now
+        return a.end_of_motion() if a.is_moving else self.clock.now
 
     def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
         """Return a reader of the time when all given axes will be idle; -1 if they are."""

@@ -1,8 +1,8 @@
 """The verbs of a controller: all that a language may say to its axes, in counts and seconds.
 
-Each names the axis by its number and does it with one function of the room that its name leads to: `go` starts moves
-(`queue/life.py`), `stop` cuts them (`queue/stop.py`), `load_line` loads a path (`moves/path.py`). A rejected command
-raises Rejected. What can be read is in `Readings`.
+Each finds the axis by its number and calls one function with it: `go` starts moves (`queue/life.py`), `stop` cuts them
+(`queue/stop.py`), `load_line` loads a path (`moves/path.py`). A rejected command raises Rejected. What can be read is
+in `Readings`.
 """
 
 from __future__ import annotations
@@ -171,7 +171,7 @@ class Controller(Readings):
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Load a move by `distance`, counted from the position at which it starts."""
         a = self._movable(axis)
-        buffer.known_end(a)
+        buffer.check_end_known(a)
         buffer.put(a, buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
@@ -380,7 +380,7 @@ class Controller(Readings):
 
     def track(
         self, axis: int, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
-    ) -> sampled_velocity.Track:
+    ) -> sampled_velocity.SampledVelocity:
         """Let a function set the velocity of an axis, counts/s, at every profiler tick."""
         return sampled_velocity.track(self._movable(axis), decide, command, line)
 

@@ -23,7 +23,7 @@ class JerkLimited(Profile):
     def __init__(
         self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
     ) -> None:
-        # The stores of `Profile`, inlined because the running program plans in motion.
+        # What `Profile.__init__` assigns, since a running program plans in motion.
         self.shape = "scurve"
         self.start = start
         self.end = end

@@ -47,14 +47,14 @@ def test_a_setting_that_is_ignored(motion: str, setting: str, monkeypatch: pytes
     ],
 )
 def test_another_velocity_that_is_ignored(text: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = jog.ramp_to
+    honest = jog.begin_jog
 
     def only_first(a: Axis, *rest: Any) -> None:
         if a.move is None:
             honest(a, *rest)
 
     assert messages(text, name) == []
-    monkeypatch.setattr(jog, "ramp_to", only_first)
+    monkeypatch.setattr(jog, "begin_jog", only_first)
     assert messages(text, name) != []
 
 

@@ -463,11 +463,11 @@ def gear(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: in
 
     With `ramp` the slave first ramps to the velocity of the master times `ratio`.
     """
-    follow_at(a, master, ratio, ramp, command, line)
+    begin_gear(a, master, ratio, ramp, command, line)
     a.controller.motion_listener.gears(a, ratio)
 
 
-def follow_at(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
+def begin_gear(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
     """Begin to follow, or change the ratio."""
     _check_ratio(ratio)
     tie = tie_of(a)

@@ -96,11 +96,11 @@ def jog(
     With `ends`, a jog to velocity 0 is over when the axis is at rest. Repeating the command, as the loop of a jog panel
     does, changes neither profile nor log.
     """
-    ramp_to(a, velocity, command, line, own, ends)
+    begin_jog(a, velocity, command, line, own, ends)
     a.controller.motion_listener.jogs(a, velocity)
 
 
-def ramp_to(a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool) -> None:
+def begin_jog(a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool) -> None:
     """Begin or change a jog."""
     present = a.move
     if present is None:

@@ -22,7 +22,7 @@ from motionlang.kernel.planners.curve import far_end
 from motionlang.kernel.planners.dwell import rest
 
 
-class Track(Reference):
+class SampledVelocity(Reference):
     """The motion of an axis with a velocity function.
 
     `decide` returns the desired velocity, counts/s, and true if it may still change.
@@ -92,13 +92,13 @@ class Track(Reference):
         return wanted if abs(change) <= most else velocity + (most if change > 0.0 else -most)
 
 
-def track(a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int) -> Track:
+def track(a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int) -> SampledVelocity:
     """Let the function `decide` move an axis at standstill, from the next tick on."""
     if a.move is not None:
         raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
     rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")
-    made = Track(a, move, decide)
+    made = SampledVelocity(a, move, decide)
     made.engage(a, rest("track", a.position(a.clock.now), INFINITY))
     made.wake()
     return made

@@ -16,7 +16,7 @@ from motionlang.kernel.controller.moves.path_run import PathRun
 from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import permit_motion
-from motionlang.kernel.controller.queue.plan import speed_and_rates
+from motionlang.kernel.controller.queue.plan import checked_speed_and_rates
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile
@@ -77,7 +77,7 @@ class PathMove(Action):
         if self.policy is not None:
             return self.policy.pace()
         master, move = self.axes[0], self.moves[0]
-        speed, accel, decel = speed_and_rates(master, move)
+        speed, accel, decel = checked_speed_and_rates(master, move)
         k = abs(self.scales[0])
         most = self._limits(segment)
         jerks = master.jerks(speed, accel, decel)

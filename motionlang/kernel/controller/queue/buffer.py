@@ -72,12 +72,10 @@ def end(a: Axis) -> float:
     return there
 
 
-def known_end(a: Axis) -> float:
-    """Like `end`, but raise Rejected while the axis is jogging."""
-    there = end(a)
-    if not abs(there) < 1e300:
+def check_end_known(a: Axis) -> None:
+    """Raise Rejected while the axis is jogging, so that a relative move has no start."""
+    if not abs(end(a)) < 1e300:
         raise Rejected("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
-    return there
 
 
 def take(a: Axis, index: int = 0) -> None:

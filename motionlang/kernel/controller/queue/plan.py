@@ -21,7 +21,7 @@ def rates(a: Axis, speed: float) -> tuple[float, float]:
     return accel, decel
 
 
-def speed_and_rates(a: Axis, move: Move) -> tuple[float, float, float]:
+def checked_speed_and_rates(a: Axis, move: Move) -> tuple[float, float, float]:
     """Return speed and rates of a move; at speed 0 the axis holds, and the rates in force stay.
 
     Raises Rejected if the axis cannot move.
@@ -42,7 +42,7 @@ def plan_move(a: Axis, move: Move, in_force: tuple[float, float] | None = None) 
 
     Its rates are those of the settings, or `in_force`.
     """
-    speed, accel, decel = speed_and_rates(a, move)
+    speed, accel, decel = checked_speed_and_rates(a, move)
     accel, decel = in_force or (accel, decel)
     shape = a.shape
     jerks = a.jerks(speed, accel, decel) if shape == "scurve" else (INFINITY, INFINITY)

@@ -48,11 +48,11 @@ _SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 class Homing:
     """One homing in progress on one axis; `found` is set when the datum is known.
 
-    `direction` is that of the search, speeds are counts/s, `rates` its acceleration and deceleration, counts/s²
-    (None: that of the axis), `datum` is the position given to the datum,
-    `offset` how far from the datum the axis ends (None: where it stops). `before` is the datum's position until
-    then; `line` is the program line that began the homing. `provided` is true if the machine has the switch or mark
-    that the homing searches for. `ended` is called at the end, whatever its cause.
+    `direction` is that of the search, speeds are counts/s, `rates` its acceleration and deceleration, counts/s² (None:
+    that of the axis). `datum` is the position given to the datum, `before` its position until then, and `offset` how
+    far from it the axis ends (None: where it stops). `line` is the program line that began the homing. `provided` is
+    true if the machine has the switch or mark that the homing searches for. `ended` is called at the end, whatever its
+    cause.
     """
 
     def __init__(

@@ -8,7 +8,7 @@ is in counts of the converter. The sum is reset to 0 within the dead band and by
 from __future__ import annotations
 
 from motionlang.kernel.controller.faults import fault_names
-from motionlang.kernel.controller.motion.sampled_velocity import Track
+from motionlang.kernel.controller.motion.sampled_velocity import SampledVelocity
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -23,7 +23,7 @@ COUNTS = 4096.0
 class Hold:
     """An axis that holds an input: its wanted value in percent, and the loop state."""
 
-    track: Track
+    track: SampledVelocity
 
     def __init__(self, holds: Holds, axis: int, wanted: float) -> None:
         self.holds, self.axis, self.wanted = holds, axis, wanted
