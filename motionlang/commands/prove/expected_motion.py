@@ -441,8 +441,8 @@ def _order(a: Axis) -> Order:
     if isinstance(action, Playback):
         return Order("Playback", move.line, points=action.ordered)
     if isinstance(action, SpeedReference) and not a.suspended:
-        up, down = action.slopes
-        goal = max(-a.max_speed, min(action.velocity, a.max_speed))
+        (up, down), most = action.slopes, min(action.most, a.max_speed)
+        goal = max(-most, min(action.velocity, most))
         slopes = up.key(), down.key()
         return Order("reference", move.line, abs(goal), (up.rate, down.rate), goal=goal, slopes=slopes)
     if isinstance(action, PositionReference) and not a.suspended:

@@ -108,9 +108,10 @@ def stopped(a: Axis, kind: str, hard: bool = False) -> None:
         note(a, kind, _speed(a, a.velocity(a.clock.now)))
 
 
-def clamped(a: Axis, line: int, speed: float) -> None:
-    """Log, once, a commanded speed, counts/s, above the limit of the axis."""
-    _once(a, "clamp", "speed", line, _speed(a, speed), _speed(a, a.max_speed))
+def clamped(a: Axis, line: int, speed: float, limit: float) -> None:
+    """Log, once, a commanded speed above a limit, both counts/s."""
+    if speed > limit:
+        _once(a, "clamp", "speed", line, _speed(a, speed), _speed(a, limit))
 
 
 def clamped_blend(a: Axis, line: int, commanded: float, got: float) -> None:

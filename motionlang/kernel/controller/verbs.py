@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from motionlang.kernel.controller import power, readers, settings
 from motionlang.kernel.controller.axis import BY_WORD, Axis
-from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.clock import INFINITY, Clock
 from motionlang.kernel.controller.motion import encoder as encoders
 from motionlang.kernel.controller.motion import follow, jog, profile_playback, reference, sampled_velocity
 from motionlang.kernel.controller.moves import cam, entries, path
@@ -367,12 +367,13 @@ class Controller(Readings):
         error_rate: float = 0.0,
         command: str = "",
         line: int = 0,
+        most: float = INFINITY,
     ) -> None:
-        """Ramp to a speed reference, counts/s, with `slopes` for speeding up and down.
+        """Ramp to a speed reference, counts/s, at most `most`, with `slopes` for speeding up and down.
 
         An error brakes the axis at `error_rate`.
         """
-        reference.refer_speed(self._movable(axis), velocity, slopes, error_rate, command, line)
+        reference.refer_speed(self._movable(axis), velocity, slopes, error_rate, command, line, most)
 
     def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Follow a position reference, reached within one period of the profiler."""

@@ -38,6 +38,8 @@ class Jog(Action):
         return self.planned(a, a.move.rates if a.move is not None else None)
 
     def replan(self, a: Axis) -> None:
+        assert a.move is not None
+        clamped(a, a.move.line, abs(self.velocity), a.max_speed)
         super().replan(a)
         self.aim(a)
 
@@ -114,8 +116,7 @@ def begin_jog(a: Axis, velocity: float, command: str, line: int, own: Rates | No
     move.rates = own
     action = move.action = Jog(velocity, ends)
     move.commanded_speed = abs(velocity)
-    if move.commanded_speed > a.max_speed:
-        clamped(a, line, move.commanded_speed)
+    clamped(a, line, move.commanded_speed, a.max_speed)
     profile = action.planned(a, own)
     end_move(a, "retarget")
     run_profile(a, move, profile)

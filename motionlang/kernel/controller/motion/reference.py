@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.events import BY_DESIGN
+from motionlang.kernel.controller.events import BY_DESIGN, clamped
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import append_profile, continue_with, empty
@@ -54,23 +54,27 @@ class Reference(Action):
 
 
 class SpeedReference(Reference):
-    """A velocity, counts/s, reached with the slopes `up` and `down`.
+    """A velocity, counts/s, at most `most`, reached with the slopes `up` and `down`.
 
     `error_rate` is the deceleration after an error; 0 for none.
     """
 
-    __slots__ = ("error_rate", "slopes", "velocity")
+    __slots__ = ("error_rate", "most", "slopes", "velocity")
     live_limits = ("max_speed",)
 
-    def __init__(self, move: FollowMove, velocity: float, slopes: Slopes, error_rate: float) -> None:
+    def __init__(
+        self, move: FollowMove, velocity: float, slopes: Slopes, error_rate: float, most: float
+    ) -> None:
         super().__init__(move)
-        self.velocity, self.slopes, self.error_rate = velocity, slopes, error_rate
+        self.velocity, self.slopes, self.error_rate, self.most = velocity, slopes, error_rate, most
 
     def plan(self, a: Axis) -> Profile:
         """Return the ramp from the state of the axis; at a velocity of 0 it ends at rest."""
         if a.suspended:
             return with_standstill(a)
-        wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
+        most = min(self.most, a.max_speed)
+        clamped(a, self.move.line, abs(self.velocity), most)
+        wanted = max(-most, min(self.velocity, most))
         s = a.at(a.clock.now)
         try:
             acceleration, (up, down) = s.acceleration, self.slopes
@@ -100,21 +104,22 @@ def refer_speed(
     error_rate: float,
     command: str,
     line: int,
+    most: float,
 ) -> None:
-    """Ramp an axis to a velocity; writing the current one is a no-op."""
+    """Ramp an axis to a velocity, at most `most`; writing the current one is a no-op."""
     action = a.move.action if a.move is not None and a.move.command == command else None
     if isinstance(action, SpeedReference):
         action.error_rate = error_rate
         same = [slope.key() for slope in slopes] == [slope.key() for slope in action.slopes]
-        if velocity == action.velocity and (same or _steady(a)):
+        if velocity == action.velocity and most == action.most and (same or _steady(a)):
             return
-        action.velocity, action.slopes = velocity, slopes
+        action.velocity, action.slopes, action.most = velocity, slopes, most
         action.replan(a)
         return
     if not velocity and a.move is None:
         return
     move = FollowMove(a.index, command, line, "jog")
-    made = SpeedReference(move, velocity, slopes, error_rate)
+    made = SpeedReference(move, velocity, slopes, error_rate, most)
     made.engage(a, made.plan(a))
 
 

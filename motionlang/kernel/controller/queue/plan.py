@@ -50,8 +50,7 @@ def plan_move(a: Axis, move: Move, in_force: tuple[float, float] | None = None) 
         speed *= a.override
     move.commanded_speed = speed
     if a.limited:
-        if speed > a.max_speed:
-            clamped(a, move.line, speed)
+        clamped(a, move.line, speed, a.max_speed)
         speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
     move.rates_in_force = accel, decel
     if a.suspended or not speed:

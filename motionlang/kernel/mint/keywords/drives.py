@@ -57,9 +57,8 @@ class Drives(Settings):
             return
         error_time = self.setting("SPEEDREFERRORDECELTIME", axis)
         rate = top_speed(self.environment, axis) / error_time * 1000.0 if error_time else 0.0
-        limited = max(-most, min(velocity, most))
         line = self._lines.get((name, axis), 0)
-        self.controller.refer_speed(axis, limited, self._slopes(axis, name), rate, name, line)
+        self.controller.refer_speed(axis, velocity, self._slopes(axis, name), rate, name, line, most)
 
     def runs(self, axis: int, name: str) -> bool:
         """True if the axis follows this reference."""
