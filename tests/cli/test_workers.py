@@ -96,3 +96,16 @@ def test_a_signal_while_the_workers_are_started(verb: str, folder: Path) -> None
     output = output_until_all_have_ended(process)
     assert (process.returncode, output.count("worker\n")) == (143, JOBS)
     assert "Traceback" not in output
+
+
+def test_a_reader_that_goes_away_ends_the_workers_without_a_word(tmp_path: Path) -> None:
+    """The rest of the files is still with the workers when a line no longer finds its reader."""
+    for number in range(40):
+        (tmp_path / f"p{number}.mnt").write_text("MOVER(0) = 100 : GO(0)\nPAUSE IDLE(0)\n" * 50)
+    command = [sys.executable, "-m", "motionlang", "check", str(tmp_path), "--literals", "--jobs", str(JOBS)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        process.stdout.readline()
+        process.stdout.close()
+        output = output_until_all_have_ended(process)
+    assert (process.returncode, output) == (141, "")

@@ -28,7 +28,11 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
 
     pool = Workers(jobs)
     try:
-        yield from pool.map(work, items)
+        # Not by `map`: it cancels its calls when it is left, and Python 3.11 cannot end the processes of those.
+        calls = [pool.submit(work, item) for item in items]
+        calls.reverse()
+        while calls:
+            yield calls.pop().result()
         pool.shutdown()
     except BaseException:
         pool.stop()
