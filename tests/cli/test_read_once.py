@@ -20,7 +20,18 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
 
 
 @pytest.mark.parametrize(
-    "command", ["check", "run", "map", "map --run", "cover", "profile", "certify", "prove"]
+    "command",
+    [
+        "check",
+        "check --steps --tree --literals --evidence",
+        "run",
+        "map",
+        "map --run",
+        "cover",
+        "profile",
+        "certify",
+        "prove",
+    ],
 )
 def test_a_command_reads_a_program_once(
     command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar
@@ -48,18 +48,21 @@ if TYPE_CHECKING:
 
 @dataclass
 class Checked:
-    """A file as far as it has been checked.
+    """A file as far as it has been checked, with what else was asked for.
 
     `language` is "" if it is unknown. `source` is the file that the diagnostics are about: the program or its machine
-    file. `settings` is None if the program could not be checked.
+    file.
     """
 
     language: str
     source: Source | None = None
-    settings: dict[str, object] | None = None
     diagnostics: Sequence[Diagnostic] = ()
     fixed: Sequence[Fixed] = ()
     notes: Sequence[str] = ()
+    literals: Sequence[Literal] = ()
+    tree: str | None = None
+    steps: Sequence[ListedUnit] = ()
+    assumptions: Sequence[str] | None = None
 
 
 @dataclass
@@ -69,7 +72,7 @@ class _Shown:
     files: list[dict[str, object]] = field(default_factory=list)
     fixed: list[tuple[str, Fixed]] = field(default_factory=list)
     literals: list[tuple[str, Literal]] = field(default_factory=list)
-    steps: list[tuple[str, list[ListedUnit]]] = field(default_factory=list)
+    steps: list[tuple[str, Sequence[ListedUnit]]] = field(default_factory=list)
     assumptions: list[tuple[dict[str, object], Assumption]] = field(default_factory=list)
 
 
@@ -145,13 +148,13 @@ examples:
 
     def _report(self, checked: Checked, found: Found) -> None:
         """Print what is known of a file, or keep it for the document."""
-        source, settings, text = checked.source, checked.settings, self.format == "text"
+        source, text = checked.source, self.format == "text"
         notes = list(checked.notes)
         row: dict[str, object] = {
             "file": found.file,
             "dialect": checked.language,
             "notes": notes,
-            "tree": None,
+            "tree": checked.tree,
         }
         self._shown.files.append(row)
         self._shown.fixed += [(found.file, each) for each in checked.fixed]
@@ -162,40 +165,24 @@ examples:
                 note = styled("note:", "note", wants_colour(sys.stdout))
                 sys.stdout.write("".join(f"{note} {each}\n" for each in notes))
                 sys.stdout.write(f"{found.file}: {self._tally(checked, found.file)}\n")
-        if source is not None and settings is not None:
-            self._show(dialect(checked.language), source, settings, row)
+        self._show(checked, found.file)
 
-    def _show(
-        self, language: Dialect, source: Source, settings: dict[str, object], row: dict[str, object]
-    ) -> None:
-        """Print what else is asked for, or keep it for the document."""
-        text, colour, file = self.format == "text", wants_colour(sys.stdout), str(row["file"])
-        program = language.program(source, settings)
-        if self.literals:
-            found = program.literals
-            self._shown.literals += [(file, each) for each in found]
-            if text:
-                width = max((len(each.address) for each in found), default=0)
-                values = max((len(each.text) for each in found), default=0)
-                for each in found:
-                    line = printable(source.line(each.line).strip())
-                    sys.stdout.write(f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n")
-        try:
-            if self.tree:
-                row["tree"] = tree = render_tree(program.tree)
-                sys.stdout.write(tree if text else "")
-            if self.steps:
-                units = program.step_list
-                self._shown.steps.append((file, units))
-                sys.stdout.writelines(render_steps(language, units, colour=colour) if text else ())
-        except ProgramError:  # its errors are among the findings
-            pass
-        if self.evidence:
+    def _show(self, checked: Checked, file: str) -> None:
+        """Print what else was asked for, or keep it for the document."""
+        text, colour = self.format == "text", wants_colour(sys.stdout)
+        self._shown.literals += [(file, each) for each in checked.literals]
+        self._shown.steps.append((file, checked.steps))
+        if text and checked.source is not None:
+            sys.stdout.writelines(_literal_lines(checked.source, checked.literals))
+            sys.stdout.write(checked.tree or "")
+        if text and checked.steps:
+            sys.stdout.writelines(render_steps(dialect(checked.language), checked.steps, colour=colour))
+        if checked.assumptions is not None:
             from motionlang.commands.probe.entries import assumptions
             from motionlang.commands.probe.view import listing
 
             known = assumptions()
-            open_ones = [known[name] for name in depended_on(language, source.text, settings)]
+            open_ones = [known[name] for name in checked.assumptions]
             self._shown.assumptions += [({"file": file}, each) for each in open_ones]
             sys.stdout.write(listing(open_ones, width=width_of(sys.stdout), colour=colour) if text else "")
 
@@ -232,21 +219,30 @@ def _by_file(name: str, keys: Sequence[str], found: Sequence[tuple[str, object]]
     return Table(name, list(map(Column, ("file", *keys))), rows)
 
 
+def _literal_lines(source: Source, literals: Sequence[Literal]) -> Iterator[str]:
+    """Return the addresses of literals beside their numbers and lines."""
+    width = max((len(each.address) for each in literals), default=0)
+    values = max((len(each.text) for each in literals), default=0)
+    for each in literals:
+        line = printable(source.line(each.line).strip())
+        yield f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n"
+
+
 def _checked_and_fixed(options: Check, file: str) -> Checked:
     """Return what is known of a file after its fixes."""
-    checked = _checked(options, file)
-    source, settings = checked.source, checked.settings
-    if not options.fix or file == STDIN or settings is None or source is None:
+    checked, program = _checked(options, file)
+    if not options.fix or file == STDIN or program is None:
         return checked
-    name, language = source.name, dialect(checked.language)
+    name, before, language = program.source.name, program, dialect(program.language)
+
+    def made(text: str) -> Program:
+        return language.program(Source(name, text), before.settings)
 
     def check(text: str) -> list[Diagnostic]:
-        return check_program(language.program(Source(name, text), settings))
-
-    before = language.program(source, settings)
+        return check_program(made(text))
 
     def differences(text: str) -> list[Diagnostic]:
-        return language.port_differences(before, language.program(Source(name, text), settings))
+        return language.port_differences(before, made(text))
 
     try:
         fixed = fix(file, checked.diagnostics, check, differences)
@@ -259,7 +255,7 @@ def _checked_and_fixed(options: Check, file: str) -> Checked:
         return replace(checked, diagnostics=[*checked.diagnostics, problem])
     except OSError as error:
         return replace(checked, diagnostics=[*checked.diagnostics, unwritten(file, error)])
-    done = _checked(options, file)
+    done, _ = _checked(options, file)
     return replace(done, fixed=fixed, diagnostics=[*done.diagnostics, *left])
 
 
@@ -279,28 +275,41 @@ def _left_of_port(options: Check, language: Dialect, file: str, before: Program)
     return found
 
 
-def _checked(options: Check, file: str) -> Checked:
+def _checked(options: Check, file: str) -> tuple[Checked, Program | None]:
+    """Return what is known of a file, and its program if that could be checked."""
     language = language_of(options.lang, file)
     if language is None:
-        return Checked("", diagnostics=[no_dialect(file)])
+        return Checked("", diagnostics=[no_dialect(file)]), None
     path = machine_of(file, options.machine)
     settings: dict[str, object] = {}
     try:
         source = read(file)
         machine = None if path is None else read(path)
     except Refused as refused:
-        return Checked(language.name, diagnostics=refused.diagnostics)
+        return Checked(language.name, diagnostics=refused.diagnostics), None
     if machine is not None:
         try:
             settings = read_machine(machine, language=language)
         except ProgramError as error:
-            return Checked(language.name, machine, None, error.diagnostics)
+            return Checked(language.name, machine, error.diagnostics), None
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
         wrong = missing_axes(settings, axes, language.first_axis)
         if wrong:
-            return Checked(language.name, machine, None, wrong)
+            return Checked(language.name, machine, wrong), None
     if options.model is not None:
         settings["controller.model"] = options.model
     program = language.program(source, settings)
     found = one_sentence(language, source, check_program(program))
-    return Checked(language.name, source, settings, found, notes=program.remarks)
+    checked = Checked(language.name, source, found, notes=program.remarks)
+    if options.literals:
+        checked.literals = program.literals
+    if options.evidence:
+        checked.assumptions = depended_on(language, source.text, settings)
+    try:
+        if options.tree:
+            checked.tree = render_tree(program.tree)
+        if options.steps:
+            checked.steps = program.step_list
+    except ProgramError:  # its errors are among the findings
+        pass
+    return checked, program
