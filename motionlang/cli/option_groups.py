@@ -96,7 +96,7 @@ class OnMachine(Language):
 
 
 @dataclass
-class Program(OnMachine):
+class ProgramOptions(OnMachine):
     """A program and its machine."""
 
     title: ClassVar[str] = "program"

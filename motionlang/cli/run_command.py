@@ -12,7 +12,7 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.event_status import complaints
-from motionlang.cli.option_groups import Output, Program, World, forms
+from motionlang.cli.option_groups import Output, ProgramOptions, World, forms
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
@@ -25,6 +25,7 @@ from motionlang.kernel import (
     Diagnostic,
     Machine,
     Outside,
+    Program,
     ProgramError,
     Run,
     Source,
@@ -55,7 +56,7 @@ Pace = Callable[[float], None]
 
 
 @dataclass
-class Simulated(Output, World, Program):
+class Simulated(Output, World, ProgramOptions):
     """A command that runs one program: it prints the program's output and then its report."""
 
     title: ClassVar[str] = "run"
@@ -145,12 +146,11 @@ class Simulated(Output, World, Program):
     def _result(self) -> Run:
         source, language = self.source(), self.known_language()
         settings = self.settings()
+        program = language.program(source, settings).with_values(self.overrides())
         given = self.entries()
         if given:
             try:
-                check_inputs_are_read(
-                    language.program(source, settings), language, settings, entries(settings, **given)
-                )
+                check_inputs_are_read(program, language, settings, entries(settings, **given))
                 settings = Checked(with_entries(settings, **given))
             except WrongEntry as error:
                 wrong = Diagnostic("option", error.message, hint=error.hint)
@@ -161,23 +161,23 @@ class Simulated(Output, World, Program):
             machine = self.machine_path()
             of_file = Source(machine, "") if machine else None
             raise Refused(missing, file=machine or self.file, source=of_file)
-        return self.simulated(source, settings)
+        return self.simulated(program, settings)
 
     # ---------------------------------------------------------------------------------------------------- the run
 
     def simulated(
-        self, source: Source, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+        self, program: Program, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
     ) -> Run:
         """Return the run of a program; its output and the progress are shown meanwhile."""
 
         def warn(diagnostic: Diagnostic) -> None:
-            complain([diagnostic], source, self.file)
+            complain([diagnostic], program.source, self.file)
 
         def simulate(show: Callable[[str], object], begun: Callable[[Machine], None]) -> Run:
-            return self._unreported(source, settings, outside, pace, show, begun)
+            return self._unreported(program, settings, outside, pace, show, begun)
 
         def line_of(at: int) -> int:
-            return self.known_language().locate(source, at)[0]
+            return self.known_language().locate(program.source, at)[0]
 
         return reported(simulate, warn, line_of if pace is None and self._is_endless(settings) else None)
 
@@ -191,7 +191,7 @@ class Simulated(Output, World, Program):
 
     def _unreported(
         self,
-        source: Source,
+        program: Program,
         settings: Checked,
         outside: Outside | None,
         pace: Pace | None,
@@ -205,8 +205,7 @@ class Simulated(Output, World, Program):
 
         with SIGNALS.limited(self.cpu if self._is_endless(settings) else 0.0):
             return run(
-                source,
-                dialect=self.known_language().name,
+                program,
                 machine=settings,
                 until=self.until,
                 overrides=self.overrides(),

@@ -75,11 +75,9 @@ class Worlds:
             self._deciding = deciding
         counts = Counts()
         result = run(
-            self.source,
-            dialect=self.language,
+            self._last,
             machine=Checked(settings),
             until=until,
-            compiled=self._last,
             hook=counts,
             observer=counts,
             begun=counts.attach,

@@ -74,7 +74,7 @@ def machine_of(program: str | os.PathLike[str] | Source | None, given: str | Non
 
 
 def run(
-    program: str | os.PathLike[str] | Source,
+    program: str | os.PathLike[str] | Source | Program,
     *,
     dialect: str | Dialect | None = None,
     machine: Mapping[str, object] | None = None,
@@ -88,7 +88,6 @@ def run(
     keep_crash: bool = False,
     listener: Listener | None = None,
     log_size: float | None = None,
-    compiled: Program | None = None,
     hook: Hook | None = None,
     observer: Observer | None = None,
     inputs: Given = (),
@@ -96,16 +95,20 @@ def run(
     answers: Given = (),
     keys: Given = (),
 ) -> Run:
-    """Run a program: a path, or a `Source` with its text.
+    """Run a program: a path, a `Source` with its text, or the `Program` of one.
 
     `motionlang.run` describes the public parameters and the errors raised. The other parameters are for this
-    package. `pace` is called with the machine time of the next step. `outside` is a world that acts on its own, such
-    as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
-    an observer. `listener` makes a listener to the motion of the controller, which `Run.listener` then is. `hook`
-    selects a debug build, which calls it before statements. `observer` counts steps. An internal error is raised, or
-    with `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the program of this
-    source, made for a machine that agrees with this one in every setting for which `Dialect.compiled_in` is True.
+    package. A `Program` has the `overrides` already, and was made for a machine that agrees with this one in every
+    setting for which `Dialect.compiled_in` is True. `pace` is called with the machine time of the next step. `outside`
+    is a world that acts on its own, such as a host; it controls how machine time passes. `begun` is called with the
+    machine when the program begins, for an observer. `listener` makes a listener to the motion of the controller, which
+    `Run.listener` then is. `hook` selects a debug build, which calls it before statements. `observer` counts steps. An
+    internal error is raised, or with `keep_crash` stored in `Run.crash` together with the results so far.
     """
+    made = None
+    if isinstance(program, Program):
+        made, dialect = program, program.language
+        program = program.source
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
@@ -122,21 +125,21 @@ def run(
     if virtual.stop is not None:
         virtual.stop.line_of = lambda at: source.location(at)[0] if at >= 0 else 0
     result = Run(source, language, virtual)
-    if compiled is None:
-        compiled = language.program(source, settings, is_debug=hook is not None).with_values(overrides or {})
-    if not _is_ready(compiled, language, result):
-        compiled = None
-    result.program = compiled
+    if made is None:
+        made = language.program(source, settings, is_debug=hook is not None).with_values(overrides or {})
+    if not _is_ready(made, language, result):
+        made = None
+    result.program = made
     gigabytes = settings.get("run.log") if log_size is None else log_size
     if gigabytes is not None:
         assert isinstance(gigabytes, (int, float))
         result.machine.log.store.disk = int(gigabytes * 1e9)
-    if nv is not None and compiled is not None and not open_nonvolatile(result, nv):
-        compiled = None
-    if compiled is not None:
+    if nv is not None and made is not None and not open_nonvolatile(result, nv):
+        made = None
+    if made is not None:
         last = end_of(settings) if until is None else until
-        _perform(result, compiled, last, pace, outside, begun, listener, keep_crash)
-        result.notes += compiled.places.notes
+        _perform(result, made, last, pace, outside, begun, listener, keep_crash)
+        result.notes += made.places.notes
     _finish(result, settings)
     return result
 

@@ -26,6 +26,7 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
         "check --steps --tree --literals --evidence",
         "run",
         "map",
+        "run --analog 0=25@1",
         "map --run",
         "cover",
         "profile",

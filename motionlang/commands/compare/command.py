@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import argument, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.option_groups import Program
+from motionlang.cli.option_groups import ProgramOptions
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import Compared
 from motionlang.kernel import run
@@ -27,7 +27,7 @@ def tolerance(text: str) -> tuple[str, float]:
 
 
 @dataclass
-class Compare(Compared, Program):
+class Compare(Compared, ProgramOptions):
     """Compare a recording from a real controller with the run."""
 
     title: ClassVar[str] = "comparison"

@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.option_groups import Language, Program, World, given_settings, read, with_world
+from motionlang.cli.option_groups import Language, ProgramOptions, World, given_settings, read, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import integer
 from motionlang.cli.signals import SIGNALS
@@ -86,7 +86,7 @@ class B(Command):
 
 
 @dataclass
-class Given(World, Program):
+class Given(World, ProgramOptions):
     """A program of one side, with its machine and what it receives."""
 
     variant: int | None = None

@@ -438,8 +438,7 @@ class Improver:
         """Return the run of the program as it is in a world."""
         self._count()
         settings = Checked(world.settings)
-        program = self._worker.program(settings)
-        return run(self.source, dialect=self.language, machine=settings, until=self.until, compiled=program)
+        return run(self._worker.program(settings), machine=settings, until=self.until)
 
     def _trial(self, world: World, values: Mapping[str, float]) -> Run:
         """Return the run in a world with other values of some literals."""

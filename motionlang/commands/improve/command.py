@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from motionlang.cli import option_groups as shared
 from motionlang.cli.command import Refused, WrongOption, argument, option
-from motionlang.cli.option_groups import Output, Program, with_world
+from motionlang.cli.option_groups import Output, ProgramOptions, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
 from motionlang.commands.improve import Improver, NotPossible, World
@@ -45,7 +45,7 @@ def cycle(text: str) -> str:
 
 
 @dataclass
-class Improve(Output, shared.World, Program):
+class Improve(Output, shared.World, ProgramOptions):
     """Find a shorter cycle within the limits of the machine."""
 
     title: ClassVar[str] = "improvement"

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.option_groups import Output, Program, World, with_world
+from motionlang.cli.option_groups import Output, ProgramOptions, World, with_world
 from motionlang.cli.parser import either
 from motionlang.cli.readers import machine_time
 from motionlang.commands.map.program_map import UNTIL, ProgramMap, map_of_run, program_map
@@ -21,7 +21,7 @@ from motionlang.views.terminal import table_width, wants_colour
 
 
 @dataclass
-class Map(Output, World, Program):
+class Map(Output, World, ProgramOptions):
     """Show what a program does: channels, axes, structure, states."""
 
     title: ClassVar[str] = "map"

@@ -113,12 +113,10 @@ def map_of_run(
     made.observed = observed = Observed(made.diagrams)
     end = until if until is not None or "run.until" in settings else UNTIL
     made.run = run(
-        source,
-        dialect=language,
+        program.with_values(overrides) if overrides else program,
         machine=settings,
         until=end,
         overrides=overrides,
-        compiled=None if overrides else program,
         observer=observed,
         begun=observed.attach,
     )

@@ -10,7 +10,7 @@ from motionlang.cli.command import flag, option
 from motionlang.cli.readers import real
 from motionlang.cli.run_command import Pace, Simulated, pacer
 from motionlang.commands.quantities import quantity_names
-from motionlang.kernel import STDIN, Checked, Outside, Source
+from motionlang.kernel import STDIN, Checked, Outside, Program
 from motionlang.kernel import Run as Result
 
 
@@ -53,16 +53,16 @@ examples:
         return self.all
 
     def simulated(
-        self, source: Source, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+        self, program: Program, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
     ) -> Result:
         if self.realtime is None:
-            return super().simulated(source, settings)
+            return super().simulated(program, settings)
         simulate, pace = super().simulated, pacer(self.realtime)
         if self.file != STDIN and sys.stdin.isatty():
             from motionlang.commands.run.keyboard import run_live
 
-            return run_live(lambda keyboard: simulate(source, settings, keyboard, pace), self.realtime)
-        return simulate(source, settings, None, pace)
+            return run_live(lambda keyboard: simulate(program, settings, keyboard, pace), self.realtime)
+        return simulate(program, settings, None, pace)
 
     def extend(self, result: Result) -> None:
         if any(key.startswith("budget.") for key in result.machine.settings):

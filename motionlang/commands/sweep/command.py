@@ -13,7 +13,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable, unwritten
-from motionlang.cli.option_groups import Jobs, Output, Program, World, forms, with_world
+from motionlang.cli.option_groups import Jobs, Output, ProgramOptions, World, forms, with_world
 from motionlang.cli.readers import whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands import sweep as sweeps
@@ -47,7 +47,7 @@ def _quantities() -> str:
 
 
 @dataclass
-class Sweep(Variants, Output, Jobs, World, Program):
+class Sweep(Variants, Output, Jobs, World, ProgramOptions):
     """Run many variants of a program and find the best."""
 
     title: ClassVar[str] = "rows"

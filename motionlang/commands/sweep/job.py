@@ -120,18 +120,14 @@ class Worker:
             found = self._run(settings, given, variant)
         return found
 
-    def _run(
-        self, settings: Mapping[str, object], given: Mapping[str, float | str], compiled: Program
-    ) -> Run:
+    def _run(self, settings: Mapping[str, object], given: Mapping[str, float | str], program: Program) -> Run:
         found = run(
-            self.source,
-            dialect=self._dialect,
+            program,
             machine=settings,
             until=self.job.until,
             overrides=given,
             keep_crash=True,
             listener=ExpectedMotion if self.job.prove else None,
-            compiled=compiled,
         )
         if found.status == "interrupted":
             raise KeyboardInterrupt

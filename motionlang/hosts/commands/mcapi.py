@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import BinaryIO, ClassVar
 
 from motionlang.cli.command import Command, WrongOption, argument, option
-from motionlang.cli.option_groups import Program
+from motionlang.cli.option_groups import ProgramOptions
 from motionlang.cli.readers import real
 from motionlang.hosts.address import parse, shown
 from motionlang.hosts.commands.mcapi_run import McapiRun, environment, library, refused
@@ -101,7 +101,7 @@ class McapiLog(Command):
 
 
 @dataclass
-class McapiReplay(Program):
+class McapiReplay(ProgramOptions):
     """Carry out a log of calls in virtual time and compare the answers."""
 
     title: ClassVar[str] = "comparison"

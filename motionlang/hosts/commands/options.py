@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, ClassVar, TextIO
 
 from motionlang.cli.command import Command, WrongOption, flag, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.option_groups import Program
+from motionlang.cli.option_groups import ProgramOptions
 from motionlang.cli.readers import real, whole
 from motionlang.hosts.address import is_loopback, parse, shown
 from motionlang.hosts.serve import Server
@@ -87,7 +87,7 @@ class Lines(Command):
 
 
 @dataclass
-class Served(Addresses, Time, Lines, Program):
+class Served(Addresses, Time, Lines, ProgramOptions):
     """A controller that is served to hosts."""
 
     def greet(self, title: str, axes: int) -> None:

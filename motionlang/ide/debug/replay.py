@@ -272,14 +272,12 @@ class Replay:
                 return
             self._is_new = False
             self.run = run(
-                setup.source,
-                dialect=setup.language,
+                setup.program,
                 machine=setup.settings,
                 until=setup.until,
                 overrides=setup.overrides,
                 show=self._show,
                 begun=self._begun,
-                compiled=setup.program,
                 hook=self.hook,
             )
         except Abandoned:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
-from motionlang.cli.option_groups import Output, Picture, Program
+from motionlang.cli.option_groups import Output, Picture, ProgramOptions
 from motionlang.cli.readers import machine_time
 from motionlang.kernel import Checked, WholeTrack
 from motionlang.kernel import run as run_program
@@ -155,7 +155,7 @@ class ServoTune(OneAxis, ServoCommand):
 
 
 @dataclass
-class ServoRun(Program, Gains, ServoCommand):
+class ServoRun(ProgramOptions, Gains, ServoCommand):
     """Run a program with a simulated servo loop and motor.
 
     The motors are those of the machine file or of the options.
