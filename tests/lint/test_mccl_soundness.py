@@ -11,7 +11,7 @@ from tests.generated.draw import Draw
 from tests.generated.mccl_motion import McclProgram
 
 # Warnings of commands that the board rejects, or that wait forever.
-FAILING = frozenset(("nothing-loaded", "still-running", "zero-speed", "zero-acceleration"))
+FAILING = frozenset(("nothing-loaded", "still-running", "zero-speed", "zero-acceleration", "motor-off"))
 MCCL = dialect("mccl")
 
 

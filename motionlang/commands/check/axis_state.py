@@ -33,6 +33,9 @@ TARGETS, ENDLESS, OTHER = "targets", "endless", "other"
 NONE = -1
 # No buffer holds more entries, so larger counts are not distinguished.
 MAX_ENTRIES = 101
+# The properties that only the paths of a contour use, and those that no motion uses.
+_OF_PATHS = frozenset(("vector speed", "vector accel", "vector decel"))
+_OF_LIMITS = frozenset(("upper limit", "lower limit"))
 
 
 class Axis(NamedTuple):
@@ -44,7 +47,7 @@ class Axis(NamedTuple):
     - `target`: the end of the last loaded move in user units, None if unknown.
     - `frame`: the distance of the program's zero from the position at power-up in user units, None if
       unknown.
-    - `set`: the move settings made so far, in user units.
+    - `set`: the settings made so far, in user units, those of moves and the software limits.
     - `stale`: the move settings made before the last change of the scale, which is at offset `scaled`.
     - `timed`: the offset of what set a ramp time before any speed was set, None if there is none.
     - `speeded`: a speed may have been set.
@@ -60,6 +63,7 @@ class Axis(NamedTuple):
     - `shape`: the keyword of the last shape of moves, "" if unknown.
     - `unmoved`: nothing has moved the axis.
     - `distance`: the length of the only move since the axis was at rest, None if unknown.
+    - `off`: the axis is switched off.
     """
 
     motion: str = UNKNOWN
@@ -83,6 +87,7 @@ class Axis(NamedTuple):
     shape: str = ""
     unmoved: bool = False
     distance: float | None = None
+    off: bool = False
 
     def joined(self, other: Axis, at_loop_head: bool) -> Axis:
         """Return the facts on which both agree; at a loop head time has passed."""
@@ -110,6 +115,7 @@ class Axis(NamedTuple):
             shape=self.shape if self.shape == other.shape else "",
             unmoved=self.unmoved and other.unmoved,
             distance=self.distance if self.distance == other.distance else None,
+            off=self.off and other.off,
         )
 
     def reaching(self, target: float | None) -> tuple[float, float] | None:
@@ -289,7 +295,10 @@ class Follower:
 
     def _states(self, part: Part) -> After:
         graph, own = self.facts.graph, self.facts.points[part]
-        first = State(self.facts.at_power_up, {}) if part.kind == "main" else ANYTHING
+        first = ANYTHING
+        if part.kind == "main":
+            off = self.facts.at_power_up._replace(off=True)
+            first = State(self.facts.at_power_up, dict.fromkeys(self.facts.never_on, off))
         found: dict[int, State] = {}
 
         def follow(p: int, state: State) -> tuple[State, State]:
@@ -412,9 +421,15 @@ class Follower:
         return axis._replace(target=None)
 
     def _entry(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
-        if axis.stale and axis.scaled is not None:
-            self._report_problem("scale-after-speed", act, key, axis)
+        self._check_scale(act, key, axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
+
+    def _check_scale(self, act: Use, key: Key, axis: Axis) -> None:
+        """Report the settings in an old unit that a motion uses, which `stale` then has."""
+        is_path = act.row is not None and act.row.family == "contours"
+        stale = axis.stale & _OF_PATHS if is_path else axis.stale - _OF_PATHS - _OF_LIMITS
+        if stale and axis.scaled is not None:
+            self._report_problem("scale-after-speed", act, key, axis._replace(stale=stale))
 
     def _course(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         return self._entry(act, number, key, axis)._replace(target=None, span=None)
@@ -463,6 +478,7 @@ class Follower:
             empty=True,
             jogs=False,
             distance=0.0 if stops else None,
+            off=axis.off or act.row.does("off"),
         )
         if not act.row.does("datum"):
             return axis
@@ -470,6 +486,8 @@ class Follower:
 
     def _at_once(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
+        if act.row.family == "contours":
+            self._check_scale(act, key, axis)
         jogs = act.row.does("endless") and act.number(number) not in (None, 0)
         return axis._replace(
             motion=MOVES if jogs else UNKNOWN,
@@ -523,10 +541,11 @@ class Follower:
     def _start(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         """Start a move to a known end; it takes the place of the motion before it."""
         assert act.row is not None
-        if axis.pending is not None and axis.pending != NONE:
-            self._report_problem("scale-pending", act, key, axis)
-        elif axis.stale and axis.scaled is not None:
-            self._report_problem("scale-after-speed", act, key, axis)
+        if axis.off:
+            return self._started_off(act, key, axis)
+        self._check_unit(act, key, axis)
+        if axis.fresh and not axis.jogs and not act.row.does("relative"):
+            self._report_problem("replaced", act, key, axis)
         if axis.jogs and axis.mode == TARGETS and self.facts.needs_rest(axis.shape):
             self._report_problem("still-running", act, key, axis)
         axis = axis._replace(stale=frozenset(), unmoved=False)
@@ -552,6 +571,18 @@ class Follower:
         )
         return self._checked(act, number, key, started)
 
+    def _started_off(self, act: Use, key: Key, axis: Axis) -> Axis:
+        """Report the start of a motion that the axis rejects, because it is off."""
+        self._report_problem("motor-off", act, key, axis)
+        return axis._replace(unmoved=False)
+
+    def _check_unit(self, act: Use, key: Key, axis: Axis) -> None:
+        """Report a motion that is in another unit than the program has set."""
+        if axis.pending is not None and axis.pending != NONE:
+            self._report_problem("scale-pending", act, key, axis)
+        else:
+            self._check_scale(act, key, axis)
+
     def _mode(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
         mode = next((each for each in (TARGETS, ENDLESS) if act.row.does(each)), OTHER)
@@ -562,6 +593,9 @@ class Follower:
         if axis.mode == TARGETS:
             self._report_problem("nothing-loaded", act, key, axis)
             return axis._replace(unmoved=False)
+        if axis.off:
+            return self._started_off(act, key, axis)
+        self._check_unit(act, key, axis)
         runs = axis.mode == ENDLESS and (axis.motion == IDLE or axis.jogs)
         return axis._replace(
             motion=MOVES if runs else UNKNOWN,
@@ -585,7 +619,10 @@ class Follower:
 
     def _enable(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         """Switch the axis on: a scale that waits for this comes into force."""
-        axis = axis._replace(motion=IDLE if axis.motion == IDLE else UNKNOWN, fresh=False, jogs=False)
+        motion = IDLE if axis.motion == IDLE else UNKNOWN
+        axis = axis._replace(motion=motion, fresh=False, jogs=False, off=False)
+        if axis.frame is None:  # a change of the zero may wait for this, too
+            axis = axis._replace(target=None, span=None)
         if axis.pending == NONE:
             return axis
         sure = axis.pending is not None
@@ -600,10 +637,11 @@ class Follower:
         )
 
     def _rescale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
-        """Change the scale from the next time on that the axis is switched on."""
+        """Change the scale, or the zero, from the next time on that the axis is switched on."""
         assert act.row is not None
-        frame = None if act.row.does("datum") else axis.frame
-        return axis._replace(pending=act.at if axis.pending in (NONE, None) else axis.pending, frame=frame)
+        if act.row.does("datum"):
+            return axis._replace(frame=None)
+        return axis._replace(pending=act.at if axis.pending in (NONE, None) else axis.pending)
 
     def _use(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
         assert act.row is not None
@@ -620,8 +658,12 @@ class Follower:
                 jogs=False,
                 unmoved=False,
                 distance=None,
+                off=False,
             )
-        return axis._replace(limited=self.facts.limited(act, number, axis.limited))
+        fresh = axis.fresh and not act.row.does(
+            "target"
+        )  # a motion may have been started for its target alone
+        return axis._replace(fresh=fresh, limited=self.facts.limited(act, number, axis.limited))
 
 
 def _after_call(inner: Axis) -> Axis:

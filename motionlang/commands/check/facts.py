@@ -49,8 +49,9 @@ class Facts:
 
     # True if a use without an axis means all axes, False if it may mean any.
     names_all = False
-    # The state of each axis when the program begins.
+    # The state of each axis when the program begins, and those axes that nothing ever switches on.
     at_power_up = AT_POWER_UP
+    never_on: frozenset[Key] = frozenset()
     # True if the controller goes on with what a program has set when that has ended.
     outlasts_text = False
     # True if a software limit is in force, at 0, once the program has set the other one.

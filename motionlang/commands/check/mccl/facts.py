@@ -59,6 +59,9 @@ class MacroFacts(Facts):
                 entries[part] = [macro.entry]
         points = {part: sorted(graph.reached_within(*begin)) for part, begin in entries.items()}
         super().__init__(structure, program.settings, entries, points, {})
+        on = self.given("enable")
+        moved = {key for act in self.written_by(lambda row: row.role in ("start", "run")) for key in act.axes}
+        self.never_on = frozenset() if None in on else frozenset(moved - on - {None})
         self.polling = set().union(*graph.cycles())
 
     @property
@@ -86,6 +89,8 @@ class MacroFacts(Facts):
         return point.calls < 0 and (point.kind == CALL or (point.kind == ENTER and goes_on))
 
     def may_fail(self, act: Use, axis: Axis) -> tuple[bool, bool]:
+        if axis.off and act.role in ("run", "start"):
+            return True, True
         if act.role == "run":
             return axis.mode != ENDLESS or (axis.motion != IDLE and not axis.jogs), axis.mode == TARGETS
         if act.role != "start":
@@ -107,4 +112,5 @@ class MacroFacts(Facts):
         return sides | meant if act.row.verb == "limits_on" else sides - meant
 
     def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
-        return axis.limited
+        """Return the sides that LN has enabled, without those whose limit is in an old unit, or set elsewhere."""
+        return frozenset(side for side in axis.limited if f"{side} limit" in axis.set)

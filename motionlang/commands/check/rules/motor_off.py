@@ -1,4 +1,7 @@
-"""A command moves an axis that the file never switches on; the first one of each axis is reported."""
+"""A command moves an axis that the file never switches on, or has switched off.
+
+The first one of each axis that is never on is reported.
+"""
 
 from __future__ import annotations
 
@@ -21,14 +24,21 @@ def check(facts: MacroFacts, warn: Warn) -> None:
             reported.add(command.axis)
             which = "an axis" if command.axis == 0 else f"axis {command.axis}"
             warn(f"no line of this file switches {which} on", at, f"{command.axis or ''}MN does")
+    for act, key, _ in facts.axes.problems.get("motor-off", ()):
+        if key not in facts.never_on:
+            warn(
+                f"{facts.text(act)} moves axis {key}, which is switched off",
+                act.at,
+                f"{key}MN switches it on",
+            )
 
 
 RULE = Rule(
     code="motor-off",
     group="Machine",
     text="""\
-A command moves an axis that no line of the file enables with MN. The axis may already be on if you load the file into a
-controller that is in use.
+A command moves an axis that no line of the file enables with MN, or that MF or RT has switched off. An axis without an
+MN may already be on if you load the file into a controller that is in use.
 """,
     fix="switch the motor on with MN",
     mccl=Case(

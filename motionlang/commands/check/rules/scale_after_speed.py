@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.commands.check.mint.facts import MintFacts
 
 # The settings that a scale changes, in the order of a message.
-_ORDER = ("speed", "accel", "decel", "minimum")
+_ORDER = ("speed", "accel", "decel", "minimum", "vector speed", "vector accel", "vector decel")
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -28,10 +28,13 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     names = {row.gives: row.name for row in table()}
     for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
         *others, last = (names[slot] for slot in _ORDER if slot in axis.stale)
-        words = f"{', '.join(others)} and {last} before it are" if others else f"{last} before it is"
+        words = f"{', '.join(others)} and {last}" if others else last
+        verb = "are" if others else "is"
         assert axis.scaled is not None
-        message = f"the scale of axis {key} is in force only from MN on: {words} in counts"
-        warn(message, axis.scaled, f"{key}MN directly behind it puts it in force")
+        message = (
+            f"the scale of axis {key} is in force only from MN on: {words} before it {verb} in the old unit"
+        )
+        warn(message, axis.scaled, f"set {words} behind the {key}MN that follows it")
     for act, key, _ in facts.axes.problems.get("scale-pending", ()):
         message = f"{facts.text(act)} is in the old unit: the scale of axis {key} is in force only from the next MN on"
         warn(message, act.at, f"{key}MN before it puts it in force")
@@ -47,7 +50,8 @@ per second. Set the scale first. The warning is at the scale, and appears only i
 is set again.
 
 In MCCL a US is in force only from the next MN on. Speeds, rates and moves between the two are in counts: behind
-`1US1200,1SV250,1SA1250,1MN` an axis moves at 250 counts per second, a fifth of a millimetre.
+`1US1200,1SV250,1SA1250,1MN` an axis moves at 250 counts per second, a fifth of a millimetre. The same holds for a path
+and its VV, VA and VD.
 """,
     fix="set the scale first",
     mint=Case(

@@ -156,7 +156,7 @@ it. ACCEL and ACCELTIME are the same setting: the later one counts. While the ax
 axis, every setting counts as used.
 
 In Mint also: FEEDRATEOVERRIDE, where no statement sets bit 1 of FEEDRATEMODE, without which it does not act. In MCCL
-the settings are SV, SA, DS, MV and the shape of profiles.
+the settings are SV, SA, DS, MV, VV, VA, VD, HL, LL and the shape of profiles.
 """,
     fix="remove the setting, or move it in front of the motion that needs it",
     mint=Case(

@@ -55,7 +55,7 @@ ROWS = (
     _row("LP", "command", "W", "axes", "number", learn_position, "Learn the actual position as point n.",
          "1LP1", low=0, high=255),
     _row("LT", "command", "W", "axes", "number", learn_target, "Learn the target as point n.",
-         "1LT1", low=0, high=255),
+         "1LT1", low=0, high=255, effect="target"),
     _row("MP", "move", "W", "axes", "number", move_to_point, "Move to the learned point n.",
          "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255, effect="act", topic="move"),
 )  # fmt: skip
