@@ -264,8 +264,10 @@ def remark_on(source: Source, task: CommandTask) -> str:
     """Return a remark on a background task that still polls after the foreground ends."""
     line, _, _ = locate(source, task.at)
     if task.is_futile:
-        seen = " and ".join(task.watched())
-        doing, since = f"polled {seen}" if seen else "ran a loop that polls nothing", task.futile_since
+        doing, since = (
+            f"polled {task.polled}" if task.polled else "ran a loop that polls nothing",
+            task.futile_since,
+        )
     else:
         assert task.wait is not None
         doing, since = f"waited {task.wait.why}", task.wait.since

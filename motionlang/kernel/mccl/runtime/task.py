@@ -314,8 +314,9 @@ class CommandTask(StepTask):
 
     # ------------------------------------------------------------------------------------------- for the report
 
-    def watched(self) -> list[str]:
-        """Return what a futile loop polls: channels, and other commands that read."""
+    @property
+    def polled(self) -> str:
+        """What its futile loop polls, joined by "and": channels, and other commands that read."""
         steps, first, last = self.last_loop
         assert isinstance(steps, LineSteps)
         found: dict[str, None] = {}
@@ -329,7 +330,7 @@ class CommandTask(StepTask):
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
                 elif command.polls:
                     found[command.text] = None
-        return list(found)
+        return " and ".join(found)
 
     def _no_register(self, number: int) -> Fault:
         last = len(self.board.registers) - 1
