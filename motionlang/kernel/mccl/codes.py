@@ -74,6 +74,10 @@ def negative_repeat(times: int) -> Fault:
     return Fault(NEGATIVE_REPEAT, message, "RP without a number repeats forever", "range")
 
 
+def no_register(number: int, count: int) -> Fault:
+    return Fault(PARAMETER, f"there is no register {number}", f"registers are 0 to {count - 1}", "range")
+
+
 def needs_axis(name: str, text: str) -> Fault:
     return Fault(NO_AXIS, f"{name} needs an axis number in front", f"such as 1{text}", "axis")
 

@@ -73,7 +73,10 @@ class _Wrong:
         raise Fault(self.fault.code, self.fault.message, self.fault.hint, self.fault.kind)
 
 
-_LETTERS = re.compile("[A-Za-z]{2}")
+# The mnemonic of a command that follows another one without a comma, behind its axis.
+_NEXT = re.compile(r"[-+.\d]*([A-Za-z]{2})(?![A-Za-z])")
+# What begins a comment in other languages.
+_COMMENTS = ("#", "'", "//", "/*", "{")
 
 
 def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
@@ -121,7 +124,7 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
         if not text.strip(_DIGITS):
             wrong = "a number alone is not a command"
             hint = "a number follows its command directly: 1MR1000"
-        elif text.startswith(("#", "'", "//")):
+        elif text.startswith(_COMMENTS):
             hint = "; begins a comment"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
@@ -129,7 +132,9 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
         return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
     word = Word(node.axis, node.word)
     letters = text[end - 2 :].rstrip("0123456789.+-")
-    fault = _unknown(letters) if word.row is None else _no_parameter(text[end:], word.row, letters)
+    fault = (
+        _unknown(letters) if word.row is None else _no_parameter(text[:end], text[end:], word.row, letters)
+    )
     return _wrong(text, word, fault)
 
 
@@ -139,8 +144,8 @@ def _unknown(word: str) -> Fault:
     return Fault(codes.UNRECOGNISED, message, hint(word), "unknown-word", candidates(word))
 
 
-def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
-    """Return the fault of a text after the mnemonic that is not a parameter.
+def _no_parameter(command: str, rest: str, row: Keyword, letters: str) -> Fault:
+    """Return the fault of a text after the axis and the mnemonic of a command that is not a parameter.
 
     `letters` are the mnemonic and what follows it: they may be a word of another language.
     """
@@ -155,10 +160,10 @@ def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
     if others:
         advice = hint(letters)
     elif rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
-        advice = f"write the number alone: {row.name}{number}"
+        advice = f"write the number alone: {command.upper()}{number}"
     else:
-        found = _LETTERS.search(rest)
-        is_command = found is not None and table().get(found[0].upper()) is not None
+        found = _NEXT.match(rest)
+        is_command = found is not None and table().get(found[1].upper()) is not None
         advice = "commands are separated by commas" if is_command else f"only a number follows {row.name}"
     return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
 

@@ -12,7 +12,7 @@ from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
-from motionlang.kernel.mccl.resolve.command import Command
+from motionlang.kernel.mccl.resolve.command import REGISTER, Command
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.flow import Flow, flow_of
 from motionlang.kernel.mccl.resolve.line import Line, locate
@@ -42,9 +42,11 @@ def problems_of(
         for k, command in enumerate(line.commands):
             wrong = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
             wrong = wrong or _wrong_here(line, k, command, model, flow)
-            idle = _not_simulated(command) or _undefined(command, macros)
+            idle = _not_simulated(command) or _undefined(line, k, macros)
             if wrong is not None:
                 yield diagnostic(source, line.offsets[k], wrong)
+                if wrong.kind == "syntax" and not command.text[0].isdigit() and command.row is None:
+                    break  # no command: the board drops the line here, and the rest may be a comment
             elif idle is not None:
                 yield diagnostic(source, line.offsets[k], idle, "warning")
 
@@ -102,12 +104,15 @@ def _not_simulated(command: Command) -> Fault | None:
     return Fault(0, message, command.row.help, "not-simulated")
 
 
-def _undefined(command: Command, macros: set[int | None]) -> Fault | None:
+def _undefined(line: Line, k: int, macros: set[int | None]) -> Fault | None:
     """Return the warning about a call of a macro that no line defines, or None.
 
-    It is no error, because the controller may already have the macro.
+    It is no error, because the controller may already have the macro. The number may stand apart, as in MC 1.
     """
+    command, behind = line.commands[k], line.commands[k + 1 : k + 2]
     if command.verb not in CALLS or command.number is None or command.number in macros:
+        return None
+    if any(each.text.isdigit() for each in behind):
         return None
     message = f"no line of this file defines macro {command.number}"
     hint = f"{table().doing(DEFINES)}{command.number},... defines it"
@@ -128,11 +133,13 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) 
     assert row is not None
     if row.index == "axis" and command.axis == 0:
         return codes.needs_axis(command.name, command.text.lstrip("0"))
+    if command.kind == REGISTER and int(command.value) >= model.registers:
+        return codes.no_register(int(command.value), model.registers)
     number = command.number
     if row.verb == "define_macro":
         if k:
             return codes.define_not_first()
-        if number is not None and number > model.macros:
+        if number is not None and not 0 <= number <= model.macros:
             return no_macro_number(model, number)
     if row.verb == "repeat" and number is not None and number < 0:
         return codes.negative_repeat(number)

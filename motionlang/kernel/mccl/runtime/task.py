@@ -273,7 +273,7 @@ class CommandTask(StepTask):
         if number < PRIVATE:
             return self.registers[number]
         if number >= len(self.board.registers):
-            raise self._no_register(number)
+            raise codes.no_register(number, len(self.board.registers))
         return self.board.registers[number]
 
     def set_register(self, number: int, value: float | int) -> None:
@@ -282,7 +282,7 @@ class CommandTask(StepTask):
             self.registers[number] = value
             return
         if number >= len(self.board.registers):
-            raise self._no_register(number)
+            raise codes.no_register(number, len(self.board.registers))
         if self.board.registers[number] != value:
             self.board.stores += 1
         self.board.registers[number] = value
@@ -331,10 +331,6 @@ class CommandTask(StepTask):
                 elif command.polls:
                     found[command.text] = None
         return " and ".join(found)
-
-    def _no_register(self, number: int) -> Fault:
-        last = len(self.board.registers) - 1
-        return Fault(codes.PARAMETER, f"there is no register {number}", f"registers are 0 to {last}", "range")
 
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
