@@ -22,6 +22,7 @@ from motionlang.kernel.result import (
     open_nonvolatile,
     report_futile_waits,
     report_guesses,
+    report_ignored_limits,
     report_keywords_without_effect,
     report_never_started,
     report_stop,
@@ -185,6 +186,7 @@ def _perform(
 
         result.notes += notes(result.controller)
     result.notes += result.machine.notes
+    report_ignored_limits(result)
     if result.machine.without_effect or result.machine.assumed:
         report_keywords_without_effect(result)
     if result.machine.nv is not None:

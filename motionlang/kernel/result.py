@@ -227,6 +227,14 @@ def _lost(result: Run) -> list[Diagnostic]:
     return found
 
 
+def report_ignored_limits(result: Run) -> None:
+    """Note the limit switches that moves have passed while these were not in force."""
+    for axis, a in result.controller.axes.items():
+        for line, position in (each.ignored for each in a.limits if each.ignored is not None):
+            text = f"axis {axis} passed its limit switch at {position:.10g}, which was not in force"
+            result.notes.append(f"line {line}: {text}")
+
+
 def report_guesses(result: Run) -> None:
     """Warn if the result depends on guessed settings of the machine file.
 

@@ -7,6 +7,7 @@ axis then takes the limit's `action`. Moving away from an active limit is always
 from __future__ import annotations
 
 from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.triggers.conditions import Condition
 from motionlang.kernel.controller.watch import Watch, begin, end
 
@@ -19,13 +20,16 @@ class Limit(Condition):
     when it changes.
     """
 
-    __slots__ = ("_switch", "physical", "watch")
+    __slots__ = ("_switch", "ignored", "physical", "watch")
 
     def __init__(self, a: Axis, sign: int, bit: int, action: str, physical: bool = False) -> None:
         super().__init__(a, sign, bit, action)
         self.physical = physical
         self._switch = False
         self.watch: Watch | None = None
+        # The line of the first move to a target that passed this switch while it was not in force, and its position in
+        # user units.
+        self.ignored: tuple[int, float] | None = None
 
     @property
     def active(self) -> bool:
@@ -62,5 +66,14 @@ class Limit(Condition):
         self.check()
 
     def _pass(self, direction: int) -> None:
+        in_force = self.enabled and self.action != "ignore"
+        if self.physical and direction == self.sign and not in_force and self.ignored is None:
+            self._record()
         self.check(direction)
         self.a.controller.notify("limit", self.a.index)
+
+    def _record(self) -> None:
+        """Record a move that goes on beyond the switch; a search for the switch, which has no target, is none."""
+        a = self.a
+        if a.move is not None and abs(a.target) < INFINITY and a.homing is None:
+            self.ignored = a.move.line, a.scale.position_to_user(a.here(a.clock.now))
