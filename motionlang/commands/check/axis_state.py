@@ -544,7 +544,7 @@ class Follower:
         if axis.off:
             return self._started_off(act, key, axis)
         self._check_unit(act, key, axis)
-        if axis.fresh and not axis.jogs and not act.row.does("relative"):
+        if axis.fresh and not axis.jogs and not act.row.does("relative") and self._replaces(key, axis):
             self._report_problem("replaced", act, key, axis)
         if axis.jogs and axis.mode == TARGETS and self.facts.needs_rest(axis.shape):
             self._report_problem("still-running", act, key, axis)
@@ -570,6 +570,13 @@ class Follower:
             distance=abs(value) if relative and is_first and value is not None else None,
         )
         return self._checked(act, number, key, started)
+
+    def _replaces(self, key: Key, axis: Axis) -> bool:
+        """True if a move takes the place of another one in motion, and does not wait for its end."""
+        if axis.shape:
+            return not self.facts.needs_rest(axis.shape)
+        shaped = {key for act in self.facts.written_by(lambda row: row.gives == "shape") for key in act.axes}
+        return not {key, None} & shaped
 
     def _started_off(self, act: Use, key: Key, axis: Axis) -> Axis:
         """Report the start of a motion that the axis rejects, because it is off."""

@@ -26,7 +26,8 @@ RULE = Rule(
     text="""\
 MF, AB or ST comes directly behind the command that starts a motion, without any time between: the axis does not move.
 WS waits for the end of a move; in velocity mode a WA lets the axis run. The same holds for an MA directly behind a
-move: no axis has a queue of moves, and the axis goes to the new target alone.
+move: no axis has a queue of moves, and the axis goes to the new target alone. With PS and PP the MA waits for the end
+of the first move.
 """,
     fix="wait for the end of the motion before you stop it",
     mccl=Case(check, wrong="1MN,1MR100,1MF\n", right="1MN,1MR100,1WS,1MF\n"),
