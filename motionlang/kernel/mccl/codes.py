@@ -89,6 +89,12 @@ def no_distance(text: str) -> Fault:
     )
 
 
+def too_short(text: str, axis: int, counts: float) -> Fault:
+    """Return the warning about a relative move that is less than half a count."""
+    message = f"{text} moves axis {axis} by less than half a count, which is 0"
+    return Fault(0, message, f"US is in counts per user unit, and {counts:.10g} is in force", "range")
+
+
 def rounded(text: str, value: float, whole: float) -> Fault:
     """Return the warning about a rate that the board rounds, since no scale is set."""
     message = f"{text} sets {whole:.10g}: a rate is a whole number until a scale is set"

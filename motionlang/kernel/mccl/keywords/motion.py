@@ -83,7 +83,11 @@ def move_by(task: CommandTask, command: Command) -> Targets:
     targets = []
     for axis in movable(task, command):
         target = path.end_of(axis) if path is not None else aim(task.board, axis)
-        targets.append((axis, target + axis.distance(value)))
+        distance = axis.distance(value)
+        if value and not distance:
+            fault = codes.too_short(command.text, axis.number, axis.scale.counts)
+            task.board.warn(task, fault.kind, fault.message, fault.hint)
+        targets.append((axis, target + distance))
     return targets
 
 
