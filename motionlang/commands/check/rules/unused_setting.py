@@ -7,12 +7,17 @@ that a move behind it may use. Axes that another task or handler uses are left o
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import COMMANDS, IDLE
 from motionlang.commands.check.facts import Facts, Part, spelt
+from motionlang.commands.check.reach import LOWER, UPPER
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.lang import RETURN, Use
 from motionlang.kernel.lang import AxisKey as Key
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mccl.facts import MacroFacts
 
 # A bit for each property of each axis.
 Bits = dict[tuple["Key", str], int]
@@ -147,6 +152,21 @@ def check_mint(facts: Facts, warn: Warn) -> None:
                 warn(message, act.at, f"FEEDRATEMODE({spelt(key)}) = 2 makes it act")
 
 
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
+    check(facts, warn)
+    enabled: dict[str, set[Key]] = {UPPER: set(), LOWER: set()}
+    for act in facts.written_by(lambda row: row.verb == "limits_on"):
+        for side in facts.limited(act, 0, frozenset()):
+            enabled[side].update(act.axes)
+    for side in (UPPER, LOWER):
+        for act in facts.written_by(lambda row, side=side: row.does(side)):  # type: ignore[misc]
+            for key in act.axes:
+                if key is not None and not {key, None} & enabled[side]:
+                    assert act.row is not None
+                    message = f"{act.row.name} of axis {key} has no effect: no line of this file enables it"
+                    warn(message, act.at, f"{key}LN12 enables both software limits")
+
+
 RULE = Rule(
     code="unused-setting",
     group="Motion",
@@ -156,7 +176,8 @@ it. ACCEL and ACCELTIME are the same setting: the later one counts. While the ax
 axis, every setting counts as used.
 
 In Mint also: FEEDRATEOVERRIDE, where no statement sets bit 1 of FEEDRATEMODE, without which it does not act. In MCCL
-the settings are SV, SA, DS, MV, VV, VA, VD, HL, LL and the shape of profiles.
+the settings are SV, SA, DS, MV, VV, VA, VD, HL, LL and the shape of profiles, and HL and LL also where no LN enables
+them.
 """,
     fix="remove the setting, or move it in front of the motion that needs it",
     mint=Case(
@@ -164,5 +185,5 @@ the settings are SV, SA, DS, MV, VV, VA, VD, HL, LL and the shape of profiles.
         wrong="SPEED(0) = 100\n",
         right="SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check, wrong="1MN,1SV1000,1SV2000\n1MR100,1WS\n", right="1MN,1SV2000\n1MR100,1WS\n"),
+    mccl=Case(check_mccl, wrong="1MN,1SV1000,1SV2000\n1MR100,1WS\n", right="1MN,1SV2000\n1MR100,1WS\n"),
 )
