@@ -2,7 +2,8 @@
 
 Computing of a task is followed back to the end of its last wait. A wait ended because a move ended, time had
 passed, or an input changed. A move began because a task started it, or because the previous move in the
-buffer had ended. Saving time outside the critical path does not make the run shorter.
+buffer had ended. If a task stopped, held or resumed a move, its end depends on that statement and not on its
+begin. Saving time outside the critical path does not make the run shorter.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from operator import itemgetter, sub
 
-from motionlang.commands.profile.motions import Motion, Motions, Phases
+from motionlang.commands.profile.motions import DWELL, Motion, Motions, Phases
 from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePosition, SourcePositions
 from motionlang.commands.profile.tasks import Wait, all_waits, ended_at, parent_of
@@ -30,7 +31,7 @@ About = tuple[str, SourcePosition, str, tuple[int, ...], int]
 # A wait ends up to this many statements after its cause; nothing else happens in between.
 STATEMENTS = 2.5
 CAUSES = {
-    "time": "dwell",
+    "time": DWELL,
     "axis": "settling",
     "input": "waiting for an input",
     "operator": "waiting for the operator",
@@ -90,16 +91,19 @@ class Strip:
         self.begins.append(begin)
         self.ends.append(end)
 
-    def by_phase(self) -> Iterator[tuple[str, list[float], list[float]]]:
-        """Yield each phase, with its start and end times in each link."""
+    def by_phase(self) -> Iterator[tuple[About, list[float], list[float]]]:
+        """Yield what the links of each phase share, with their start and end times."""
         lows, ends = self.begins, self.ends
         for name, seconds in self.phases[:-1]:
             highs = [
                 high if (high := low + seconds) < end else end for low, end in zip(lows, ends, strict=True)
             ]
-            yield name, lows, highs
+            yield self._about(name), lows, highs
             lows = highs
-        yield self.phases[-1][0], lows, ends
+        yield self._about(self.phases[-1][0]), lows, ends
+
+    def _about(self, name: str) -> About:
+        return name, self.position, self.task, () if name == DWELL else self.axes, self.waited
 
 
 class CriticalPath:
@@ -134,8 +138,7 @@ class CriticalPath:
         """Return the start and end of each link, and its other fields, which are shared."""
         found: list[tuple[float, float, About]] = []
         for strip in self._strips.values():
-            for name, lows, highs in strip.by_phase():
-                about = name, strip.position, strip.task, strip.axes, strip.waited
+            for about, lows, highs in strip.by_phase():
                 found += [(low, high, about) for low, high in zip(lows, highs, strict=True) if low < high]
         found.sort(key=itemgetter(0))  # no two begin together
         return found
@@ -144,9 +147,8 @@ class CriticalPath:
         """Return the links grouped for a table, without creating each link."""
         found: dict[object, LinkGroup] = {}
         for strip in self._strips.values():
-            for name, lows, highs in strip.by_phase():
+            for about, lows, highs in strip.by_phase():
                 if lows:
-                    about = name, strip.position, strip.task, strip.axes, strip.waited
                     link = Link(lows[0], highs[0], *about)
                     _put(found, link, exact_terms(map(sub, highs, lows)))
         return list(found.values())
@@ -245,21 +247,22 @@ class CriticalPath:
     def _back(self, motion: Motion, time: float, task: str, waited: SourcePosition) -> tuple[str, float]:
         """Charge a move to its line, and the earlier buffered moves that it waited for.
 
-        `waited` is the position at which the task waited.
+        Of a move that a task changed, only the rest is charged. `waited` is the position at which the task waited.
         """
         while True:
             _, begin, line, axes, _ = motion
+            changes = self.motions.changes(motion, time)
+            begin = next((each for each in changes if self._who_acted(each, task) is not None), begin)
             self._add_motion(motion, time, task, waited, begin)
             begin = min(begin, time)
-            waiting = self._waiting_at(task, begin)
-            if waiting is None:
-                return task, begin
-            other = self._who_acted(begin, task)
-            if other is not None:
-                return other, begin
+            actor = self._who_acted(begin, task)
+            if actor is not None:
+                return actor, begin
             before = self.motions.before(axes, motion.begin, self._near)
             if before is None:
                 # An outside event has started it while all tasks waited: the task waited for that.
+                waiting = self._waiting_at(task, begin)
+                assert waiting is not None
                 _, at, since, _, _, _, _, callers = waiting
                 self._add(since, begin, self._cause(waiting, begin), self.positions.of(at, callers), task)
                 return task, since
@@ -291,9 +294,11 @@ class CriticalPath:
         return None
 
     def _who_acted(self, time: float, task: str) -> str | None:
-        """Return another task that was not waiting at `time`."""
+        """Return a task that was not waiting at `time`, preferably `task`."""
+        if self._waiting_at(task, time) is None:
+            return task
         for name in self._waits:
-            if name != task and self._waiting_at(name, time) is None and self._lives(name, time):
+            if self._waiting_at(name, time) is None and self._lives(name, time):
                 return name
         return None
 

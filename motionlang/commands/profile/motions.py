@@ -7,19 +7,25 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
+from collections.abc import Iterator
+from functools import cached_property
+from heapq import merge
+from math import isclose
 from operator import itemgetter
 from typing import NamedTuple
 
 from motionlang.kernel import Run
 from motionlang.kernel.planners import Profile, Recipe, named_ramps
+from motionlang.kernel.tracks import Recorded
 
 # The name of a link in each phase of a move, and the duration of the phase, s.
 Phases = tuple[tuple[str, float], ...]
 
-# Phases of a move, and the name of a link in each.
-PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
-OTHER = "in motion"
-MOVING = (*PHASES.values(), OTHER)
+# Phases of a move, and the name of a link in each. An axis that holds does not travel.
+DWELL, OTHER = "dwell", "in motion"
+TRAVEL = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
+PHASES = {**TRAVEL, "hold": DWELL}
+MOVING = (*TRAVEL.values(), OTHER)
 
 
 class Motion(NamedTuple):
@@ -40,6 +46,7 @@ class Motions:
 
     def __init__(self, run: Run) -> None:
         self.moves: list[Motion] = []
+        self._tracks = Recorded(run.controller).axes
         for move in run.controller.log.moves:
             profile = move.profile
             if profile is not None:
@@ -49,6 +56,11 @@ class Motions:
         self.moves.sort(key=itemgetter(0, 1))
         self.ends = [move.end for move in self.moves]
         self._phases: dict[object, Phases] = {}
+
+    @cached_property
+    def _begun(self) -> set[tuple[int, float]]:
+        """The axis and the begin of each move."""
+        return {(move.axes[0], move.begin) for move in self.moves}
 
     def together(self) -> list[list[Motion]]:
         """Return the moves that began together on one line, in order of their ends."""
@@ -112,6 +124,23 @@ class Motions:
             if move.begin > begin:  # so has any later end
                 return None
         return None
+
+    def changes(self, motion: Motion, time: float) -> Iterator[float]:
+        """Yield when a motion was given another end or at least twice the speed before `time`, the last first.
+
+        Such a change shortens the run more if it comes sooner than the motion before it does if it is faster.
+        """
+        return merge(*(self._changes(axis, motion.begin, time) for axis in motion.axes), reverse=True)
+
+    def _changes(self, axis: int, begin: float, time: float) -> Iterator[float]:
+        track = self._tracks[axis]
+        for index in range(track.index_at(time), track.index_at(begin), -1):
+            start, after, before = track.starts[index], track.profiles[index], track.profiles[index - 1]
+            if start < time and (axis, start) not in self._begun:
+                left = before.end - before.position(start - track.starts[index - 1])
+                has_same_end = isclose(left, after.distance, rel_tol=1e-9, abs_tol=1e-3)
+                if not has_same_end or 0.0 < 2.0 * before.peak_speed <= after.peak_speed:
+                    yield start
 
     def last(self, after: float, time: float) -> Motion | None:
         """Return the last motion that ended after `after` and not after `time`."""

@@ -57,14 +57,12 @@ def test_a_second_path_that_ends_first_is_not_waited_for() -> None:
     )
 
 
-def test_blended_paths_that_are_stopped_are_charged_as_far_as_they_went() -> None:
+def test_blended_paths_that_are_stopped_are_charged_from_the_stop_on() -> None:
     """Stopped at 0.55 s, the first one is at rest at 0.65 s, the second one at 0.6 s."""
     program = (
         "VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\nWAIT = 500\nBLEND(0)\nWAIT = 50\nSTOP(0)\n"
     )
-    assert links(program + IDLE) == expected(
-        ("accelerating", 2, 0.1), ("at speed", 2, 0.45), ("stopping", 2, 0.1)
-    )
+    assert links(program + IDLE) == expected(("dwell", 5, 0.5), ("dwell", 7, 0.05), ("stopping", 2, 0.1))
 
 
 @pytest.mark.parametrize(("x", "y"), [(10, 0), (0, 10), (6, 8)])
