@@ -78,7 +78,7 @@ class Playback(Action):
         return self._made(path, _to_the_end(path, pace), path.shape)
 
     def stops_itself(self, ended: str, hard: bool) -> bool:
-        return self.on_path and ended != "fault"
+        return self.on_path
 
     def stop(self, a: Axis, ended: str, hard: bool) -> None:
         """Come to rest on the profile and empty the buffer."""
@@ -205,10 +205,13 @@ class Playback(Action):
 
 
 class _StoppingOnPath(Stopping):
-    """Coming to rest on a profile that may exceed the rates of the axis."""
+    """Coming to rest on a profile that may exceed the rates of the axis, whichever stop follows."""
 
     __slots__ = ()
     keeps_rates = False
+
+    def stops_itself(self, ended: str, hard: bool) -> bool:
+        return True
 
 
 def _to_the_end(path: Profile, pace: Profile) -> Profile:

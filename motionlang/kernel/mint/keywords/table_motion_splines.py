@@ -232,8 +232,8 @@ ROWS = (
              "Milliseconds of each segment of a spline, in whole steps of 2.",
              _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000),
     setting_row("SPLINESUSPENDTIME", "suspend_time", "ms",
-             "Milliseconds in which SUSPEND and STOP bring a spline to rest on its path, and in which it does the rest "
-             "of its segment when it goes on.",
+             "Milliseconds in which SUSPEND, STOP and the controlled stop of an error bring a spline to rest on its "
+             "path, and in which it does the rest of its segment when it goes on.",
              _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
     index_row("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
            _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=bind_index)),
