@@ -245,7 +245,7 @@ class PathRun:
                 move.target = end
                 move.ended = self.ended
                 made = course.of(k)
-                log_move(a, move, made)
+                log_move(a, move, made, is_stop=self.ended != "")
                 extend_track(a, self._total(k, made), BY_DESIGN)
             self._await()
         if self.ended:

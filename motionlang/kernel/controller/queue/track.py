@@ -42,15 +42,19 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: Move | None 
         limit.check()
 
 
-def log_move(a: Axis, move: Move, profile: Profile) -> None:
-    """Log the start of a move and make it the move in progress of its axis."""
+def log_move(a: Axis, move: Move, profile: Profile, is_stop: bool = False) -> None:
+    """Log the start of a move and make it the move in progress of its axis.
+
+    `is_stop` is true if it only completes the stop of the move before it.
+    """
     move.profile, move.start_time = profile, a.clock.now
     move.scale, move.zero = a.scale.counts, a.scale.zero
     a.move = move  # first: an interrupt in between then leaves no log entry without an owner
     a.controller.log.moves.add(move)
     a.target = move.target
-    for limit in a.barriers:
-        limit.forget()
+    if not is_stop:
+        for limit in a.barriers:
+            limit.forget()
 
 
 def amend_log(log: Log, now: float, entries: Sequence[Move], profiles: Sequence[Profile], ended: str) -> None:
