@@ -149,6 +149,8 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
         # A stop may lead through the end of one path into the next.
         earlier = last.path is not None and last.path.comes_to_rest
         ordered = expected_motion.was_stopped(a.index, move.ended, end + late) if earlier else False
+        if ordered:
+            found.stated.update(stop for stop, *_ in found.unsaid if stop[1] == move.ended)
         if not ordered and all(word != move.ended for _, word in stops):
             proof.breaks(
                 move.line, f"{where}: it is logged as ended by a {move.ended} that was not commanded"
@@ -166,7 +168,9 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
                 and _order_before(run, a, time).kind != "stop"
             ):
                 words = f"{where}: a {word} was commanded at {time:.6f} s, but is not logged"
-                if start + late < time < end - late:
+                # A stop that leads on is logged on the path on which it comes to rest.
+                leads_on = last.path is not None and last.path.leads_on
+                if start + late < time < end - late and not leads_on:
                     proof.breaks(move.line, words)
                 else:
                     found.unsaid.append(((time, word), move.line, words))

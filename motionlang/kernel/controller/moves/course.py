@@ -130,16 +130,27 @@ class Course:
 
     def positions_at_rest(self) -> list[float]:
         """Return the positions of its axes once it is at rest."""
-        distance = self.profile.end
-        for segment in (self.segment, *(each for _, each in self.ahead)):
-            if distance <= segment.length * (1.0 + SLACK):
-                break
-            distance -= segment.length
+        count, distance = self._rest(self.profile)
+        segment = self.ahead[count - 1][1] if count else self.segment
         if not segment.length or distance >= segment.length * (1.0 - 1e-12):
             positions = segment.ends
         else:
             positions = [curve.position(distance) for curve in segment.curves]
         return [self._at(k, each) for k, each in enumerate(positions)]
+
+    def reached(self, stop: Profile | None) -> int:
+        """Return how many of the paths ahead a stop enters; None is the present plan."""
+        return self._rest(stop or self.profile)[0]
+
+    def _rest(self, profile: Profile) -> tuple[int, float]:
+        """Return how many of the paths ahead a profile enters, and the distance on the last path to rest."""
+        distance = profile.end
+        segments = [self.segment, *(each for _, each in self.ahead)]
+        for count, segment in enumerate(segments[:-1]):
+            if distance <= segment.length * (1.0 + SLACK):
+                return count, distance
+            distance -= segment.length
+        return len(self.ahead), distance
 
     def _at(self, k: int, position: float) -> float:
         """Convert a laid-out position of axis index k for the actual start of the course."""

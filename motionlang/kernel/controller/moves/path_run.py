@@ -56,7 +56,7 @@ from motionlang.kernel.controller.moves.course import SLACK, Course
 from motionlang.kernel.controller.queue.buffer import motions, reach
 from motionlang.kernel.controller.queue.life import empty, start_waiting
 from motionlang.kernel.controller.queue.stop import freeze, release
-from motionlang.kernel.controller.queue.track import amend_log, extend_track, log_move
+from motionlang.kernel.controller.queue.track import amend_log, extend_track, log_dropped, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.planners import Profile, hold
@@ -130,28 +130,44 @@ class PathRun:
         """
         for each in self.axes:
             release(each)
-        empty(a, ended)
         for course in self._live:
             course.is_stopping = True
             if course.here.policy is not None:
                 course.here.policy.stops()
         if self.ended and not (hard and (ended == "fault" or not self.hard)):
+            empty(a, ended)
             return
         decel = None
         if hard:
             decel = self.axes[0].error_decel / abs(self.courses[-1].here.scales[0])
-        self.ended, self.hard = ended, hard
         self._cancel_blend()
         plans: list[Plan] = []
         for course in self._live:
             profile = course.stopped(decel, beyond=ended == "fault")
             if profile is not None:
                 plans.append((course, profile, None))
-            else:
+            self._keep(course, course.reached(profile), ended)
+            if profile is None and not course.leads_on:
                 for move in course.here.moves:
                     move.ended = ended
+        self.ended, self.hard = ended, hard
+        empty(a, ended)
         self._change(plans)
         self._aim()
+
+    def _keep(self, course: Course, count: int, ended: str) -> None:
+        """Keep `count` paths ahead, which a stop enters, and remove them from the buffers.
+
+        A harder stop drops the others; before the first stop they are in the buffers.
+        """
+        for number, (path, _) in enumerate(course.ahead):
+            for a, move in zip(self.axes, path.moves, strict=True):
+                if number < count and move in a.buffer:
+                    a.buffer.remove(move)
+                elif number >= count and self.ended:
+                    move.ended = ended
+                    log_dropped(a, move)
+        del course.ahead[count:]
 
     def suspend(self) -> None:
         """Come to rest on the paths and retain them."""
@@ -173,6 +189,7 @@ class PathRun:
         self._over = True
         self._cancel()
         for course in self._live:
+            self._keep(course, 0, ended)
             course.leave(False)
             course.cut_log()
             for move in course.here.moves:
@@ -243,7 +260,7 @@ class PathRun:
         with self._controller.together():
             for k, (a, move, end) in enumerate(zip(self.axes, course.here.moves, course.ends, strict=True)):
                 move.target = end
-                move.ended = self.ended
+                move.ended = "" if course.leads_on else self.ended
                 made = course.of(k)
                 log_move(a, move, made, is_stop=self.ended != "")
                 extend_track(a, self._total(k, made), BY_DESIGN)
@@ -273,7 +290,8 @@ class PathRun:
             if course in changed:
                 moves = course.here.moves
                 made = [course.of(k) for k in range(len(moves))]
-                amend_log(self._controller.log, self._controller.clock.now, moves, made, self.ended)
+                ended = "" if course.leads_on else self.ended
+                amend_log(self._controller.log, self._controller.clock.now, moves, made, ended)
             before = course
 
     def _aim(self) -> None:
