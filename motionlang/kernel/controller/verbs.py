@@ -171,7 +171,7 @@ class Controller(Readings):
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Load a move by `distance`, counted from the position at which it starts."""
         a = self._movable(axis)
-        buffer.check_end_known(a)
+        buffer.known_end(a)
         buffer.put(a, buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:

@@ -72,10 +72,13 @@ def end(a: Axis) -> float:
     return there
 
 
-def check_end_known(a: Axis) -> None:
-    """Raise Rejected while the axis is jogging, so that a relative move has no start."""
-    if not abs(end(a)) < 1e300:
-        raise Rejected("moving", f"axis {a.index} is jogging: a relative move has no start", "stop it first")
+def known_end(a: Axis, words: str = "a relative move has no start") -> float:
+    """Return `end`; raise Rejected, with `words`, while the axis is in a motion without an end."""
+    there = end(a)
+    if abs(there) < 1e300:
+        return there
+    motion = f" in {a.move.command}" if a.move is not None and a.move.command else ""
+    raise Rejected("moving", f"axis {a.index} moves without an end{motion}: {words}", "stop it first")
 
 
 def take(a: Axis, index: int = 0) -> None:

@@ -205,5 +205,5 @@ def test_how_many_entries_fit() -> None:
 def test_a_relative_move_behind_a_jog_has_no_start() -> None:
     c = machine(1)
     c.jog(0, 10.0)
-    with pytest.raises(Rejected, match="is jogging: a relative move has no start"):
+    with pytest.raises(Rejected, match="axis 0 moves without an end: a relative move has no start"):
         c.load_by(0, 1.0)
