@@ -45,6 +45,32 @@ REPORTED: tuple[
             for axis, line, column, length in ((2, 2, 3, 12), (1, 1, 1, 42), (0, 1, 1, 42))
         ],
     ),
+    # A path starts with its first axis; other moves wait for motion that does not end.
+    (
+        "VECTORA(1, 0) = 2, 2 : GO(0)\n", {}, "ended", [],
+        [
+            (
+                "never-started", "the program ended, but VECTORA on axes 1, 0 was loaded and never started",
+                1, 1, 28, "GO(1) starts the buffered moves", "warning",
+            )
+        ],
+    ),
+    *(
+        (
+            f"SPEED(0) = 5 : ACCEL(0) = 9 : DECEL(0) = 9 : {motion}\nMOVEA(0) = 9 : GO(0)\n{end}", {}, status, [],
+            [
+                (
+                    "never-started", "the program ended, but MOVEA on axis 0 was loaded and never started",
+                    2, 1, 20, hint, "warning",
+                )
+            ],
+        )
+        for motion, end, status, hint in (
+            ("JOG(0) = 5", "", "until", "it waits for the end of JOG on axis 0"),
+            ("MASTERCHANNEL(0) = 1 : FOLLOW(0) = 1 : GO(0)", "", "ended", "it waits for the end of FOLLOW on axis 0"),
+            ("MOVER(0) = 5", "SUSPEND(0) = 1\n", "until", "axis 0 is suspended: resume it"),
+        )
+    ),
     (
         " x = 0\n PRINT 1 / x\n", {}, "fault", [],
         [

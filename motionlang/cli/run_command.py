@@ -241,9 +241,8 @@ class Simulated(Output, World, ProgramOptions):
             complain(left, result.source, self.file)
             if any(each.code == "never" and "the machine file" in each.hint for each in left):
                 self._point_to_init()
-        if result.status == "until" and (moving := result.controller.moving()):
-            limit = clock_time(result.time)
-            sys.stderr.write(f"note: {_axes_were(moving)} still moving at the time limit of {limit}\n")
+        if result.status == "until":
+            _note_axes_in_motion(result)
         sys.stdout.flush()
         if result.crash is not None:
             return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
@@ -287,10 +286,19 @@ class Simulated(Output, World, ProgramOptions):
         return bool(found)
 
 
-def _axes_were(axes: list[int]) -> str:
-    if len(axes) == 1:
-        return f"axis {axes[0]} was"
-    return f"axes {', '.join(map(str, axes[:-1]))} and {axes[-1]} were"
+def _note_axes_in_motion(result: Run) -> None:
+    """Name the axes that moved at the time limit, and those that a suspension or a speed of 0 held."""
+    found: dict[str, list[int]] = {"moving": [], "held": []}
+    for axis in result.controller.moving():
+        a = result.controller.axes[axis]
+        is_held = a.profiles[-1].shape == "suspend" and not a.velocity(result.time)
+        found["held" if is_held else "moving"].append(axis)
+    for what, axes in found.items():
+        if axes:
+            *others, last = map(str, axes)
+            were = f"axes {', '.join(others)} and {last} were" if others else f"axis {last} was"
+            limit = clock_time(result.time)
+            sys.stderr.write(f"note: {were} still {what} at the time limit of {limit}\n")
 
 
 def pacer(factor: float) -> Pace:

@@ -288,9 +288,8 @@ def _execute(
         result.status = scheduler.run(until)
         if result.status == "until":
             report_futile_waits(result, scheduler)
-        left = result.machine.never_started() if result.status == "ended" else []
-        if left:
-            report_never_started(result, left)
+        if scheduler.ended is not None and result.status in ("ended", "until"):
+            report_never_started(result)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))

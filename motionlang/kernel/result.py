@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import TYPE_CHECKING, cast
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
@@ -301,13 +302,16 @@ def report_unasked(result: Run) -> None:
         )
 
 
-def report_never_started(result: Run, moves: Sequence[Move]) -> None:
-    """Warn of moves that were loaded but never started, once per line."""
-    for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
+def report_never_started(result: Run) -> None:
+    """Warn of moves that were loaded but never started, once per line and axis or path."""
+    left = reversed(result.machine.never_started())
+    for move, axes in {(axes[0].index, move.line): (move, axes) for move, axes in left}.values():
         text = result.source.line(move.line)
         column = len(text) - len(text.lstrip()) + 1 if text else 0
-        message = f"the program ended, but {move.command} on axis {move.axis} was loaded and never started"
-        hint = f"GO({move.axis}) starts the buffered moves"
+        names = ", ".join(str(each.index) for each in axes)
+        on = f"axis {names}" if len(axes) == 1 else f"axes {names}"
+        message = f"the program ended, but {move.command} on {on} was loaded and never started"
+        hint = _what_starts(move, axes)
         diagnostic = Diagnostic(
             "never-started",
             message,
@@ -318,6 +322,18 @@ def report_never_started(result: Run, moves: Sequence[Move]) -> None:
             severity="warning",
         )
         result.diagnostics.append(diagnostic)
+
+
+def _what_starts(move: Move, axes: Sequence[Axis]) -> str:
+    """Return what starts a buffered move of some axes, or what it waits for; the first axis is the master."""
+    if not move.released:
+        return f"GO({axes[0].index}) starts the buffered moves"
+    for each in axes:
+        if each.suspended:
+            return f"axis {each.index} is suspended: resume it"
+        if each.move is not None:
+            return f"it waits for the end of {each.move.command} on axis {each.index}"
+    return "it waits for the move before it"
 
 
 def report_stuck(result: Run, stuck: Stuck) -> None:

@@ -5,9 +5,11 @@ The machine file describes the world.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from math import inf
 from typing import TYPE_CHECKING
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, WatchedClock
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
 from motionlang.kernel.controller.verbs import Controller
@@ -149,9 +151,16 @@ class Machine:
         """The axes that are not idle."""
         return self.controller.moving()
 
-    def never_started(self) -> list[Move]:
-        """Return the moves in the move buffers that were never released."""
-        return [move for axis in self.controller.axes.values() for move in axis.buffer if not move.released]
+    def never_started(self) -> list[tuple[Move, Sequence[Axis]]]:
+        """Return the buffered moves that no motion in progress will start, with the axes that each moves."""
+        found: list[tuple[Move, Sequence[Axis]]] = []
+        for a in self.controller.axes.values():
+            for move in a.buffer:
+                axes = (a,) if move.action is None else move.action.together_with(a)
+                end = max(each.end_of_move() for each in axes)
+                if not (move.released and self.clock.now < end < inf):
+                    found.append((move, axes))
+        return found
 
     @property
     def moves_made(self) -> int:
