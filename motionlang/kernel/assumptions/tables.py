@@ -194,7 +194,9 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.acceljerktime": "acceljerktime deceljerktime",
     "mint.sramp": "sramp",
     "mint.short-s-ramp": "profilemode sramp",
-    "mint.rates-written-motion": "accel ac decel acceltime deceltime",
+    "mint.rates-written-motion": """
+accel ac decel acceltime deceltime acceljerk deceljerk acceljerktime deceljerktime
+""",
     "mint.maxspeed-in-motion": "maxspeed maxaccel maxdecel",
     "mint.stop-new-speed-target": "profilemode sramp",
     "mint.feedrateoverride-0": "feedrateoverride fro",
