@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
 
 # Words of the grammar that begin a statement and are often misspelled.
-_FIRST_WORDS = ("Const", "Pause", "Print", "Return", "Input", "Repeat")
-# Blocks whose End is a word of its own.
-_BLOCKS = ("event", "function", "loop", "select", "sub", "task", "while")
+_FIRST_WORDS = (
+    *("Const", "Pause", "Print", "Return", "Input"),
+    *OPENERS.values(),
+    *chain.from_iterable(map(closers, OPENERS)),
+)
 # Words that begin a statement in other languages, and what is written here.
 _OTHER_WORDS = {
     "break": "Exit leaves a loop",
     "call": "a sub is called by its name alone",
     **dict.fromkeys(("catch", "try"), "an event handles errors: Event ONERROR"),
     "continue": "there is no Continue: put the rest of the loop in an If",
-    **{f"end{word}": f"this is two words: End {word.capitalize()}" for word in _BLOCKS},
     "let": "a variable is assigned to by its name alone: k = 3",
     **dict.fromkeys(
         ("local", "private", "public", "static", "var"), "Dim declares a variable: Dim k As Integer"

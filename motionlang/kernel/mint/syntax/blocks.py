@@ -52,16 +52,21 @@ class Block:
     @property
     def closing(self) -> tuple[str, ...]:
         """Return the kinds of token that close the block."""
-        if self.kind == "FOR":
-            return ("NEXT",)
-        return ("UNTIL", WRONG) if self.kind == "REPEAT" else ("END", self.kind)
+        kinds = next(iter(closers(self.kind).values()))
+        return (*kinds, WRONG) if self.kind == "REPEAT" else kinds
 
 
 def closing(kind: str) -> str:
     """Return the text that closes a block, for messages."""
-    if kind == "FOR":
-        return "Next"
-    return "Until and its condition" if kind == "REPEAT" else f"End {OPENERS[kind]}"
+    text = next(iter(closers(kind)))
+    return f"{text} and its condition" if kind == "REPEAT" else text
+
+
+def closers(kind: str) -> dict[str, tuple[str, ...]]:
+    """Map the texts that close or continue a block to their kinds of token; the usual one is first."""
+    end = [] if kind in ("FOR", "REPEAT") else [("END", kind)]
+    kinds = [*end, *((closer,) for closer, block in CLOSERS.items() if block == kind)]
+    return {" ".join(SPELLINGS[each] for each in words): words for words in kinds}
 
 
 def opened_blocks(stack: Stack) -> list[Block]:

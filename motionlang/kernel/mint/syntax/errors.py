@@ -5,12 +5,14 @@ Each faulty line is reported once. The statement and the rest of its line become
 shortest line that opens or closes the same block, so that one error gives one message. Missing and surplus closers are
 repaired in the same way. A block that is still open when the block around it closes is reported at its opener and
 closed. A closer without an open block is a `Wrong`. If a line has an error and none with a similar keyword in place of
-its first word, that word is the error. The parser accepts the tokens that result, so every text has a tree.
+its first word, that word is the error; so is a word that resembles a closer of the innermost block. The parser accepts
+the tokens that result, so every text has a tree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
 from math import inf
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -25,6 +27,7 @@ from motionlang.kernel.mint.syntax.blocks import (
     WRONG,
     Block,
     block_words,
+    closers,
     closing,
     opened_blocks,
 )
@@ -36,7 +39,7 @@ from motionlang.kernel.source import Source
 from motionlang.kernel.tools import nearest
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
-KEYWORDS = {spelling: kind for kind, spelling in SPELLINGS.items() if spelling.isalpha()}
+KEYWORDS = {spelling: (kind,) for kind, spelling in SPELLINGS.items() if spelling.isalpha()}
 # What the shortest line of each block consists of behind its first word; what ends a line soonest comes first.
 _IN_LINES = ("_NL", WRONG, "NAME", "THEN", "TO", "CASE", "EQUAL")
 MAX_BACK = 2000  # a misspelt opener is looked for among so many tokens before its closer
@@ -90,6 +93,8 @@ class _Reader:
                 for block in opened_blocks(self.mark):
                     self._missing(block)
                 break
+            if at == self.start:
+                self._correct_closer()
             closer = self._closer(at, at + 1) if at == self.start else ""
             if closer:
                 self._watch_columns(closer)
@@ -251,39 +256,61 @@ class _Reader:
                 return False
             if self.kinds[token - 1] not in expectations.SEPARATORS and token:
                 continue
-            if self._keyword(token, {OPENERS[closer]: closer}):
-                self._report_misspelt(token, OPENERS[closer])
+            if self._keywords(token, 1, {OPENERS[closer]: (closer,)}):
+                self._report_misspelt(token, 1, OPENERS[closer])
                 return True
         return False
 
-    def _keyword(self, at: int, keywords: dict[str, str]) -> str:
-        """Return the keyword that a word was meant to be, "" if there is none.
+    def _correct_closer(self) -> None:
+        """Correct the words of a statement that were meant to close or continue the innermost block."""
+        blocks = opened_blocks(self.mark) if self.kinds[self.start] in ("NAME", "END") else []
+        for count in (1, 2):
+            if blocks and self._correct(count, closers(blocks[0].kind)):
+                break
 
-        The word begins a statement that is valid with the keyword, and is not the name of a sub.
+    def _correct(self, count: int, keywords: Mapping[str, Sequence[str]]) -> bool:
+        """Put keywords in place of the first words of the statement if these are misspelt, and report them."""
+        at = self.start
+        meant = self._keywords(at, count, keywords)
+        if meant:
+            self._report_misspelt(at, count, meant)
+            self.tokens[at : at + count] = self._corrected_words(at, count, keywords[meant])
+            self.kinds[at : at + count] = keywords[meant]
+        return bool(meant)
+
+    def _keywords(self, at: int, count: int, keywords: Mapping[str, Sequence[str]]) -> str:
+        """Return the keywords that some words were meant to be, "" if there are none.
+
+        The words begin a statement that is valid with the keywords, and are not the name of a sub or task, nor a label.
         """
-        word = self.tokens[at]
-        is_name = self.kinds[at] == "NAME" and at not in self.misspelt
-        found = nearest(word, keywords) if is_name else None
-        if found is None or word.lower() in self._subs:
+        words, kinds = self.tokens[at : at + count], self.kinds[at : at + 3]
+        if "NAME" not in kinds[:count] or at in self.misspelt or not all(map(str.isidentifier, words)):
             return ""
-        return found if self.mark.after(self._with(at, keywords[found])) is not None else ""
+        found = nearest(" ".join(words), keywords)
+        is_label = kinds[1:] == ["COLON", "_NL"]
+        if found is None or is_label or not self._declared.isdisjoint(word.lower() for word in words):
+            return ""
+        rest = self.tokens[at + count : self._line_end(at) + 1]
+        line = self.mark.after([*self._corrected_words(at, count, keywords[found]), *rest])
+        return found if line is not None else ""
 
-    def _with(self, at: int, kind: str) -> list[Token]:
-        """Return the rest of a line with another kind of token at its beginning."""
-        return [_as(kind, self.tokens[at]), *self.tokens[at + 1 : self._line_end(at) + 1]]
+    def _corrected_words(self, at: int, count: int, kinds: Sequence[str]) -> list[Token]:
+        """Return tokens of these kinds in place of some words."""
+        words = self.tokens[at : at + count]
+        return [_as(kind, words[min(i, count - 1)]) for i, kind in enumerate(kinds)]
 
-    @property
-    def _subs(self) -> set[str]:
-        """The names of the program's subs, in lower case."""
-        return {
-            name.lower() for kind, name in zip(self.kinds, self.tokens[1:], strict=False) if kind == "SUB"
-        }
+    @cached_property
+    def _declared(self) -> set[str]:
+        """The names of the program's subs and tasks, in lower case."""
+        pairs = zip(self.kinds, self.tokens[1:], strict=False)
+        return {name.lower() for kind, name in pairs if kind in DECLARATIONS}
 
-    def _report_misspelt(self, at: int, keyword: str) -> None:
+    def _report_misspelt(self, at: int, count: int, keywords: str) -> None:
         self.misspelt.add(at)
-        message = f"{self.tokens[at]} is neither a keyword nor a sub of this program"
-        self.report("unknown-word", message, self.tokens[at], f"did you mean {keyword}?")
-        self.diagnostics[-1].candidates = (keyword,)
+        words = self.tokens[at : at + count]
+        message = f"{' '.join(words)} is neither a keyword nor a sub of this program"
+        self.report("unknown-word", message, words[0], f"did you mean {keywords}?", words[-1])
+        self.diagnostics[-1].candidates = (keywords,)
 
     def _else_if(self, at: int) -> str:
         """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
@@ -343,10 +370,7 @@ class _Reader:
     def _wrong(self, at: int) -> int:
         """Report an error inside a statement that no other method has reported."""
         end = self._line_end(at)
-        if keyword := self._keyword(self.start, KEYWORDS):
-            self._report_misspelt(self.start, keyword)
-            self.kinds[self.start] = KEYWORDS[keyword]
-            self.tokens[self.start] = _as(KEYWORDS[keyword], self.tokens[self.start])
+        if self._correct(1, KEYWORDS):
             self._replace((), self.start)  # the statement is read again
             return self.start
         token = self.tokens[at]
