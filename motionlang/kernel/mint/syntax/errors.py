@@ -378,14 +378,33 @@ class _Reader:
         kinds = self.stack.reduced().accepts() - {WRONG}
         if token.type == BAD or kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was not intended as a name
             kinds = self.stack.accepts() - {WRONG}
-        hint = expectations.hint(kinds, before, token, self.kinds[self.start])
-        self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
+        is_then = "THEN" in kinds and self.kinds[at] == "NAME" and nearest(token, ("Then",)) is not None
+        if is_then:
+            self._report_misspelt(at, 1, "Then")
+        else:
+            hint = expectations.hint(kinds, before, token, self.kinds[self.start])
+            self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
+        if "THEN" in kinds and self._is_of_one_line(at + is_then, end) and self._add_then(at + is_then, end):
+            return at + is_then
         for words in block_words([*self.kinds[self.start : end], *_quoted(self.tokens[end])]):
             if self._replace(self._written(self._shortest(words), end), end + 1):
                 return self.start
         return self._skip(at)
 
+    def _is_of_one_line(self, at: int, end: int) -> bool:
+        """True if the line has tokens from `at` to its end, and the next line is not indented as a body is."""
+        column, following = self._column(self.tokens[self.start]), self.tokens[end + 1]
+        return at < end and (following.type == END or self._column(following) <= column)
+
     # ------------------------------------------------------------------------------------------- recovery
+
+    def _add_then(self, at: int, end: int) -> bool:
+        """Add a Then before the token `at`; return False if the rest of the line, up to `end`, does not fit."""
+        (then,) = self._made(("THEN",))
+        if self.stack.after([then, *self.tokens[at : end + 1]]) is None:
+            return False
+        self.kept.append(then)
+        return self.stack.feed(then)
 
     def _line_end(self, at: int) -> int:
         while self.kinds[at] != "_NL":
