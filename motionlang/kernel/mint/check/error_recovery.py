@@ -6,17 +6,18 @@ from collections.abc import Iterable, Set
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.mint.syntax.blocks import DECLARATIONS
+from motionlang.kernel.mint.syntax.blocks import DECLARATIONS, OPENERS
 from motionlang.kernel.mint.syntax.nodes import Module, Wrong
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.source import Source
 
-# Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by what is not
-# in the tree.
+# Errors that concern a statement by itself, or that one repeats a name. Other errors, such as an Exit outside a loop,
+# may be caused by what is not in the tree.
 _OF_A_STATEMENT = frozenset(
     {
         "unknown-word",
+        "duplicate",
         "not-simulated",
         "values",
         "read-only",
@@ -31,13 +32,15 @@ _OF_A_STATEMENT = frozenset(
     }
 )
 
+_OPENERS = frozenset(OPENERS.values())
+
 
 def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Set[str]) -> list[Diagnostic]:
     """Return the syntax errors of a module, and what the check has found that would remain if these were corrected.
 
     Without syntax errors it is all that the check has found. A name in a line with one may have been declared there, so
-    lines that use it are not reported. If the end of a block is missing, a name that is `declared` in one block may be
-    known in another one.
+    lines that use it are not reported. If the beginning or the end of a block is missing, a name that is `declared` in
+    one block may be known in another one, and two declarations of a name may be in different blocks.
     """
     if not module.errors:
         return ProgramError(found).diagnostics
@@ -47,17 +50,26 @@ def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Se
         if isinstance(node, Wrong) and node.start < node.end:  # others are added, not written
             lines |= {*range(module.line(node.start), module.line(node.end) + 1)}
     names = {name for line in lines for name in _names(source.line(line))}
-    if not any(each.code in ("missing-end", "stray-end") for each in module.errors):
-        declared = frozenset()
+    if any(map(_is_of_blocks, module.errors)):
+        found = [
+            each
+            for each in found
+            if each.code != "duplicate"
+            and not (each.code == "unknown-word" and _marked(each, source).lower() in declared)
+        ]
     remaining = [
         each
         for each in found
         if each.line not in lines
         and each.code in _OF_A_STATEMENT
         and not _words(source.line(each.line)) & names
-        and not (each.code == "unknown-word" and _marked(each, source).lower() in declared)
     ]
     return ProgramError([*module.errors, *remaining]).diagnostics
+
+
+def _is_of_blocks(mistake: Diagnostic) -> bool:
+    """True if the beginning or the end of a block is missing, or misspelt."""
+    return mistake.code in ("missing-end", "stray-end") or not _OPENERS.isdisjoint(mistake.candidates)
 
 
 def _names(line: str) -> set[str]:
