@@ -29,7 +29,8 @@ check reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
-  form, a v4 keyword, one that is not simulated, or a string function.
+  form, a v4 keyword, one that is not simulated, or a string function. Uses of a name that is reported may mean the
+  keyword, so no other error is reported at them.
 - A declaration that repeats a name of its scope is reported. Its symbol's `first` is what the name refers to.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `uses` counts reads, not assignments.
@@ -96,6 +97,8 @@ class Names:
         # True if the program uses TERMINAL, which sets where a PRINT without a number prints.
         self.uses_terminal = self.typed
         self._surveys: dict[Function, Survey] = {}
+        # Declared names that are keywords.
+        self._taken: set[str] = set()
         # The Defines that are being expanded, innermost last.
         self._replacing: list[Symbol] = []
         # The depth of their expressions, and a flag that is True once it was too deep. No further Defines are
@@ -108,6 +111,7 @@ class Names:
     def declare_module(self, module: nodes.Module) -> None:
         """Declare all names of the module, then bind every use of a name."""
         self._declare_names(module)
+        self.problems.taken = self._taken
         for function in self.functions:
             self._use(function)
         self._count_subscripts()
@@ -362,6 +366,7 @@ class Names:
         ):
             self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
                               hint="choose another name")  # fmt: skip
+            self._taken.add(key)
         scope.names[key] = symbol
 
     # ---------------------------------------------------------------------------------------------- uses

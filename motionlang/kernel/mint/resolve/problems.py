@@ -28,6 +28,8 @@ class Problems:
         self.in_run: set[tuple[str, int]] = set()
         # True once there is an error, so that warnings, however many, never hide the first one.
         self.has_errors = False
+        # Declared names that are keywords, in lower case. Their declarations are reported, so their uses are not.
+        self.taken: set[str] = set()
 
     @cached_property
     def is_v4(self) -> bool:
@@ -54,11 +56,13 @@ class Problems:
         candidates: Sequence[str] = (),
         end: int = 0,
     ) -> None:
-        """Record a problem; each code is reported once per position.
+        """Record a problem that is not at a use of a taken name; each code is reported once per position.
 
         `fix` is the text that would replace the token, or the text up to `end`. `candidates` are texts that might
         replace it.
         """
+        if self.taken and self.text(at).partition(".")[0].lower() in self.taken:
+            return
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self.has_errors):
             self.has_errors = self.has_errors or severity == "error"
             line, column, length = self._location(at)
