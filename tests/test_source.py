@@ -59,7 +59,7 @@ def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.Mo
 def test_a_file_that_is_no_text_is_refused(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "program.mnt"
     path.write_bytes(data)
-    with pytest.raises(OSError, match="not a text file"):
+    with pytest.raises(OSError, match="not a text file: line"):
         Source.read(path)
 
 

@@ -36,13 +36,14 @@ def contents(file: BinaryIO) -> bytes:
 def without_padding(data: bytes) -> bytes:
     """Return the bytes of a text without the NULs that old disks put at its end.
 
-    Raises OSError if another NUL shows that the file is not text.
+    Raises OSError if another NUL shows that the file is not text, with its line.
     """
     if b"\0" not in data or _utf16(data):
         return data
     found = data.rstrip(b"\0")
     if not found or b"\0" in found:
-        raise OSError(errno.EILSEQ, "not a text file")
+        line = data.count(b"\n", 0, data.index(b"\0")) + 1
+        raise OSError(errno.EILSEQ, f"not a text file: line {line} has a zero byte")
     return found
 
 

@@ -91,7 +91,7 @@ def test_a_wrong_value_gets_one_answer(given: str, message: str, program: Cell) 
     "file, message",
     [
         ("none.mnt", "error[file]: none.mnt cannot be read: no such file or directory\n"),
-        ("drive.mnt", "error[file]: drive.mnt cannot be read: not a text file\n"),
+        ("drive.mnt", "error[file]: drive.mnt cannot be read: not a text file: line 1 has a zero byte\n"),
         ("a.txt", "error[file]: unknown language of a.txt: no language has the extension .txt\n"),
     ],
 )

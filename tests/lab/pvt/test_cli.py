@@ -345,7 +345,10 @@ def test_a_bus_that_is_not_there(words: list[str], message: str, monkeypatch: py
 def test_a_file_that_is_no_text_is_named(folder: Path) -> None:
     (folder / "points.csv").write_bytes(b"0,0,10\0\1\2\n")
     answer = pvt("plot", "points.csv")
-    assert (answer.status, answer.err) == (1, "error[file]: points.csv cannot be read: not a text file\n")
+    assert (answer.status, answer.err) == (
+        1,
+        "error[file]: points.csv cannot be read: not a text file: line 1 has a zero byte\n",
+    )
 
 
 def test_a_time_that_prevents_velocities_is_named_with_its_line(folder: Path) -> None:
