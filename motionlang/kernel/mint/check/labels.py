@@ -21,5 +21,8 @@ def jump(b: Body, node: nodes.Jump) -> None:
     def labels() -> list[str]:
         return [key for key, label in b.function.labels.items() if label.declared]
 
-    hint = f"a label has a line of its own: #{name}"
-    problems.unknown(f"there is no label {name}", name, labels, name.start, hint)
+    problems.unknown(f"there is no label {name}", name, labels, name.start, label_hint(name))
+
+
+def label_hint(name: str) -> str:
+    return f"a label has a line of its own: #{name}"

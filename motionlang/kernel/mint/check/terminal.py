@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.kernel.mint.check.body import Body
-from motionlang.kernel.mint.check.unknown_words import unknown_name
+from motionlang.kernel.mint.check.unknown_words import hint_at_type, unknown_name
 from motionlang.kernel.mint.check.values import Value, article
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import FLOAT, NUMERIC, STRING
@@ -59,7 +59,7 @@ def line(b: Body, node: nodes.Call) -> None:
 def _line_of_items(b: Body, node: nodes.Print) -> None:
     if node.row is None or node.row.verb != "line":
         message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
-        b.problem("syntax", message, node)
+        b.problem("syntax", message, node, hint_at_type(node.word))
         return
     _print_on_row(b, node, node.line, node.items)
 

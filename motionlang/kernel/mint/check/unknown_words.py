@@ -5,15 +5,17 @@ from __future__ import annotations
 from itertools import chain
 
 from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.check.labels import label_hint
+from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
 
 # Words of the grammar that begin a statement and are often misspelled.
 _FIRST_WORDS = (
-    *("Const", "Pause", "Print", "Return", "Input"),
-    *OPENERS.values(),
+    *("Const", "End", "Pause", "Print", "Return", "Input", "Repeat"),
     *chain.from_iterable(map(closers, OPENERS)),
 )
+_DIM = "Dim declares a variable: Dim k As Integer"
 # Words that begin a statement in other languages, and what is written here.
 _OTHER_WORDS = {
     "break": "Exit leaves a loop",
@@ -21,9 +23,7 @@ _OTHER_WORDS = {
     **dict.fromkeys(("catch", "try"), "an event handles errors: Event ONERROR"),
     "continue": "there is no Continue: put the rest of the loop in an If",
     "let": "a variable is assigned to by its name alone: k = 3",
-    **dict.fromkeys(
-        ("local", "private", "public", "static", "var"), "Dim declares a variable: Dim k As Integer"
-    ),
+    **dict.fromkeys(("local", "private", "public", "static", "var"), _DIM),
     "switch": "a choice between values is Select Case k … End Select",
 }
 
@@ -61,13 +61,22 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     problems, table = b.program.problems, b.program.table
     message = f"{target.name} is neither a keyword nor a sub of this program"
     hint = _OTHER_WORDS.get(target.name.lower())
+    behind = problems.text(target.name.end)
+    otherwise = label_hint(target.name) if behind == ":" else hint_at_type(target.name) if target.args else ""
+    if behind == ":" and target.name.lower() in b.function.labels:
+        hint = otherwise
     if hint is None:
-        problems.unknown(message, target.name, known, target.start, table=table)
+        problems.unknown(message, target.name, known, target.start, otherwise, table)
         return
-    following = b.scope.find(problems.text(target.name.end))
+    following = b.scope.find(behind)
     if target.name.lower() == "call" and following is not None and following.kind == "sub":
         hint += f": {following.name}"
     problems.add("unknown-word", message, target.start, hint)
+
+
+def hint_at_type(word: str) -> str:
+    """Return a hint for a type that begins a statement, "" for any other word."""
+    return _DIM if word.lower() in TYPES or word.lower() in OTHER_TYPES else ""
 
 
 def task_named(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> str | None:

@@ -375,6 +375,8 @@ class _Reader:
             return self.start
         token = self.tokens[at]
         before = self.tokens[at - 1] if at else ""
+        if before in ("+", "-") and self.tokens[at - 2] == before != self.tokens[at - 3]:
+            before *= 2
         kinds = self.stack.reduced().accepts() - {WRONG}
         if token.type == BAD or kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was not intended as a name
             kinds = self.stack.accepts() - {WRONG}
@@ -382,7 +384,8 @@ class _Reader:
         if is_then:
             self._report_misspelt(at, 1, "Then")
         else:
-            hint = expectations.hint(kinds, before, token, self.kinds[self.start])
+            hint = self._continued(at) if "_NL" in kinds else ""
+            hint = hint or expectations.hint(kinds, before, token, self.kinds[self.start])
             self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
         if "THEN" in kinds and self._is_of_one_line(at + is_then, end) and self._add_then(at + is_then, end):
             return at + is_then
@@ -390,6 +393,14 @@ class _Reader:
             if self._replace(self._written(self._shortest(words), end), end + 1):
                 return self.start
         return self._skip(at)
+
+    def _continued(self, at: int) -> str:
+        """Return a hint for the first token of a line that continues the line before, "" for others."""
+        before, token = self.tokens[at - 1], self.tokens[at]
+        mark = self.source.text[before.end_pos : token.start_pos].strip()[:1]
+        if at == self.start or mark not in ("\\", "_"):
+            return ""
+        return f"line {self._line(before)} goes on here; remove the {mark} at its end"
 
     def _is_of_one_line(self, at: int, end: int) -> bool:
         """True if the line has tokens from `at` to its end, and the next line is not indented as a body is."""

@@ -67,7 +67,7 @@ def message(kinds: set[str], kind: str, text: str) -> str:
 def hint(kinds: set[str], before: str, text: str, first: str) -> str:
     """Return a suggested fix, "" if none is likely.
 
-    `before` is the token before `text`, and `first` the kind of the statement's first one.
+    `before` is the token before `text`, or two equal signs, and `first` the kind of the statement's first token.
     """
     is_first = before.strip() in ("", ":")
     if text[:1] == '"' and not text.endswith('"', 1):
@@ -97,6 +97,8 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return "Not takes all that follows; write it in brackets, (Not b)"
     if slip := SLIPS.get((before, text[:1])) or SLIPS.get((before.lower(), text.lower())):
         return slip
+    if before in ("++", "--"):
+        return SLIPS[before[:1], "="]
     wanted = _names_of(kinds)
     if text in TYPE_SIGNS and before.isidentifier():
         return f"names have no type sign: {before}"
@@ -121,6 +123,8 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
     if "`)`" in wanted and not text.strip():
         return "add )"
     if wanted == ["the end of the line"] and text.strip():
+        if text == "#" or first == "HASH":
+            return SLIPS["/", "/"]
         if first == "PRINT":
             return "values are separated by , or ; and statements by : or by a new line"
         return "statements are separated by : or by a new line"
