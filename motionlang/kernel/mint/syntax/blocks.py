@@ -95,6 +95,8 @@ def block_words(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
     first = kinds[0]
     if first == "END" and kinds[1:2] and kinds[1] in OPENERS:
         return (("END", kinds[1]),)
+    if first == "DO":
+        return (("LOOP",),)
     if first == "NEXT" and "COMMA" in kinds:
         return ("NEXT", *("NAME", "COMMA") * kinds.count("COMMA"), "NAME"), ("NEXT",)
     if first == "IF" and "THEN" in kinds and kinds[-1] not in ("THEN", "DO"):

@@ -263,9 +263,16 @@ class _Reader:
 
     def _correct_closer(self) -> None:
         """Correct the words of a statement that were meant to close or continue the innermost block."""
-        blocks = opened_blocks(self.mark) if self.kinds[self.start] in ("NAME", "END") else []
+        at = self.start
+        if self.kinds[at] not in ("NAME", "END", "LOOP") or not (blocks := opened_blocks(self.mark)):
+            return
+        block = blocks[0]
+        if self.kinds[at] == "LOOP" and _is_do(block):
+            end = self._line_end(at)
+            self.tokens[at:end] = [_as(kind, self.tokens[at]) for kind in block.closing]
+            self.kinds[at:end] = block.closing
         for count in (1, 2):
-            if blocks and self._correct(count, closers(blocks[0].kind)):
+            if self._correct(count, closers(block.kind)):
                 break
 
     def _correct(self, count: int, keywords: Mapping[str, Sequence[str]]) -> bool:
@@ -360,6 +367,8 @@ class _Reader:
         return self.start
 
     def _missing(self, block: Block) -> None:
+        if _is_do(block):
+            return
         token = block.token
         while token.start_pos in self.spent:
             token = self.spent.pop(token.start_pos)
@@ -484,6 +493,11 @@ class _Reader:
 
 def _as(kind: str, token: Token) -> Token:
     return Token.new_borrow_pos(kind, token, token)
+
+
+def _is_do(block: Block) -> bool:
+    """True if a block was opened in place of a `Do`, which is reported, so its `Loop` ends it."""
+    return block.kind == "LOOP" and not block.token
 
 
 def _quoted(ending: str) -> list[str]:
