@@ -392,9 +392,5 @@ def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) 
         hint = "--until S ends it at a machine time; --cpu S gives it more processor time, --cpu 0 any"
     if scheduler is None:
         return Diagnostic("interrupted", message, hint=hint)
-    # Until the next event a program runs ahead of the clock, which only an end like this one can show.
-    clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
-    if reached < clock.next_time():
-        clock.advance(reached)
     line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
     return Diagnostic("interrupted", message, line, column, length=length, hint=hint)

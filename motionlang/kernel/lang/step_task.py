@@ -324,6 +324,8 @@ class StepTask(Task):
                             loop_log.close()
                         return t, None
             except BaseException as error:
+                # It has run ahead of the clock, at most to the next event.
+                clock.now = max(clock.now, min(time.at(t), horizon, clock.horizon))
                 self.failed(error, pc, t)
                 gives_way = self.recover(error)
                 if self.machine.observer is not None:

@@ -78,10 +78,6 @@ class Task:
         """Return the source position at which `error`, raised by `resume`, occurred."""
         return self.at
 
-    def time_at_error(self, error: BaseException) -> float:
-        """Return the task's own time when `error` was raised, s; 0 if it is unknown."""
-        return 0.0
-
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """Run until `horizon`, s, a wait or the end; return the time and the wait, if any."""
         raise NotImplementedError

@@ -157,9 +157,6 @@ class MintTask(StepTask):
         semaphore[0] = self
         return True
 
-    def time_at_error(self, error: BaseException) -> float:
-        return self.now
-
     def never(self) -> Wait:
         """Return the endless wait of a suspended task."""
         now = self.environment.clock.now
