@@ -145,8 +145,9 @@ RULE = Rule(
     text="""\
 A move is loaded into the buffer, and on every path from there the buffer is emptied (STOP, CANCEL, RESET) or the
 program ends before a GO of its axis. These count as a GO: another task, a handler, the caller of the sub, and a
-TRIGGERMODE that starts moves by itself. A move of several axes needs the GO of only one of them. A run that ends with
-such a move in a buffer also warns of it.
+TRIGGERMODE that starts moves by itself. For a move of several axes the GO of any of them counts; in a run only that of
+its first axis starts it (`motion.go-of-a-path`). A run that ends with a move in a buffer names it, too, also one that a
+GO has released and that waits, as for the end of a jog.
 
 In MCCL, VM selects velocity mode and no GO of the axis follows, or CM joins a contour and no CP of the controlling axis
 follows.
