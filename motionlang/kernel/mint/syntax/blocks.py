@@ -5,6 +5,7 @@ The tables repeat what the grammar states, and a test keeps them consistent.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from motionlang.kernel.lang.syntax.grammar import Token
@@ -69,9 +70,8 @@ def closers(kind: str) -> dict[str, tuple[str, ...]]:
     return {" ".join(SPELLINGS[each] for each in words): words for words in kinds}
 
 
-def opened_blocks(stack: Stack) -> list[Block]:
-    """Return the blocks that are open on a stack, innermost first."""
-    blocks = []
+def opened_blocks(stack: Stack) -> Iterator[Block]:
+    """Iterate over the blocks that are open on a stack, innermost first."""
     above, name = "", ""  # the symbol above and its first token
     after_then = ""  # the symbol above the last Then
     for symbol, tokens in stack:
@@ -80,9 +80,8 @@ def opened_blocks(stack: Stack) -> list[Block]:
             after_then = "_NL" if kind == "DO" else above
         elif kind in OPENERS:
             variable = tokens[1] if symbol == "for_head" else name
-            blocks.append(Block(kind, tokens[0], symbol == "IF" and after_then != "_NL", variable))
+            yield Block(kind, tokens[0], symbol == "IF" and after_then != "_NL", variable)
         above, name = symbol, tokens[0] if tokens else ""
-    return blocks
 
 
 def block_words(kinds: list[str]) -> tuple[tuple[str, ...], ...]:

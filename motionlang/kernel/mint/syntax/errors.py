@@ -103,7 +103,7 @@ class _Reader:
                 self._report_depth()
                 del self.kept[self.kept_before :]
                 break
-        self._close(opened_blocks(self.mark))
+        self._close(list(opened_blocks(self.mark)))
 
     def _begin(self, at: int) -> None:
         """Begin a statement at a token."""
@@ -118,7 +118,7 @@ class _Reader:
 
     def _report_depth(self) -> None:
         """Report blocks that are nested too deeply."""
-        blocks = opened_blocks(self.stack)
+        blocks = list(opened_blocks(self.stack))
         message = f"blocks are nested more than {MAX_DEPTH} deep here"
         hint = "move the inner ones into a Sub"
         # The last one has no body yet.
@@ -162,7 +162,7 @@ class _Reader:
         if token.type in expectations.SEPARATORS:
             return token
         number = self.kinds[self.start : at].count("COMMA")
-        variable = opened_blocks(self.mark)[number].name
+        variable = list(opened_blocks(self.mark))[number].name
         if variable.lower() == token.lower():
             return token
         if variable:
@@ -175,7 +175,7 @@ class _Reader:
 
         If a closer turns out to be missing, it is the closer of that inner block.
         """
-        blocks = opened_blocks(self.mark)
+        blocks = list(opened_blocks(self.mark))
         if not blocks or blocks[0].kind != closer or self._under(blocks[0]):
             return
         meant = next((block for block in blocks[1:] if block.kind == closer and self._under(block)), None)
@@ -196,7 +196,7 @@ class _Reader:
 
     def _mistake(self, at: int) -> int:
         """Report the unexpected token `at`, recover, and return the next token to read."""
-        blocks = opened_blocks(self.mark)
+        blocks = list(opened_blocks(self.mark))
         first = at - 1 if self.kinds[at - 1] == "END" and self.kinds[at] in OPENERS else at
         closer = self._closer(first, at)
         if closer and first == self.start and not any(block.inline for block in blocks):
@@ -264,9 +264,11 @@ class _Reader:
     def _correct_closer(self) -> None:
         """Correct the words of a statement that were meant to close or continue the innermost block."""
         at = self.start
-        if self.kinds[at] not in ("NAME", "END", "LOOP") or not (blocks := opened_blocks(self.mark)):
+        if self.kinds[at] not in ("NAME", "END", "LOOP"):
             return
-        block = blocks[0]
+        block = next(opened_blocks(self.mark), None)
+        if block is None:
+            return
         if self.kinds[at] == "LOOP" and _is_do(block):
             end = self._line_end(at)
             self.tokens[at:end] = [_as(kind, self.tokens[at]) for kind in block.closing]
