@@ -220,7 +220,7 @@ def _by_file(name: str, keys: Sequence[str], found: Sequence[tuple[str, object]]
 
 
 def _literal_lines(source: Source, literals: Sequence[Literal]) -> Iterator[str]:
-    """Return the addresses of literals beside their numbers and lines."""
+    """Return a line for each literal: its address, its number, and its line of the program."""
     width = max((len(each.address) for each in literals), default=0)
     values = max((len(each.text) for each in literals), default=0)
     for each in literals:

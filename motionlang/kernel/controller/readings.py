@@ -1,4 +1,4 @@
-"""What can be read of a controller: positions, times at which they pass a value, channels."""
+"""Values that can be read of a controller: positions, times at which they pass a value, channels."""
 
 from __future__ import annotations
 

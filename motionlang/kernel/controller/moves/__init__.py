@@ -1,1 +1,1 @@
-"""What the move buffer can hold besides moves: paths, cams, offsets, timed points."""
+"""Entries of the move buffer other than moves of one axis: paths, cams, offsets, timed points."""

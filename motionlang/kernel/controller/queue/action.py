@@ -1,4 +1,4 @@
-"""What a buffer entry or a motion in progress answers if it is not a move to a position."""
+"""The base of all buffer entries and motions in progress that are not moves to a position."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a position or a state triggers: limits, zones, homing."""
+"""Actions that a position or a state triggers: limits, zones, homing."""

@@ -61,6 +61,11 @@ class Condition:
         self._enabled = enabled
         self.check()
 
+    @property
+    def in_force(self) -> bool:
+        """True if the axis acts once the condition is met."""
+        return self._enabled and self._action != "ignore"
+
     def check(self, towards: int = 0) -> None:
         """Act if the condition has become true; in a `together` block, act at its end.
 
@@ -69,7 +74,7 @@ class Condition:
         if self._event is not None:
             self._event.cancel()
             self._event = None
-        if not self._enabled or self._action == "ignore" or not self.met:
+        if not self.in_force or not self.met:
             self._raised = False
             return
         waiting = self.a.controller.deferred_checks

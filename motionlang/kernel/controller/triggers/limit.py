@@ -66,8 +66,7 @@ class Limit(Condition):
         self.check()
 
     def _pass(self, direction: int) -> None:
-        in_force = self.enabled and self.action != "ignore"
-        if self.physical and direction == self.sign and not in_force and self.ignored is None:
+        if self.physical and direction == self.sign and not self.in_force and self.ignored is None:
             self._record()
         self.check(direction)
         self.a.controller.notify("limit", self.a.index)

@@ -316,7 +316,7 @@ class CommandTask(StepTask):
 
     @property
     def polled(self) -> str:
-        """What its futile loop polls, joined by "and": channels, and other commands that read."""
+        """The channels and other commands that its futile loop polls, joined by "and"."""
         steps, first, last = self.last_loop
         assert isinstance(steps, LineSteps)
         found: dict[str, None] = {}

@@ -391,15 +391,16 @@ class _Reader:
         kinds = self.stack.reduced().accepts() - {WRONG}
         if token.type == BAD or kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was not intended as a name
             kinds = self.stack.accepts() - {WRONG}
-        is_then = "THEN" in kinds and self.kinds[at] == "NAME" and nearest(token, ("Then",)) is not None
-        if is_then:
+        behind = at  # where the rest of an If of one line would begin
+        if "THEN" in kinds and self.kinds[at] == "NAME" and nearest(token, ("Then",)) is not None:
             self._report_misspelt(at, 1, "Then")
+            behind = at + 1
         else:
             hint = self._continued(at) if "_NL" in kinds else ""
             hint = hint or expectations.hint(kinds, before, token, self.kinds[self.start])
             self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
-        if "THEN" in kinds and self._is_of_one_line(at + is_then, end) and self._add_then(at + is_then, end):
-            return at + is_then
+        if "THEN" in kinds and self._is_of_one_line(behind, end) and self._add_then(behind, end):
+            return behind
         for words in block_words([*self.kinds[self.start : end], *_quoted(self.tokens[end])]):
             if self._replace(self._written(self._shortest(words), end), end + 1):
                 return self.start

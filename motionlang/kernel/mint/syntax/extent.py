@@ -1,4 +1,4 @@
-"""What the blocks of a program extend over, read from its tree."""
+"""The extent of each block of a program, read from its tree."""
 
 from __future__ import annotations
 
