@@ -106,7 +106,7 @@ CODES: dict[str, str] = {
     "wrong-channel": "An output is switched at a channel that is an input.",
     "unused-sub": "A sub or a function that is never called.",
     "unused-task": "A task that is never run.",
-    "motor-off": "A command moves a motor that was never switched on.",
+    "motor-off": "A command moves a motor that is off.",
     "nothing-to-wait-for": "A wait for the end of a move that was never started.",
     "still-running": (
         "A move or a wait needs an axis at rest, but the axis runs in velocity mode until it is stopped."

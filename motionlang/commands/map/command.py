@@ -52,10 +52,11 @@ examples:
     )  # fmt: skip
 
     def check(self) -> None:
-        """Raise WrongOption if a world is given without a run."""
+        """Raise WrongOption if a world or values of names are given without a run."""
         super().check()
-        if not self.run_ and (self.entries() or self.until is not None):
-            raise WrongOption("--input, --analog, --answer, --keys and --until need --run")
+        if not self.run_ and (self.entries() or self.overrides() or self.until is not None):
+            words = "--input, --analog, --answer, --keys, --until and names of the program in --set"
+            raise WrongOption(f"{words} need --run")
 
     def run(self) -> int:
         source, language, settings = self.source(), self.known_language(), self.settings()

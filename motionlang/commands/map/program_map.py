@@ -106,14 +106,16 @@ def map_of_run(
     """Return the map of a program with what a run of it does.
 
     The run ends after `until` seconds of machine time, by default after `run.until` of the settings or `UNTIL`. Raises
-    ProgramError with all errors of the text.
+    ProgramError with all errors of the text, or for an override that names nothing.
     """
     program = language.program(source, settings)
     made = program_map(program, language)
+    varied = program.with_values(overrides) if overrides else program
+    varied.require()
     made.observed = observed = Observed(made.diagrams)
     end = until if until is not None or "run.until" in settings else UNTIL
     made.run = run(
-        program.with_values(overrides) if overrides else program,
+        varied,
         machine=settings,
         until=end,
         overrides=overrides,

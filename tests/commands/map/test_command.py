@@ -108,6 +108,10 @@ def test_the_extension_of_the_output_chooses_the_form(name: str, begins: str, pr
 
 def test_what_is_wrong_with_the_command_line(program: Cell) -> None:
     assert "need --run" in program("map", "a.mnt", "--until", "5").err
+    assert "need --run" in program("map", "a.mnt", "--set", "spare=5").err
+    ran = program("map", "a.mnt", "--run", "--set", "spares=5")
+    assert (ran.status, ran.out) == (1, "")
+    assert "the program has no constant or variable spares" in ran.err
     ran = program("map", "a.mnt", "--unit", "Spar")
     assert (ran.status, ran.err) == (
         2,
