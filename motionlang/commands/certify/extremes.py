@@ -1,5 +1,8 @@
 """Extremes of an axis in a run: position, speed, acceleration and jerk.
 
+Positions are those of the machine: they count from the zero that the last homing of the run gave the axis, or from that
+of power-up if it is never homed. A zero that the program sets moves nothing, so it changes none of them.
+
 Nothing is sampled. Each piece of a profile is a polynomial or a wave, so its extremes are at its ends and
 stationary points.
 """
@@ -61,22 +64,40 @@ class Extremes:
 def extremes(a: Axis, until: float) -> Extremes:
     """Return the extremes of the commanded motion of an axis up to a time.
 
-    They are in the user units in force at the end. Where the velocity jumps, the acceleration is infinite;
-    where the acceleration jumps, the jerk is.
+    They are in the user units in force at the end, positions from the zero of the homed machine. Where the velocity
+    jumps, the acceleration is infinite; where the acceleration jumps, the jerk is.
     """
     found: Extremes | None = None
     before: State | None = None
+    zeros = _Zeros(a)
     for begin, length, profile in _track(a, until):
+        zero = zeros.at(begin)
         if found is None:
-            found = Extremes(a.scale.position_to_user(profile.start))
+            found = Extremes(a.scale.to_user(profile.start - zero))
         for points in _stretches(profile, length):
             first, last = points[0][1], points[-1][1]
             if before is not None:
                 _jump(found, begin + points[0][0], before, first)
             before = last
             for time, state in points:
-                found.take(begin + time, _in_units(a, state))
-    return found or Extremes(a.scale.position_to_user(a.position(until)))
+                found.take(begin + time, _in_units(a, state, zero))
+    return found or Extremes(a.scale.to_user(a.position(until) - zeros.at(until)))
+
+
+class _Zeros:
+    """The position that an axis had at the zero of its homed machine, from time to time, counts."""
+
+    def __init__(self, a: Axis) -> None:
+        self._a = a
+        self._changes = (each for each in a.controller.log.zeros if each.axis == a.index)
+        self._next = next(self._changes, None)
+
+    def at(self, time: float) -> float:
+        """Return the position at a time, which is not before the last one asked for."""
+        while self._next is not None and self._next.time <= time:
+            self._next = next(self._changes, None)
+        datum = self._a.datum if self._next is None else self._next.datum
+        return datum + (self._a.home or 0.0)
 
 
 def peak_speed(a: Axis, until: float) -> float:
@@ -172,10 +193,10 @@ def _differ(left: float, right: float, slope: float, slope_after: float) -> bool
     return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
 
 
-def _in_units(a: Axis, state: State) -> State:
+def _in_units(a: Axis, state: State, zero: float) -> State:
     size = abs(a.scale.counts)
     return State(
-        a.scale.position_to_user(state.position),
+        a.scale.to_user(state.position - zero),
         state.velocity / size,
         state.acceleration / size,
         state.jerk / size,

@@ -46,7 +46,7 @@ def certificate_lines(
     within = sum(line.verdict == "within" for line in lines)
     out = [styled(f"limits of {run.source.name}", "bold", colour)]
     out += limits_table(lines).lines(width, colour=colour)
-    out += ["", f"{within} of {len(lines)} limits met"]
+    out += ["", *_zeros(run, lines), f"{within} of {len(lines)} limits met"]
     if proof is not None:
         broken = len(proof.violations)
         checked = ", ".join(count_of(count, name[:-1]) for name, count in proof.counts.items() if count)
@@ -56,6 +56,20 @@ def certificate_lines(
         f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
     )
     out += ["", "checked by ______________________________   date ______________"]
+    return out
+
+
+def _zeros(run: Run, lines: Sequence[Limit]) -> list[str]:
+    """Return from where the positions of each axis count that was homed or given another zero."""
+    out, log = [], run.machine.log
+    changed = {each.axis for each in log.zeros}
+    for number in dict.fromkeys(line.axis for line in lines if "position" in line.name):
+        a = run.controller.axes[number]
+        if a.home is not None:
+            zero = f"homing, {figure(a.scale.to_user(a.home))} uu from that of power-up"
+            out.append(f"positions of axis {number}: from the zero of its last {zero}")
+        elif number in changed:
+            out.append(f"positions of axis {number}: from the zero of power-up, since the axis is not homed")
     return out
 
 

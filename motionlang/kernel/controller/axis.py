@@ -75,6 +75,7 @@ class Axis:
         "feedrate_mode",
         "followers",
         "gains",
+        "home",
         "homing",
         "index",
         "index_every",
@@ -163,7 +164,9 @@ class Axis:
         self.move: Move | None = None
         self.arrival: Event | None = None
         self.target = 0.0
+        # The position at the zero of power-up, and how far from there the last homing put the zero; counts.
         self.datum = 0.0
+        self.home: float | None = None
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
         # The last profile, by which readers know that their cache is valid. None if it is not on the track
@@ -327,6 +330,10 @@ class Axis:
     def suspended(self) -> bool:
         """True if the axis has a reason for suspension: it stops and keeps its moves."""
         return self.suspend_reasons != 0
+
+    def set_home(self) -> None:
+        """Record the present zero as the one that a homing gave the axis."""
+        self.home = self.scale.zero - self.datum
 
     @property
     def index_pitch(self) -> float:

@@ -12,7 +12,17 @@ from typing import TYPE_CHECKING, Any
 from motionlang.kernel.log.move import Move
 from motionlang.kernel.log.moves import Moves
 from motionlang.kernel.log.profiles import Profiles
-from motionlang.kernel.log.records import Changed, Event, Looped, Printed, Sampled, Setting, Switched, Waited
+from motionlang.kernel.log.records import (
+    Changed,
+    Event,
+    Looped,
+    Printed,
+    Sampled,
+    Setting,
+    Switched,
+    Waited,
+    Zeroed,
+)
 from motionlang.kernel.log.stream import DISK, Store, Stream
 from motionlang.kernel.log.time_slices import Mark as SliceMark
 from motionlang.kernel.log.time_slices import TimeSliceStream
@@ -49,6 +59,7 @@ class Log:
     outputs, analogue_outputs: `Switched`
     sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
     settings   `Setting`, written if the value has changed
+    zeros      `Zeroed`, each new zero of an axis
     waits      `Waited`, each when it is over
     loops      `Looped`, each loop of more than a hundred statements, when it is over
     slices     `TimeSlices`, if there is more than one task
@@ -70,6 +81,7 @@ class Log:
         self.analogue_inputs: Iterable[Changed] = self.changes_of_analogue_inputs
         self.analogue_outputs: Stream[Switched] = Stream(store, Switched)
         self.settings: Stream[Setting] = Stream(store, Setting)
+        self.zeros: Stream[Zeroed] = Stream(store, Zeroed)
         self.waits: Stream[Waited] = Stream(store, Waited)
         self.loops: Stream[Looped] = Stream(store, Looped)
         self.slices = TimeSliceStream(store)
@@ -203,5 +215,5 @@ class Log:
     def streams(self) -> tuple[Stream[Any] | Moves, ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
-                self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
-                *self.others)  # fmt: skip
+                self.analogue_outputs, self.settings, self.zeros, self.waits, self.loops, self.slices, self.prints,
+                self.events, *self.others)  # fmt: skip

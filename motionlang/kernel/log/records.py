@@ -156,6 +156,14 @@ class Setting(NamedTuple):
     value: object
 
 
+class Zeroed(NamedTuple):
+    """An axis was given a new zero; `datum` is the zero of its machine until then, counts."""
+
+    time: float
+    axis: int
+    datum: float
+
+
 class MoveRow(NamedTuple):
     """A move as it is stored; `acts` is true if it has an action.
 

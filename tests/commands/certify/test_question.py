@@ -111,6 +111,51 @@ def test_the_extremes_of_an_arc_are_between_the_ends_of_its_pieces(axis: int) ->
     assert found["highest position"].reached == pytest.approx(high, abs=1e-6)
 
 
+# Mint's rates for an overshoot of 1: a search at 60 that stops with 1800.
+MINT = "SPEED(0) = 500 : ACCEL(0) = 1800 : DECEL(0) = 1800 : HOMESPEED(0) = 60\n"
+HOME = "HOME(0) = _hmNEGATIVE_SWITCH : PAUSE IDLE(0)\n"
+TO_90 = "MOVEA(0) = 90 : GO(0) : PAUSE IDLE(0)\n"
+MCCL = "1MN,1SA1800,1DS1800\n"
+FIND = "1VM,1DI1,1SV60,1GO,1FE{},1ST,1WS,1PM,1SV500\n"
+# The machine's home switch is on below -25; the language, the program, its lowest and highest position.
+ZEROS: dict[str, tuple[str, str, tuple[float, float]]] = {
+    "a new zero": ("mnt", f"{MINT}{TO_90}POS(0) = 0\n{TO_90}", (0, 180)),
+    "DH": ("mcl", f"{MCCL}1SV500,1MA90,1WS\n1DH0,1MA90,1WS\n", (0, 180)),
+    "a new zero in motion": ("mnt", f"{MINT}MOVEA(0) = 90 : GO(0) : WAIT = 100\nPOS(0) = 0\nPAUSE IDLE(0)", (0, 90)),
+    "a new zero, taken back": ("mnt", f"{MINT}POS(0) = 50\n{TO_90}POS(0) = 40\n", (0, 40)),
+    "the search of a homing": ("mnt", f"{MINT}{HOME}{TO_90}", (-1, 90)),
+    "the search of FE": ("mcl", f"{MCCL}{FIND.format(0)}1MA90,1WS\n", (-1, 90)),
+    "FE that gives another position": ("mcl", f"{MCCL}{FIND.format(-25)}1MA90,1WS\n", (-26, 90)),
+    "HOMEREFPOS": ("mnt", f"{MINT}HOMEREFPOS(0) = -25\n{HOME}{TO_90}", (-26, 90)),
+    "a new zero after the homing": ("mnt", f"{MINT}{HOME}POS(0) = 10\n{TO_90}", (-1, 80)),
+    "a homing between two moves": ("mnt", f"{MINT}MOVEA(0) = 60 : GO(0) : PAUSE IDLE(0)\n{HOME}{TO_90}", (-1, 90)),
+    "the last of two homings": ("mnt", f"{MINT}{HOME}{TO_90}HOMEREFPOS(0) = 5\n{HOME}", (4, 95)),
+    "a homing that the run cuts off": ("mnt", f"{MINT}{TO_90}HOMESPEED(0) = 1\n{HOME}", (0, 90)),
+    "another scale": ("mnt", f"{MINT}{TO_90}POS(0) = 0\nSCALE(0) = 2\n", (0, 45)),
+    "UO": ("mcl", f"1UO100,{MCCL}1SV500,1MA90,1WS\n", (0, 190)),
+    "UO before FE": ("mcl", f"{MCCL}1UO100\n{FIND.format(0)}1MA90,1WS\n", (-1, 90)),
+    "POSWRAP": ("mnt", f"{MINT}POSWRAP(0) = 60\n{TO_90}MOVER(0) = 90 : GO(0) : PAUSE IDLE(0)\n", (0, 180)),
+    "POSROLLOVER": ("mnt", f"{MINT}POSWRAP(0) = 60\n{TO_90}POSROLLOVER(0) = 0\nMOVER(0) = 90 : GO(0)\n", (0, 180)),
+    "ENCODERWRAP": ("mnt", f"{MINT}ENCODERWRAP(0) = 60\n{TO_90}ENCODER(0) = 0\n{TO_90}", (0, 90)),
+    "RT": ("mcl", f"{MCCL}1SV500,1MA90,1WS\n1RT,{MCCL}1SV500,1MA90,1WS\n", (0, 180)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", ZEROS)
+def test_positions_count_from_the_zero_of_the_last_homing(what: str) -> None:
+    suffix, program, (low, high) = ZEROS[what]
+    axis = 1 if suffix == "mcl" else 0
+    machine = {
+        f"axis.{axis}.home_switch": [-60.0, -25.0],
+        f"axis.{axis}.limits.position": [low - 0.01, high + 0.01],
+        "run.until": 60.0,
+    }
+    result = run(Source(f"m.{suffix}", program), machine=machine)
+    lowest, highest = certify(result)
+    assert (lowest.reached, highest.reached) == pytest.approx((low, high), abs=3e-3)
+    assert (lowest.verdict, highest.verdict) == ("within", "within")
+
+
 @pytest.mark.parametrize("turn", [1, 89])
 def test_an_extreme_next_to_an_end_of_an_arc_is_found(turn: int) -> None:
     """An arc of 90 degrees is along axis 0 after 1 of them, or 89."""

@@ -9,7 +9,7 @@ from math import sqrt
 import pytest
 
 from motionlang import run
-from motionlang.commands.improve import Improver, World
+from motionlang.commands.improve import Improver, NotPossible, World
 from motionlang.kernel import Source, dialect
 from tests.cases import cases
 from tests.cli.programs import Cell
@@ -41,6 +41,18 @@ def test_a_number_that_a_define_gives_is_edited_in_its_line() -> None:
     found = improver(text, {"axis.0.limits.speed": 150.0, "axis.0.limits.acceleration": 500.0}).improved()
     assert [(each.literal.address, each.value) for each in found.edits] == [("quick@1", 150.0)]
     assert found.patched.text == text.replace("quick = 100", "quick = 150")
+
+
+def test_a_limit_of_the_position_keeps_its_place_when_the_zero_changes() -> None:
+    """The axis is at 100 after two strokes of 50; a search to -26, 1 below the switch, is homed to -1."""
+    limits = {"axis.0.limits.position": [-2.0, 60.0], "axis.0.limits.speed": 200.0}
+    machine = limits | {"axis.0.home_switch": [-60.0, -25.0]}
+    stroke = "MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)\n"
+    speed = "SPEED(0) = 100 : ACCEL(0) = 1800 : DECEL(0) = 1800 : HOMESPEED(0) = 60\n"
+    with pytest.raises(NotPossible, match="the highest position of axis 0 exceeds its limit already"):
+        improver(f"{speed}{stroke}POS(0) = 0\n{stroke}", machine)
+    homed = improver(f"{speed}HOME(0) = _hmNEGATIVE_SWITCH : PAUSE IDLE(0)\n{stroke}", machine).improved()
+    assert [(each.literal.address, each.value) for each in homed.edits] == [("SPEED[0]@1", 200.0)]
 
 
 def test_the_edits_and_the_difference_that_patch_applies(shuttle: Cell) -> None:

@@ -110,6 +110,7 @@ def define_position(a: Axis, position: float) -> None:
     rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
     if a.move is not None and a.move.action is not None:
         a.move.action.shift(a, shift)
+    a.controller.log.zeros.add((now, a.index, a.datum))
     a.datum += shift
     a.target += shift
     if a.move is not None:

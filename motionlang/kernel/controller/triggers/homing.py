@@ -201,6 +201,7 @@ class Homing:
         self.found = True
         self.before = self.a.actual_position
         define_position(self.a, self._datum)
+        self.a.set_home()
         come_to_rest(self.a)
 
     def _go_to_offset(self, offset: float) -> None:

@@ -73,7 +73,8 @@ KEYS: dict[str, tuple[str, str]] = {
     ),
     "axis.N.limits.position": (
         "pair",
-        "The positions allowed, in user units; `motionlang certify` shows how far the axis went.",
+        "The positions allowed, in user units, counted from the zero of the homed machine; `motionlang certify` shows "
+        "how far the axis went.",
     ),
     "axis.N.limits.speed": ("positive", "The greatest speed allowed, in user units per second."),
     "axis.N.limits.acceleration": (

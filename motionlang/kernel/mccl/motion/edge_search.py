@@ -77,6 +77,7 @@ class Seek:
         self.caught = self.value
         if self.kind == "index":
             self._axis.index_position = self.value
+        self._board.controller.axes[self._axis.number].set_home()
         self._axis.flags |= flags.HOMED
 
     def _watch_marks(self) -> None:
