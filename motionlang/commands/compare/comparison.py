@@ -6,16 +6,17 @@ The figures are given in total, and for each move and phase.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.commands.compare.alignment import Signal, find_delay, find_delay_near, fit, lag, simulated
-from motionlang.commands.compare.differences import scale_remarks, stroke_remarks
+from motionlang.commands.compare.differences import scale_remarks, stroke_remarks, unrecorded_remarks
 from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
-from motionlang.commands.compare.strokes import Matched, is_explained, match
-from motionlang.kernel import Diagnostic, ProgramError, Run, Source
+from motionlang.commands.compare.strokes import SAME_SHARE, Matched, is_explained, match
+from motionlang.kernel import Diagnostic, ProgramError, Run, Source, Trace
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.tracks import MOTOR, UNITS
 
@@ -79,10 +80,10 @@ def compare(
     found, remarks = _signals(run, source, mapping)
     trace = run.trace
     matches = [match(trace, signal) for signal in found]
-    known = [each for each in matches if each is not None]
+    known = _matches_with_zero(found, matches)
     first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin, default=None)
     fitted = find_delay(trace, found) if delay is None else delay
-    if fitted is not None and all(is_explained(trace, signal, fitted) for signal in found):
+    if fitted is not None and _is_explained(trace, found, matches, fitted, given=delay is not None):
         # The fit may be that of another repetition of the motion than the pairs.
         matches = [each if each is not None and each.is_same_at(fitted) else None for each in matches]
     elif delay is None and first is not None and not all(each.is_same_at(first.lag) for each in known):
@@ -100,20 +101,52 @@ def compare(
     rows: list[Row] = list(moves_of(run))
     signals = []
     strokes: dict[int, Matched] = {}
-    for signal, matched in zip(found, matches, strict=True):
+    moves = []
+    for signal, matched in sorted(
+        zip(found, matches, strict=True), key=lambda each: each[0].quantity != "position"
+    ):
         if matched is not None and signal.axis not in strokes:
             strokes[signal.axis] = matched
             own = [row for row in rows if row["axis"] == signal.axis]
             remarks += stroke_remarks(signal.name, matched, delay, own)
+    axes = set()
     for signal, matched in zip(found, matches, strict=True):
         own_strokes = strokes.get(signal.axis)
-        row = compared.signal(signal, matched, own_strokes.pairs[0].recorded.begin if own_strokes else None)
+        row = compared.signal(signal, matched, own_strokes)
         signals.append(row)
+        compared_moves = list(compared.moves(signal, rows, own_strokes))
+        moves += compared_moves
+        if signal.axis not in axes and row["points"]:
+            axes.add(signal.axis)
+            begin, end = float(signal.times[0]) - delay, float(signal.times[-1]) - delay
+            remarks += unrecorded_remarks(signal.name, compared_moves, begin, end)
         remarks += scale_remarks(
             row, signal.quantity, matched, trace.controller.axes[signal.axis].scale.counts
         )
-    moves = [row for signal in found for row in compared.moves(signal, rows)]
     return Comparison(run, delay, found, signals, moves, remarks)
+
+
+def _matches_with_zero(found: Sequence[Signal], matches: Sequence[Matched | None]) -> list[Matched]:
+    """Return the matches of positions, which show where motion happened, or else all."""
+    known = [(signal, each) for signal, each in zip(found, matches, strict=True) if each is not None]
+    return [each for signal, each in known if signal.quantity == "position"] or [each for _, each in known]
+
+
+def _is_explained(
+    trace: Trace, found: Sequence[Signal], matches: Sequence[Matched | None], delay: float, *, given: bool
+) -> bool:
+    """True if the run at a delay explains all signals.
+
+    A delay that was not given must not need another zero of the positions where the pairs of strokes need none.
+    """
+    for signal, matched in zip(found, matches, strict=True):
+        if not is_explained(trace, signal, delay):
+            return False
+        if not given and signal.quantity == "position" and matched is not None and not matched.is_shifted:
+            _, offset = fit(simulated(trace, signal, signal.times - delay), signal.values)
+            if abs(offset) > SAME_SHARE * float(np.ptp(signal.values)):
+                return False
+    return True
 
 
 # ------------------------------------------------------------------------------------------ columns
@@ -205,14 +238,15 @@ class _Compared:
     def __init__(self, run: Run, delay: float, tolerances: Mapping[str, float]) -> None:
         self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
 
-    def signal(self, signal: Signal, matched: Matched | None, start: float | None) -> Row:
-        """Return the figures of a signal over its whole length; its axis starts at `start` in the recording."""
+    def signal(self, signal: Signal, matched: Matched | None, strokes: Matched | None) -> Row:
+        """Return the figures of a signal over its whole length, whose axis has these strokes."""
         times, values, residual = self._within(signal, 0.0, self._trace.end)
         expected = values - residual
+        start = None if strokes is None else strokes.pairs[0].recorded.begin
         scale, offset = self._fit(signal, matched, start, expected, values)
         row = {"signal": signal.name, "column": signal.column, "points": len(times)}
         row |= {"scale": scale, "offset": offset, "moves": bool(len(times) and np.ptp(expected) > 0.0)}
-        row |= {"lag": lag(self._trace, signal, self._delay, 0.0, self._trace.end)}
+        row |= {"lag": self._lag(signal, strokes, 0.0, self._trace.end)}
         return row | self._figures(signal, times, residual)
 
     def _fit(
@@ -228,21 +262,27 @@ class _Compared:
         elif float(left @ left) > UNEXPLAINED * float(np.var(values)) * len(values):
             return None, None
         if matched is not None and signal.quantity == "position":
-            first = matched.pairs[0]
-            return scale, first.recorded.level - scale * first.run.level
+            return scale, matched.offset
         before = np.zeros(0) if start is None else signal.values[signal.times < start]
         return scale, float(np.median(before)) if len(before) else offset
 
-    def moves(self, signal: Signal, rows: Sequence[Row]) -> Iterator[Row]:
-        """Yield a row per move of the signal's axis, with one per phase."""
+    def moves(self, signal: Signal, rows: Sequence[Row], strokes: Matched | None) -> Iterator[Row]:
+        """Yield a row per move of the signal's axis, with one per phase.
+
+        If the strokes of the axis differ, a move is as late as the recorded stroke that is paired with its own.
+        """
         own = [row for row in rows if row["axis"] == signal.axis]
-        for row, following in zip(own, [*own[1:], None], strict=True):
+        for row, following in zip_longest(own, own[1:]):
             begin, end = row["start_time"], row["start_time"] + row["duration"]
             times, _, residual = self._within(signal, begin, end)
             made: Row = {"signal": signal.name, "axis": signal.axis, "command": row["command"]}
             made |= {"line": row["line"], "start_time": begin, "duration": row["duration"]}
             made |= self._figures(signal, times, residual)
-            made["lag"] = lag(self._trace, signal, self._delay, begin, end)
+            if strokes is None or strokes.is_same:
+                made["lag"] = self._lag(signal, strokes, begin, end)
+            else:
+                behind = strokes.lag_of(begin, end)
+                made["lag"] = None if behind is None else behind - self._delay
             if signal.quantity == "position":
                 until = min(following["start_time"] if following else self._trace.end, end + AFTER)
                 made["overshoot"] = self._overshoot(signal, row, end, max(end, until))
@@ -252,6 +292,14 @@ class _Compared:
                 made["phases"].append({"name": phase["name"]} | self._figures(signal, inside, left))
                 begin += phase["duration"]
             yield made
+
+    def _lag(self, signal: Signal, strokes: Matched | None, begin: float, end: float) -> float | None:
+        """Return the lag of a signal in an interval, s; None if the strokes of its axis have no lag in common."""
+        if strokes is not None and not strokes.is_same:
+            return None
+        if strokes is not None and signal.quantity == "position":
+            signal = signal._replace(values=(signal.values - strokes.offset) / strokes.scale)
+        return lag(self._trace, signal, self._delay, begin, end)
 
     def _within(self, signal: Signal, begin: float, end: float) -> tuple[Array, Array, Array]:
         """Return run times, measured values and residuals of a signal in an interval."""

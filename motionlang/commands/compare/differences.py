@@ -9,6 +9,7 @@ from typing import Any
 
 from motionlang.commands.compare.strokes import SAME_SHARE, Matched, Pair, Stroke
 from motionlang.kernel import Diagnostic
+from motionlang.kernel.tools import count_of
 from motionlang.views.formatting import significant
 
 Row = Mapping[str, Any]
@@ -23,6 +24,19 @@ USUAL = {
 NEAR, MAX_GEAR = 0.003, 5
 # Rates that differ by less than this share agree.
 RATE_SHARE = 0.05
+
+
+def unrecorded_remarks(signal: str, rows: Sequence[Row], begin: float, end: float) -> Iterator[Diagnostic]:
+    """Yield a warning if moves of an axis are outside of its recording, from `begin` to `end` of the run, s."""
+    outside = [row for row in rows if row["peak"] is None and row["lag"] is None]
+    if outside:
+        first = outside[0]
+        more = f" (and {count_of(len(outside) - 1, 'more move')})" if len(outside) > 1 else ""
+        yield _warning(
+            f"{signal}, {first['command'] or 'move'} of line {first['line']}: not recorded{more}, "
+            f"the recording has {round(max(begin, 0.0), 3):g} s to {round(end, 3):g} s of the run",
+            "record from before the start of the program to its end, or give --delay",
+        )
 
 
 def scale_remarks(row: Row, quantity: str, matched: Matched | None, counts: float) -> Iterator[Diagnostic]:
@@ -95,7 +109,7 @@ def _differences(
         if matched.has_other_travel(pair):
             travel = pair.recorded.travel / matched.scale
             yield (
-                f"{name}: recorded {travel / pair.run.travel:.4g} times as far, "
+                f"{name}: recorded {_rate(travel / pair.run.travel)} times as far, "
                 f"{_size(abs(travel))} against {length} uu",
                 "compare the target of this move",
             )
@@ -121,11 +135,11 @@ def _times(scale: float, pair: Pair) -> str:
     size = abs(scale)
     speeds = pair.recorded.speed / size, pair.run.speed
     if not isclose(*speeds, rel_tol=SAME_SHARE):
-        return f"{text}: {speeds[0]:.4g} against {speeds[1]:.4g} uu/s"
+        return f"{text}: {_rate(speeds[0])} against {_rate(speeds[1])} uu/s"
     rates = zip(("accelerated", "decelerated"), pair.recorded.rates, pair.run.rates, strict=True)
     for name, there, here in rates:
         if there is not None and here is not None and not isclose(there / size, here, rel_tol=RATE_SHARE):
-            text += f", {name} at {there / size:.4g} against {here:.4g} uu/s²"
+            text += f", {name} at {_rate(there / size)} against {_rate(here)} uu/s²"
     return text
 
 
@@ -138,6 +152,11 @@ def _name(signal: str, stroke: Stroke, rows: Sequence[Row]) -> str:
 def _size(travel: float) -> str:
     """Format a travel, whose last digits depend on the samples."""
     return f"{float(f'{travel:.5g}'):.10g}"
+
+
+def _rate(value: float) -> str:
+    """Format a speed or an acceleration, which are known to four digits."""
+    return f"{float(f'{value:.4g}'):.10g}"
 
 
 def _warning(message: str, hint: str) -> Diagnostic:

@@ -11,8 +11,8 @@ not at all. Strokes answer these cases: each has a travel, a start and a duratio
   times as much are reached are well known, in the run and in the recording; the shape of the run continues them to its
   exact start. This is exact if the recording has the same shape at another rate.
 * **Pairs.** An alignment of the two sequences, in O(run × recording), with a cost for each missing and each extra
-  stroke and for travel that differs. It is done for several scales, of which the cheapest is chosen, and among equal
-  ones that next to 1.
+  stroke, for travel that differs, and for positions that begin elsewhere. It is done for several scales, of which the
+  cheapest is chosen, and among equal ones that next to 1.
 """
 
 from __future__ import annotations
@@ -54,8 +54,9 @@ MIN_SAMPLES = 6
 SAME_SHARE, SAME_WINDOWS = 0.01, 2.0
 # The RMS that a fit may leave of the same motion: so many standard deviations of the noise, or a share of the range.
 RESIDUAL_NOISE, RESIDUAL_SHARE = 3.0, 5e-4
-# Costs of an alignment: a stroke without a partner, a start that is entirely elsewhere, and a reversed sign.
-GAP, ELSEWHERE, REVERSED = 1.0, 0.2, 0.5
+# Costs of an alignment: a stroke without a partner, a start that is entirely elsewhere, a first position that differs,
+# and a reversed sign.
+GAP, ELSEWHERE, SHIFTED, REVERSED = 1.0, 0.2, 0.1, 0.5
 # The largest number of scales that are tried.
 MAX_SCALES = 16
 
@@ -125,9 +126,26 @@ class Matched(NamedTuple):
             or any(self.dwell_change(*each) for each in pairwise(self.pairs))
         )
 
+    @property
+    def offset(self) -> float:
+        """The position of the recording where that of the run is 0."""
+        first = self.pairs[0]
+        return first.recorded.level - self.scale * first.run.level
+
+    @property
+    def is_shifted(self) -> bool:
+        """True if the positions of the recording begin at another zero than those of the run."""
+        return _is_shifted(self.pairs[0].run, self.pairs[0].recorded, self.scale)
+
     def is_same_at(self, delay: float) -> bool:
         """True if the strokes are the same, and a delay pairs them in the same way."""
         return self.is_same and abs(self.pairs[0].lag - delay) <= self.resolution
+
+    def lag_of(self, begin: float, end: float) -> float | None:
+        """Return the lag of the pair that begins between two times of the run; None if there is none."""
+        return next(
+            (each.lag for each in self.pairs if begin <= each.run.begin + self.resolution < end), None
+        )
 
     def has_other_travel(self, pair: Pair) -> bool:
         """True if the travel of a pair differs, apart from the scale."""
@@ -212,7 +230,7 @@ def match(trace: Trace, signal: Signal) -> Matched | None:
     measured, first, last = _strokes(recorded.padded(2 * window), window)
     if len(expected) * len(measured) > MAX_CELLS:
         return None
-    found = _aligned(expected, measured)
+    found = _aligned(expected, measured, has_zero=signal.quantity == "position")
     if found is None:
         return None
     scale, indices = found
@@ -431,24 +449,37 @@ def _timed(run: Stroke, recorded: Stroke) -> Stroke:
 # ------------------------------------------------------------------------------------------ pairs
 
 
-def _aligned(run: Sequence[Stroke], recorded: Sequence[Stroke]) -> tuple[float, list[tuple[int, int]]] | None:
-    """Return the scale of the recording and the pairs of indices, None if there is no pair."""
+def _is_shifted(run: Stroke, recorded: Stroke, scale: float) -> bool:
+    return abs(recorded.level - scale * run.level) > SAME_SHARE * abs(recorded.travel)
+
+
+def _aligned(
+    run: Sequence[Stroke], recorded: Sequence[Stroke], *, has_zero: bool
+) -> tuple[float, list[tuple[int, int]]] | None:
+    """Return the scale of the recording and the pairs of indices, None if there is no pair.
+
+    `has_zero` is true if levels of the recording are positions, which it may have in common with the run.
+    """
     ratios = [1.0, *(m.travel / r.travel for m in recorded[:4] for r in run[:4])]
     scales = list({f"{each:.4g}": each for each in ratios}.values())[:MAX_SCALES]
-    found = [(*_pairing(run, recorded, scale), scale) for scale in scales]
+    found = [(*_pairing(run, recorded, scale, has_zero), scale) for scale in scales]
     found = [each for each in found if each[1]]
     if not found:
         return None
 
     def rank(each: tuple[float, list[tuple[int, int]], float]) -> tuple[float, float]:
-        cost, _, scale = each
-        return round(cost + (REVERSED if scale < 0.0 else 0.0), 3), abs(log(abs(scale)))
+        cost, pairs, scale = each
+        unlikely = abs(log(abs(scale)))
+        cost += REVERSED if scale < 0.0 else 0.0
+        if len(pairs) == 1 < len(run):  # nothing confirms the scale: the axis may have jammed on its way
+            cost += min(unlikely, GAP)
+        return round(cost, 3), unlikely
 
     _, pairs, scale = min(found, key=rank)
     return scale, pairs
 
 
-def _pairing(run: Sequence[Stroke], recorded: Sequence[Stroke], scale: float) -> Pairing:
+def _pairing(run: Sequence[Stroke], recorded: Sequence[Stroke], scale: float, has_zero: bool) -> Pairing:
     """Return the cost of the cheapest pairing at a scale, and its pairs of indices."""
     above: list[Pairing] = [(GAP * j, []) for j in range(len(recorded) + 1)]
     for i, expected in enumerate(run):
@@ -463,6 +494,8 @@ def _pairing(run: Sequence[Stroke], recorded: Sequence[Stroke], scale: float) ->
                     before, other = run[pairs[-1][0]], recorded[pairs[-1][1]]
                     later, wanted = measured.begin - other.begin, expected.begin - before.begin
                     cost += ELSEWHERE * abs(later - wanted) / max(later, wanted)
+                elif has_zero and _is_shifted(expected, measured, scale):
+                    cost += SHIFTED
                 choices.insert(0, (cost, [*pairs, (i, j)]))
             row.append(min(choices, key=lambda each: each[0]))
         above = row

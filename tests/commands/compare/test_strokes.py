@@ -215,6 +215,80 @@ def test_a_program_of_the_gallery_does_not_differ_from_itself(name: str, rate: f
     assert found.delay == pytest.approx(0.3, abs=1e-3)
 
 
+# A feed of four equal strokes, what the machine does instead, the delay, the lag of each move in ms, and the remarks.
+FEED = "SPEED(0) = 200 : ACCEL(0) = 2000 : DECEL(0) = 2000\nWAIT = 200\n"
+STROKE = "MOVER(0) = {} : GO(0) : PAUSE IDLE(0)\nWAIT = {}\n"
+FOUR = FEED + 4 * STROKE.format(25, 100)
+MISSING = "25 uu at {} s are not recorded"
+FEEDS: dict[str, tuple[str, float, list[float | None], list[str]]] = {
+    "the first move missing": (
+        FEED + "WAIT = 325\n" + 3 * STROKE.format(25, 100),
+        0.325,  # as far as the recording shows, the feed began later
+        [0.0, 0.0, 0.0, None],
+        ["9: not recorded, the recording has 0 s to 1.175 s of the run"],
+    ),
+    "a middle move missing": (
+        FEED + STROKE.format(25, 100) + "WAIT = 325\n" + 2 * STROKE.format(25, 100),
+        0.0,
+        [0.0, None, 0.0, 0.0],
+        ["5: " + MISSING.format(0.525)],
+    ),
+    "the last move missing": (
+        FEED + 3 * STROKE.format(25, 100) + "WAIT = 325\n",
+        0.0,
+        [0.0, 0.0, 0.0, None],
+        ["9: " + MISSING.format(1.175)],
+    ),
+    "a jam in the third move": (
+        FEED + 2 * STROKE.format(25, 100) + "MOVER(0) = 25 : GO(0) : PAUSE POS(0) > 60 : CANCEL(0)\nWAIT = 500\n",
+        0.0,
+        [0.0, 0.0, 0.0, None],
+        ["9: " + MISSING.format(1.175), "7: recorded 0.4001 times as far, 10.002 against 25 uu"],
+    ),
+    "a jam in the first move": (
+        FEED + "MOVER(0) = 25 : GO(0) : PAUSE POS(0) > 12 : CANCEL(0)\nWAIT = 1300\n",
+        0.0,
+        [0.0, None, None, None],
+        [*(f"{line}: {MISSING.format(at)}" for line, at in ((5, 0.525), (7, 0.85), (9, 1.175))),
+         "3: recorded 0.4801 times as far, 12.002 against 25 uu"],
+    ),
+    "half the speed": (
+        FEED.replace("200 :", "100 :") + 4 * STROKE.format(25, 100),
+        0.0,
+        [0.0, 75.0, 150.0, 225.0],
+        [f"{line}: recorded the same 25 uu in 33 % more time: 100 against 200 uu/s" for line in (3, 5, 7, 9)],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.01])
+@pytest.mark.parametrize("what", FEEDS)
+def test_a_feed_of_equal_moves_shows_which_is_missing_and_how_late_each_is(what: str, noise: float) -> None:
+    text, delay, lags, remarks = FEEDS[what]
+    samples = run(Source("a.mnt", text)).trace.sample(500.0, [0], None, ["position"])
+    values = samples.get(0, "position")
+    values = values + noise * np.random.default_rng(7).normal(size=len(values))
+    rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(samples.time, values, strict=True))
+    found = compare(run(Source("a.mnt", FOUR)), Source("real.csv", "t,x\n" + rows), {"position.0": "x"})
+    assert found.delay == pytest.approx(delay, abs=2e-3)
+    assert [each["lag"] is None for each in found.moves] == [each is None for each in lags]
+    known = [(each["lag"], lag) for each, lag in zip(found.moves, lags, strict=True) if lag is not None]
+    assert [1000.0 * there for there, _ in known] == pytest.approx([here for _, here in known], abs=2.0)
+    if not noise:
+        said = [each.message.removeprefix("position.0, MOVER of line ") for each in found.remarks]
+        assert said == remarks
+
+
+def test_an_axis_at_rest_compares_like_any_other() -> None:
+    text = "t,x,y\n" + "\n".join(f"{k / 100},{min(k, 30)},5" for k in range(60))
+    program = "SPEED(0) = 100\nMOVER(0) = 30 : GO(0) : PAUSE IDLE(0)\nWAIT = 300\n"
+    mapping = {"position.0": "x", "position.1": "y"}
+    found = compare(run(Source("a.mnt", program)), Source("real.csv", text), mapping)
+    assert [(row["signal"], row["moves"], row["peak"]) for row in found.signals[1:]] == [
+        ("position.1", False, 5.0)
+    ]
+
+
 def test_a_line_that_differs_each_time_is_reported_once() -> None:
     text = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\nWAIT(100)\nFor i = 1 To 5\n"
     text += "  MOVER(0) = 20 : GO(0) : PAUSE IDLE(0) : WAIT(100)\nNext\n"
