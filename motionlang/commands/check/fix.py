@@ -98,7 +98,7 @@ def _pass(
 
 
 def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
-    """Return a text with its fixes applied, and the fixes; the later of two overlaps."""
+    """Return a text with the fixes that change it applied, and these; the later of two overlaps."""
     wanted = [each for each in found if each.fix and each.line and each.column]
     lines = text.split("\n")
     made: list[Fixed] = []
@@ -108,6 +108,8 @@ def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
         if made and made[-1].line == each.line and made[-1].column - 1 < end:
             continue
         new = each.fix.replace("\n", "\r\n") if line.endswith("\r") else each.fix
+        if new == line[begin:end]:
+            continue
         made.append(Fixed(each.line, each.column, each.code, line[begin:end], new.strip()))
         lines[each.line - 1] = line[:begin] + new + line[end:]
     return "\n".join(lines), made[::-1]

@@ -61,6 +61,8 @@ def plain(line: str) -> tuple[int, str]:
         closing = _CLOSING.search(line, 1)
         if closing is None:
             return (1, '"') if kind else (0, "")
+        if not kind and closing[0] == '"':  # both are plain
+            return 0, ""
         return closing.end(), f'"{line[1 : closing.start()]}"'
     if wanted == "'":
         others = _INSIDE.sub("", line[1:])

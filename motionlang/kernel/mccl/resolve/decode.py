@@ -126,6 +126,8 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
             hint = "a number follows its command directly: 1MR1000"
         elif text.startswith(_COMMENTS):
             hint = "; begins a comment"
+        elif text.startswith('"'):
+            hint = f"a text follows its command directly: OT{text}"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
