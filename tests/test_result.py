@@ -27,6 +27,8 @@ from motionlang.kernel import (
 from tests.cases import cases
 
 ENDLESS = "the program waits until IN(2), which can never happen"
+ENDLESS_POLL = "the program waits for a change of x, which can never happen"
+POLL_HINT = "start a move first, or add a machine file with the event that it waits for"
 # A program of Mint, and the status of its run, its notes and its diagnostics: code, message, line, column, length,
 # hint, severity.
 REPORTED: tuple[
@@ -104,6 +106,15 @@ REPORTED: tuple[
     (
         "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "until",
         ["line 5: ParentTask still polled IN(1), which could no longer change"], [],
+    ),
+    # Another task can still set the variable; then nothing is left that could.
+    (
+        "Dim x\nTask t\nWAIT=100\nx = 1\nEnd Task\nRun t\nWhile x < 1\nWAIT=5\nEnd While\n", {}, "ended", [], [],
+    ),
+    (
+        "Dim x\nTask t\nWAIT=100\nx = 1\nEnd Task\nRun t\nWhile x < 2\nWAIT=5\nEnd While\n", {}, "fault",
+        [f"line 7: {ENDLESS_POLL}"],
+        [("never", ENDLESS_POLL, 7, 1, 5, POLL_HINT, "error")],
     ),
     (
         "  HOME(0) = 1\nPAUSE IDLE(0)\n", {}, "fault", [],

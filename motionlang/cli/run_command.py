@@ -242,6 +242,8 @@ class Simulated(Output, World, ProgramOptions):
             if any(each.code == "never" and "the machine file" in each.hint for each in left):
                 self._point_to_init()
         if result.status == "until":
+            if self.format in ("none", "csv"):
+                sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.idle)
             _note_axes_in_motion(result)
         sys.stdout.flush()
         if result.crash is not None:

@@ -138,8 +138,7 @@ def run(
     if nv is not None and made is not None and not open_nonvolatile(result, nv):
         made = None
     if made is not None:
-        last = end_of(settings) if until is None else until
-        _perform(result, made, last, pace, outside, begun, listener, keep_crash)
+        _perform(result, made, until, pace, outside, begun, listener, keep_crash)
         result.notes += made.places.notes
     _finish(result, settings)
     return result
@@ -151,8 +150,7 @@ def run_on(
     """Continue a run from the state of its machine, which a debugger has put back; return another result."""
     result = Run(source, language, machine)
     result.program = program
-    last = end_of(machine.settings) if until is None else until
-    _perform(result, program, last, None, None, None, None, False)
+    _perform(result, program, until, None, None, None, None, False)
     _finish(result, machine.settings)
     return result
 
@@ -160,7 +158,7 @@ def run_on(
 def _perform(
     result: Run,
     compiled: Program,
-    until: float,
+    until: float | None,
     pace: Callable[[float], None] | None,
     outside: Outside | None,
     begun: Callable[[Machine], None] | None,
@@ -271,12 +269,12 @@ def _is_ready(program: Program, language: Dialect, result: Run) -> bool:
 def _execute(
     result: Run,
     compiled: Program,
-    until: float,
+    until: float | None,
     pace: Callable[[float], None] | None,
     outside: Outside | None,
 ) -> None:
     """Run to the end or to an error; earlier results remain in `result`."""
-    scheduler = result.machine.scheduler
+    settings, scheduler = result.machine.settings, result.machine.scheduler
     try:
         if scheduler is None:
             if outside is not None:
@@ -285,7 +283,9 @@ def _execute(
             scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         if result.machine.stop is not None:
             result.machine.stop.end = scheduler.stop
-        result.status = scheduler.run(until)
+        has_limit = until is not None or "run.until" in settings or result.machine.stop is not None
+        scheduler.gives_up = not has_limit
+        result.status = scheduler.run(end_of(settings) if until is None else until)
         if result.status == "until":
             report_futile_waits(result, scheduler)
         if scheduler.ended is not None and result.status in ("ended", "until"):

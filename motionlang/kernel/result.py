@@ -45,7 +45,9 @@ class Run:
         self.status: str = "ended"
         self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
+        # Remarks for the report; those on tasks that only wait at the time limit are in `idle`, too.
         self.notes: list[str] = []
+        self.idle: list[str] = []
         # The quantities that a caller has asked for, by name.
         self.quantities: dict[str, float | str | bool | None] = {}
         # An internal error, which ended the run.
@@ -176,17 +178,18 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
     if result.machine.moving():
         _report_endless_homing(result, scheduler)
         return
-    is_over = scheduler.clock.next_time() == inf and all(map(_is_hopeless, scheduler.tasks))
+    is_over = scheduler.is_over()
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == inf:
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
-            result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+            result.idle.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif is_over and task.polls_in_vain and task.polled:
             line, _, _ = result.dialect.locate(result.source, task.at)
             polled = f"line {line}: {task.name} still polled {task.polled}, which could no longer change"
-            result.notes.append(polled)
+            result.idle.append(polled)
+    result.notes += result.idle
 
 
 def _log_wait(result: Run, at: int, why: str) -> None:
@@ -196,13 +199,8 @@ def _log_wait(result: Run, at: int, why: str) -> None:
 
 def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
     """Report homing that finds no switch or mark, if no task can stop it any more."""
-    if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
+    if scheduler.is_hopeless():
         result.diagnostics += _lost(result)
-
-
-def _is_hopeless(task: Task) -> bool:
-    waits = task.wait is not None and task.wait.due() == inf
-    return waits or task.done or task.polls_in_vain
 
 
 def _lost(result: Run) -> list[Diagnostic]:

@@ -20,7 +20,7 @@ PROGRAMS = sorted(Path(__file__).parent.glob("mint/*.mnt"))
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 def test_the_message_teaches(path: Path, golden: Callable[[Path, str], None]) -> None:
     source = Source.read(path)
-    result = run(source, until=3600.0)
+    result = run(source)
     shown = [f"{line}\n" for line in result.output]
     golden(path.with_suffix(".txt"), "".join(shown + [render(each, source) for each in result.diagnostics]))
 

@@ -25,9 +25,9 @@ and .mccl are MCCL. Time is machine time: an hour takes a moment, unless you
 give --realtime. To draw a run, sample it, see where its time goes or prove it:
 plot, trace, profile, prove and certify.
 
-exit status: 0 success; 1 the program has an error or a fault, or an axis met an
-unhandled limit, following error or fault (standard error has the line, --allow
-accepts it); 2 the command line is invalid
+exit status: 0 success; 1 the program has an error or waits for what can never
+happen, an axis met a limit or a following error, or a fault was not handled
+(standard error has the line, --allow accepts it); 2 the command line is invalid
 
 examples:
   motionlang run pick.mnt --until 60

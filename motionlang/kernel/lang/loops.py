@@ -75,7 +75,7 @@ class World(Protocol):
         """Return counters of the actions whose effects cannot be compared, and of events."""
 
     def acted(self) -> object:
-        """Return counters of all that a loop could wait for, shared variables included."""
+        """Return counters of all that a loop could wait for."""
 
     def stands_still(self) -> Wait | None:
         """Return the wait of a loop that repeats until something else acts; None if it runs on."""
@@ -205,6 +205,11 @@ class Loops:
                 return t, None  # one state for each time slice is enough
             self._is_first = False
         self._find_futile(task, here)
+        scheduler = self.machine.scheduler
+        if scheduler is not None and scheduler.gives_up:
+            if task.is_endless:
+                scheduler.give_up()
+            task.seen_shared = list(self.world.shared)
         return self._check(task, here, t)
 
     def _follow(self, task: StepTask, here: int, is_inside: bool) -> None:

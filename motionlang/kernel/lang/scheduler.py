@@ -30,8 +30,8 @@ Invariants.
 - An event interrupts a time slice. The slice continues unless the event starts a handler or ends another
   task's wait.
 - When the parent ends, the program has ended, and `settle` lets the motion in progress finish.
-- `Stuck` is raised if every task waits and nothing can end any of the waits. A wait that is due and, by
-  rounding, not ready is checked again slightly later, with doubling steps.
+- `Stuck` is raised if every task waits and nothing can end any of the waits; if the run `gives_up`, so it is if they
+  poll. A wait that is due and, by rounding, not ready is checked again slightly later, with doubling steps.
 
 `pace` synchronises the run with real time. `outside` is a world that may act at any time, such as a host; the
 clock then advances only as far as that allows.
@@ -80,11 +80,16 @@ _PRIORITY_OF: Callable[[Task], int] = attrgetter("priority")
 
 
 class Stuck(Exception):
-    """Every task waits, and nothing can end any of the waits."""
+    """Every task waits or polls, and nothing can end any of the waits."""
 
     def __init__(self, task: Task, wait: Wait) -> None:
         self.task, self.wait = task, wait
         super().__init__(f"waits {wait.why}, which can no longer happen")
+
+
+def _is_hopeless(task: Task) -> bool:
+    wait = task.wait
+    return task.done or task.polls_in_vain or (wait is not None and wait.due() == INFINITY and not wait.ready())
 
 
 class Scheduler:
@@ -111,6 +116,8 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
+        # True for a run without a limit of its own, which ends as soon as nothing can change any more.
+        self.gives_up = False
         # When the program had ended, while motion continues.
         self.ended: float | None = None
         # When the running task was resumed, true if no other could have been, and the end of its time slice,
@@ -175,6 +182,23 @@ class Scheduler:
             self.ended = self.clock.now
             done = self.settle(until)
         return "stopped" if self.stopped else "ended" if done else "until"
+
+    def is_over(self) -> bool:
+        """True if no event is due, and every task waits or polls for what only an event or another task could change."""
+        return self.clock.next_time() == INFINITY and self.is_hopeless()
+
+    def is_hopeless(self) -> bool:
+        """True if no task can go on by itself, or end the wait of another one."""
+        return all(map(_is_hopeless, self.interrupts[-1:] or self.tasks))
+
+    def give_up(self) -> None:
+        """Raise Stuck if nothing can change any more."""
+        tasks = self.interrupts[-1:] or self.tasks
+        acts = any(each.polls_in_vain and not each.is_endless for each in tasks)
+        if not acts and self.is_over() and (self.outside is None or not self.outside.may_act()):
+            first = tasks[0]
+            why = f"for a change of {first.polled}" if first.polled else "for its loop to end"
+            raise Stuck(first, first.wait or Wait(self.clock.now, lambda: False, lambda: INFINITY, why))
 
     def stop(self) -> None:
         """End the run now, at an event that it was to end at."""

@@ -89,6 +89,8 @@ class StepTask(Task):
         # Since when all its iterations are equal if nothing else acts, and after which actions.
         self.futile_since: float | None = None
         self.futile_after: object = None
+        # The variables of all tasks at its last checked jump back.
+        self.seen_shared: list[Any] | None = None
 
     # -------------------------------------------------------------------------------------------- for the log
 
@@ -124,6 +126,10 @@ class StepTask(Task):
     @property
     def polls_in_vain(self) -> bool:
         return self.is_futile
+
+    @property
+    def is_endless(self) -> bool:
+        return self.is_futile and self.seen_shared == self.loops_of_all.world.shared
 
     # ------------------------------------------------------------------------------------------ for languages
 

@@ -36,6 +36,11 @@ class Task:
         return False
 
     @property
+    def is_endless(self) -> bool:
+        """True if it polls so, and no variable has changed since its last iteration."""
+        return False
+
+    @property
     def polled(self) -> str:
         """What it polls, as text; "" if that is not known."""
         return ""

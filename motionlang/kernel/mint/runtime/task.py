@@ -164,14 +164,18 @@ class MintTask(StepTask):
 
 
 def readings(loop: nodes.Node) -> str:
-    """Return the first few readings in a loop, as its author would write them."""
+    """Return the first few readings in a loop, as its author would write them, or variables if it has none."""
     written = {id(each.target) for each in walk([loop]) if isinstance(each, nodes.Assign)}
+    names = [
+        each
+        for each in sorted(walk([loop]), key=lambda each: each.start)
+        if isinstance(each, nodes.Name) and id(each) not in written
+    ]
     found = [
         shown(each)
-        for each in sorted(walk([loop]), key=lambda each: each.start)
-        if isinstance(each, nodes.Name) and each.row is not None and id(each) not in written
-        and each.row.kind in ("reading", "setting") and each.row.verb != "wait"
-    ]  # fmt: skip
+        for each in names
+        if each.row is not None and each.row.kind in ("reading", "setting") and each.row.verb != "wait"
+    ] or [shown(each) for each in names if each.row is None]
     return " and ".join([*dict.fromkeys(found)][:MAX_NAMED])
 
 
