@@ -7,6 +7,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING
 
 from motionlang.commands.probe.entries import assumptions
+from motionlang.commands.probe.facts import of_word
 from motionlang.kernel.assumptions.used import is_of
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.mint.keywords.switchable import name_of, with_default
@@ -48,7 +49,15 @@ def written() -> str:
     ]
     lines += ["DEFAULTS = {\n", '    "mint": {\n', *_defaults(mint, settings), "    },\n", "}\n"]
     moves = [word for row in mint if row.role in ROLES for word in _spellings(row)]
-    return "".join((*lines, f"MOTIONS = {_text(moves)}\n"))
+    lines += [
+        f"MOTIONS = {_text(moves)}\n",
+        "# The keywords whose meaning no document states.\n",
+        "REMEMBERED = {\n",
+    ]
+    for language, table in tables.items():
+        names = [row.name for row in table if of_word(language, row)["meaning"].strength == "memory low"]
+        lines.append(f'    "{language}": {_text(names)},\n')
+    return "".join((*lines, "}\n"))
 
 
 def _open(tables: dict[str, Vocabulary], settings: dict[str, Keyword]) -> Iterator[str]:

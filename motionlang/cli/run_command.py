@@ -40,7 +40,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.controller import MotionListener
 from motionlang.kernel.lang import check_inputs_are_read
-from motionlang.kernel.report import assumptions, failure, pieces
+from motionlang.kernel.report import assumptions, failure, pieces, remembered
 from motionlang.kernel.tools import MissingExtra
 from motionlang.views.formatting import clock_time
 from motionlang.views.questions import ask
@@ -241,6 +241,7 @@ class Simulated(Output, World, ProgramOptions):
             complain(left, result.source, self.file)
             if any(each.code == "never" and "the machine file" in each.hint for each in left):
                 self._point_to_init()
+        _note_remembered(result)
         if result.status == "until":
             if self.format in ("none", "csv"):
                 sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.idle)
@@ -286,6 +287,15 @@ class Simulated(Output, World, ProgramOptions):
         for each in found:
             sys.stderr.write(f"{printable(each)}\n")
         return bool(found)
+
+
+def _note_remembered(result: Run) -> None:
+    """Name the commands that moved an axis by a meaning that no document states."""
+    found = remembered(result)
+    if found:
+        *others, last = found
+        act = f"{', '.join(others)} and {last} act" if others else f"{last} acts"
+        sys.stderr.write(f"note: {act} as remembered, not as printed: motionlang help {found[0]}\n")
 
 
 def _note_axes_in_motion(result: Run) -> None:

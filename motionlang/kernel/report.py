@@ -14,7 +14,7 @@ from math import inf
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.assumptions.used import depended_on
+from motionlang.kernel.assumptions.used import depended_on, remembered_in
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic
@@ -299,6 +299,18 @@ def axes(run: Run) -> list[Row]:
         for axis in run.controller.axes.values()
         if axis.index in moved or _is_touched(axis)
     ]
+
+
+def remembered(run: Run) -> list[str]:
+    """List the commands that moved an axis by a meaning that no document states, in the order of their first moves."""
+    left, found = remembered_in(run.dialect, run.source.text), []
+    for move in run.machine.log.moves if left else ():
+        if move.command in left:
+            left.remove(move.command)
+            found.append(move.command)
+            if not left:
+                break
+    return found
 
 
 def assumptions(run: Run) -> list[str]:

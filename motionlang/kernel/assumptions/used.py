@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.assumptions.tables import DEFAULTS, MOTIONS, OPEN
+from motionlang.kernel.assumptions.tables import DEFAULTS, MOTIONS, OPEN, REMEMBERED
 from motionlang.kernel.lang.dialect import Dialect, dialects
 
 
@@ -34,6 +34,12 @@ def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) ->
         if used and written.isdisjoint((word, *instead.split())):
             found.append(name)
     return [name for name in found if f"assumptions.{name}" not in settings]
+
+
+def remembered_in(language: Dialect, text: str) -> set[str]:
+    """Return the keywords of a program whose meaning no document states."""
+    rows = map(language.table().get, _words(language, text)[0])
+    return {row.name for row in rows if row is not None}.intersection(REMEMBERED[language.name].split())
 
 
 def is_of(name: str, *languages: str) -> bool:

@@ -89,7 +89,9 @@ class Stuck(Exception):
 
 def _is_hopeless(task: Task) -> bool:
     wait = task.wait
-    return task.done or task.polls_in_vain or (wait is not None and wait.due() == INFINITY and not wait.ready())
+    return (
+        task.done or task.polls_in_vain or (wait is not None and wait.due() == INFINITY and not wait.ready())
+    )
 
 
 class Scheduler:
@@ -184,7 +186,7 @@ class Scheduler:
         return "stopped" if self.stopped else "ended" if done else "until"
 
     def is_over(self) -> bool:
-        """True if no event is due, and every task waits or polls for what only an event or another task could change."""
+        """True if no event is due, and every task waits or polls for what only others could change."""
         return self.clock.next_time() == INFINITY and self.is_hopeless()
 
     def is_hopeless(self) -> bool:

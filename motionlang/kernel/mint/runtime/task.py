@@ -164,8 +164,9 @@ class MintTask(StepTask):
 
 
 def readings(loop: nodes.Node) -> str:
-    """Return the first few readings in a loop, as its author would write them, or variables if it has none."""
-    written = {id(each.target) for each in walk([loop]) if isinstance(each, nodes.Assign)}
+    """Return the first few readings in a loop, as its author would write them, or the variables that others set."""
+    targets = [each.target for each in walk([loop]) if isinstance(each, nodes.Assign)]
+    written, own = {id(each) for each in targets}, {shown(each) for each in targets}
     names = [
         each
         for each in sorted(walk([loop]), key=lambda each: each.start)
@@ -175,7 +176,7 @@ def readings(loop: nodes.Node) -> str:
         shown(each)
         for each in names
         if each.row is not None and each.row.kind in ("reading", "setting") and each.row.verb != "wait"
-    ] or [shown(each) for each in names if each.row is None]
+    ] or [shown(each) for each in names if each.row is None and shown(each) not in own]
     return " and ".join([*dict.fromkeys(found)][:MAX_NAMED])
 
 

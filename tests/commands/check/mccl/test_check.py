@@ -30,9 +30,7 @@ def test_what_check_says(path: Path, update: bool) -> None:
 @pytest.mark.parametrize("path", RUN, ids=lambda path: path.stem)
 def test_what_a_run_says(path: Path, mccl: Runner, update: bool) -> None:
     source = Source.read(path)
-    compare(
-        path, rendered(list(mccl(source.text).diagnostics), Source(path.name, source.text)), update
-    )
+    compare(path, rendered(list(mccl(source.text).diagnostics), Source(path.name, source.text)), update)
 
 
 def compare(path: Path, found: str, update: bool) -> None:
