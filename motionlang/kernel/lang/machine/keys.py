@@ -235,7 +235,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     },
     "key": {
         "at": _WHEN["at"],
-        "text": ("text", "The keys that the operator presses, for INKEY."),
+        "text": ("text", "The keys that the operator presses, for INKEY; {Enter} is one of them."),
         "for": ("positive", "Time that the last key is held, in seconds, for READKEY. Default 0.1."),
         "terminal": _TERMINAL,
         "guess": _GUESS,

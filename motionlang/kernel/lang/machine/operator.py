@@ -19,6 +19,8 @@ Entry = Mapping[str, object]
 PRESS_TIME = 0.1
 # More than anyone types ahead.
 MAX_KEYS = 10_000
+# How Enter is spelt among other keys.
+ENTER = "{Enter}"
 _ENTER, _BACK = "\r\n", "\b\x7f"
 
 
@@ -64,7 +66,7 @@ class Operator:
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""
-        codes = [ord(each) & 0xFF for each in text]
+        codes = [ord(each) & 0xFF for each in text.replace(ENTER, "\r")]
         if not codes or len(self.keys) + len(codes) > MAX_KEYS:
             return
         self.keys += codes
