@@ -17,14 +17,16 @@ to a fixed point.
 Data. A point is a step of one of the lists; its number is its index in `points`. `Point.next` passes over calls, so a
 client that knows what a call does stays in one list. `within` is the same, but what has no parameters is entered: a
 Gosub leads to its label, and a Return in that list leads behind every Gosub in it. In a graph that `enters` all calls,
-as for the macros of MCCL, this holds for every list. Calls are not matched with returns.
+as for the macros of MCCL, this holds for every list. Calls are not matched with returns. Several Returns and several
+calls share a junction: a point that is no step, behind all lists, which the Returns lead to and which leads behind the
+calls. Only `within` leads to it.
 
 Invariants. The points of a list are in the order of the text, and every cycle has an edge to the same or a lower point:
-that edge leads back.
+that edge leads back. A junction counts as its last Return.
 
-Cost. Linking is linear in the steps. `forward` visits a point again whenever its state grows, so the client's join has
-to stop growing; a state is stored only where paths meet. `backward` visits a point at most once for each bit, and once
-more.
+Cost. Linking is linear in the steps, since a junction has as many edges as there are Returns and calls, not their
+product. `forward` visits a point again whenever its state grows, so the client's join has to stop growing; a state is
+stored only where paths meet. `backward` visits a point at most once for each bit, and once more.
 """
 
 from __future__ import annotations
@@ -108,10 +110,15 @@ class StepGraph:
         for steps in lists:
             self.points += self._linked(steps, after.get(id(steps)), computed)
             self.labels |= {self.first(steps) + pc: name for pc, name in steps.labels.items()}
+        # The junctions, each with its last Return.
+        self._junctions: dict[int, int] = {}
         self.within = self._entered(enters)
         # The points to which an edge leads back, and the labels.
-        self.heads = {after for p, found in enumerate(self.within) for after in found if after <= p} | {
-            *self.labels
+        self.heads = {*self.labels} | {
+            after
+            for p, found in enumerate(self.within)
+            for after in found
+            if after <= self._junctions.get(p, p)
         }
 
     def first(self, steps: Steps) -> int:
@@ -161,8 +168,19 @@ class StepGraph:
                 if is_call and (enters or own.start < called < own.stop):
                     behind.setdefault(called, []).extend(self.points[p].next)
                     found[p] = (called,)
+        if not enters:  # every Return of a list leads behind all of its Gosubs
+            together: dict[int, list[int]] = {}
+            for entry, points in behind.items():
+                together.setdefault(self.ranges[self.points[entry].key[0]].start, []).extend(points)
+            behind = together
         for entry, points in behind.items():
-            for p in self._returns(entry) if enters else self._own_returns(entry):
+            returns = self._returns(entry) if enters else self._own_returns(entry)
+            if len(returns) > 1 and len(points) > 1:
+                self._junctions[len(found)] = returns[-1]
+                self.points.append(Point((self.points[entry].key[0], -1), NOTE, -1, ()))
+                found.append(tuple(dict.fromkeys(points)))
+                points = [len(found) - 1]
+            for p in returns:
                 found[p] = tuple(dict.fromkeys([*found[p], *points]))
         return found
 
@@ -281,10 +299,12 @@ class StepGraph:
     def backward(
         self, own: Sequence[int], last: Callable[[int], int], follow: Callable[[int, int], int]
     ) -> dict[int, int]:
-        """Compute, as bits, what can happen on some path after each of some points, in their order.
+        """Compute, as bits, what can happen on some path after each point of a list, in their order.
 
         `last(p)` are the bits behind a point that no point follows.
         """
+        junctions = {after for p in own for after in self.within[p] if after in self._junctions}
+        own = sorted(junctions.union(own))
         came: dict[int, list[int]] = {p: [] for p in own}
         behind = dict.fromkeys(own, 0)
         for p in own:

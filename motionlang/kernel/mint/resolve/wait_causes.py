@@ -72,7 +72,7 @@ class _Survey:
         self._nodes: dict[int, nodes.Node] = {}
         self._by_labels: dict[int, list[nodes.Stmt]] = {}
         # The statements of each label that a Gosub may call, to their Return.
-        self._routines: dict[Symbol | None, list[nodes.Stmt]] = {}
+        self._routines: dict[Symbol | None, tuple[list[nodes.Stmt], slice]] = {}
         # The nodes that each task, the parent task and each event handler may execute.
         self._roots = [
             list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
@@ -166,13 +166,15 @@ class _Survey:
 
     def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
         """Yield the nodes of a body and of the subs and routines that it calls."""
-        bodies, seen = [body], set[object]()
+        bodies: list[Iterable[object]] = [body]
+        seen = set[object]()
         for each in bodies:  # the list grows during the loop
             for node in walk(each):
                 yield node
                 if isinstance(node, nodes.Jump) and node.kind == "gosub" and node.symbol not in seen:
                     seen.add(node.symbol)
-                    bodies.append(self._routines.get(node.symbol, []))
+                    routine, part = self._routines.get(node.symbol, ([], slice(0)))
+                    bodies.append(routine[part])
                 if not isinstance(node, nodes.Name):
                     continue
                 symbol = node.symbol
@@ -201,14 +203,14 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
         yield body[first].start, body[first : number + 1]
 
 
-def _routines(function: Function) -> Iterator[tuple[Symbol | None, list[nodes.Stmt]]]:
-    """Yield each label of a function, and the statements from there to the next Return."""
-    body = function.body
-    for first, statement in enumerate(body):
-        if isinstance(statement, nodes.Label):
-            rest = body[first:]
-            last = next((k for k, each in enumerate(rest) if isinstance(each, nodes.Return)), len(rest))
-            yield statement.symbol, rest[:last]
+def _routines(function: Function) -> Iterator[tuple[Symbol | None, tuple[list[nodes.Stmt], slice]]]:
+    """Yield each label of a function, with the statements from there to the next Return: a list and its slice."""
+    body, end = function.body, len(function.body)
+    for first in range(len(body) - 1, -1, -1):
+        if isinstance(body[first], nodes.Return):
+            end = first
+        elif isinstance(label := body[first], nodes.Label):
+            yield label.symbol, (body, slice(first, end))
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
