@@ -6,7 +6,7 @@ of the graph of the steps (`kernel/lang/step_graph.py`); each statement counts a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Protocol
@@ -80,6 +80,8 @@ class Facts:
         # The points at which a statement reads again and again, as a wait for a condition does.
         self.polling: set[int] = set()
         self._touched: dict[frozenset[str], dict[Part, set[Key]]] = {}
+        # The tasks and handlers that use each axis, by roles.
+        self._users: dict[frozenset[str], dict[Key, set[Part]]] = {}
         self.roots = self._roots()
         for part in self.parts:
             found = self._carried_out(part)
@@ -104,6 +106,13 @@ class Facts:
     def reached(self, part: Part) -> set[int]:
         """Return the points that the beginnings of a part lead to, without those in the parts that it calls."""
         return self.graph.reached_within(*self.entries[part])
+
+    def endless(self) -> Iterator[set[int]]:
+        """Yield each cycle that a part reaches and never leaves, as the set of its points."""
+        reached = set().union(*map(self.reached, self.parts))
+        for cycle in self.graph.cycles:
+            if cycle <= reached and all(after in cycle for p in cycle for after in self.graph.within[p]):
+                yield cycle
 
     def is_test(self, p: int) -> bool:
         """True if a condition is tested at a point."""
@@ -241,9 +250,15 @@ class Facts:
             known = self._touched[roles] = self._all_touched(roles)
         return known[part]
 
-    def touched_by(self, parts: Iterable[Part], roles: frozenset[str]) -> set[Key]:
-        """Return the axes that some parts use in one of these roles."""
-        return set().union(*(self.touched(each, roles) for each in parts))
+    def touched_elsewhere(self, part: Part, roles: frozenset[str]) -> set[Key]:
+        """Return the axes that tasks and handlers other than those of a part use in one of these roles."""
+        users = self._users.get(roles)
+        if users is None:
+            users = self._users[roles] = {}
+            for root in self.parts:
+                for key in self.touched(root, roles) if root.kind != "sub" else ():
+                    users.setdefault(key, set()).add(root)
+        return {key for key, roots in users.items() if not roots <= self.roots[part]}
 
     def _all_touched(self, roles: frozenset[str]) -> dict[Part, set[Key]]:
         """Return the axes that each part uses in these roles.

@@ -32,6 +32,7 @@ stored only where paths meet. `backward` visits a point at most once for each bi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
 from heapq import heappop, heappush
 from itertools import pairwise
 from typing import NamedTuple, TypeVar
@@ -229,8 +230,9 @@ class StepGraph:
                 stack += self.within[p]
         return found
 
+    @cached_property
     def cycles(self) -> list[set[int]]:
-        """Return the largest sets of points that all lead to one another, in no particular order."""
+        """The largest sets of points that all lead to one another, in no particular order."""
         finished: list[int] = []
         seen: set[int] = set()
         for root in range(len(self.points)):

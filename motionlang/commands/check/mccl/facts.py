@@ -62,7 +62,7 @@ class MacroFacts(Facts):
         on = self.given("enable")
         moved = {key for act in self.written_by(lambda row: row.role in ("start", "run")) for key in act.axes}
         self.never_on = frozenset() if None in on else frozenset(moved - on - {None})
-        self.polling = set().union(*graph.cycles())
+        self.polling = set().union(*graph.cycles)
 
     @property
     def commands(self) -> Iterator[tuple[Command, int]]:

@@ -26,10 +26,7 @@ def endless_cycles(facts: MacroFacts) -> Iterator[EndlessCycle]:
     """Yield each cycle that a part of the file reaches and never leaves, and in which no task waits."""
     points, within = facts.graph.points, facts.graph.within
     known = {at: command for command, at in facts.commands}
-    reached = set().union(*(facts.reached(part) for part in facts.parts))
-    for cycle in facts.graph.cycles():
-        if not cycle <= reached or any(after not in cycle for p in cycle for after in within[p]):
-            continue
+    for cycle in facts.endless():
         commands = {at: known[at] for at in sorted({points[p].at for p in cycle}) if at in known}
         statements = [facts.structure.statements[at] for at in commands]
         if any(each.waits or (each.condition and each.condition != each.text) for each in statements):

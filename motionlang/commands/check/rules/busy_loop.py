@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.lang import STOP
-from motionlang.kernel.mint.resolve.symbols import TIME, Function
+from motionlang.kernel.mint.resolve.symbols import TIME
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
@@ -25,26 +25,15 @@ _COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 def check(facts: MintFacts, warn: Warn) -> None:
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
-    for function in facts.functions:
-        if facts.entries[function][1:]:
-            return
-        for loop in _endless(facts, function):
-            inside = _with_subs(facts, loop)
-            computes = any(isinstance(facts.nodes_at.get(p), _COMPUTES) for p in inside)
-            if computes and all(_is_quiet(facts, p) for p in inside):
-                first = min(facts.graph.points[p].at for p in loop)
-                message = "this loop computes forever: it never waits, and nothing can end it"
-                warn(message, first, "add a WAIT, a PAUSE or an Exit to it")
-
-
-def _endless(facts: MintFacts, function: Function) -> list[set[int]]:
-    """Return the loops that are never left, each as the set of its points."""
-    within, reached = facts.graph.within, facts.reached(function)
-    return [
-        cycle
-        for cycle in facts.graph.cycles()
-        if cycle <= reached and all(after in cycle for p in cycle for after in within[p])
-    ]
+    if any(facts.entries[function][1:] for function in facts.functions):
+        return
+    for loop in facts.endless():
+        inside = _with_subs(facts, loop)
+        computes = any(isinstance(facts.nodes_at.get(p), _COMPUTES) for p in inside)
+        if computes and all(_is_quiet(facts, p) for p in inside):
+            first = min(at for p in loop if (at := facts.graph.points[p].at) >= 0)
+            message = "this loop computes forever: it never waits, and nothing can end it"
+            warn(message, first, "add a WAIT, a PAUSE or an Exit to it")
 
 
 def _is_quiet(facts: MintFacts, p: int) -> bool:

@@ -34,16 +34,15 @@ _STARTS = {"velocity_mode": "go", "contour_mode": "path"}
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
-    started: dict[Part, set[Key]] = {
-        root: facts.touched(root, _GO) for root in facts.functions if root.kind != "sub"
-    }
+    roots = [each for each in facts.functions if each.kind != "sub"]
+    started = set().union(*(facts.touched(root, _GO) for root in roots))
     without_go = triggered(facts)
     for function in facts.functions:
         keys = (key for act in facts.acts_of[function] if act.role in LOADS for key in act.axes)
         bits = {key: 1 << n for n, key in enumerate(dict.fromkeys(keys))}
         if not bits:
             continue
-        last = _behind_the_end(facts, function, bits, set().union(*started.values()))
+        last = _behind_the_end(facts, function, bits, started)
         behind = facts.graph.backward(
             facts.points[function],
             lambda p, last=last: last if facts.leaves(p) else 0,  # type: ignore[misc]
@@ -56,7 +55,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
                 own = sum(bits[key] for key in set(act.axes))
                 if behind[p] & own or {None, *act.axes} & without_go:
                     continue
-                if not _is_started_elsewhere(facts, function, act, started):
+                if not _is_started_elsewhere(facts, function, act):
                     what = "entry" if act.role == "entry" else "move"
                     names = ", ".join(map(spelt, act.axes))
                     message = f"the {what} is loaded, but no GO for it follows"
@@ -97,14 +96,11 @@ def _with(behind: int, axes: Collection[Key], bits: Bits) -> int:
     return behind
 
 
-def _is_started_elsewhere(
-    facts: MintFacts, function: Function, act: Use, started: dict[Part, set[Key]]
-) -> bool:
+def _is_started_elsewhere(facts: MintFacts, function: Function, act: Use) -> bool:
     """True if another task or a handler may start the move."""
     if None in act.axes:
         return True
-    mine = facts.roots[function]
-    others = set().union(*(keys for root, keys in started.items() if root not in mine))
+    others = facts.touched_elsewhere(function, _GO)
     any_axis = any(isinstance(key, str) for key in act.axes)
     return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 

@@ -48,12 +48,9 @@ def check(facts: Facts, warn: Warn) -> None:
 def _slot_bits(facts: Facts, part: Part) -> Bits:
     """Assign a bit to each property of each axis that only this part uses."""
     found: Bits = {}
-    mine = facts.roots[part]
-    if len(mine) > 1:  # it runs in more than one task or handler
+    if len(facts.roots[part]) > 1:  # it runs in more than one task or handler
         return found
-    others = facts.touched_by(
-        (root for root in facts.parts if root.kind != "sub" and root not in mine), TOUCHES
-    )
+    others = facts.touched_elsewhere(part, TOUCHES)
     for act in facts.acts_of[part]:
         if act.role == "slot":
             assert act.row is not None
