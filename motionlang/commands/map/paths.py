@@ -1,4 +1,4 @@
-"""Order, loops and postdominators of a graph whose nodes are integers.
+"""Order, components and postdominators of a graph whose nodes are integers.
 
 All functions take `following`, which returns the nodes after a node, and are iterative, because a program may have any
 length.
@@ -38,6 +38,26 @@ def ordered(roots: Iterable[int], following: Following) -> tuple[list[int], list
                 finished.append(node)
                 stack.pop()
     return finished[::-1], back
+
+
+def components(order: Sequence[int], following: Following) -> dict[int, int]:
+    """Return a number for each node, the same for nodes that lead to one another.
+
+    `order` is that of `ordered`. No node leads to one with a lower number.
+    """
+    comes_from: dict[int, list[int]] = {node: [] for node in order}
+    for node in order:
+        for each in following(node):
+            comes_from[each].append(node)
+    found: dict[int, int] = {}
+    for number, node in enumerate(order):
+        stack = [node]
+        while stack:
+            each = stack.pop()
+            if each not in found:
+                found[each] = number
+                stack += comes_from[each]
+    return found
 
 
 def postdominators(

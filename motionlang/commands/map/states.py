@@ -38,7 +38,7 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from motionlang.commands.map.channels import DEVICES
-from motionlang.commands.map.paths import ordered, postdominators
+from motionlang.commands.map.paths import components, ordered, postdominators
 from motionlang.kernel.lang import (
     CALL,
     END,
@@ -296,6 +296,7 @@ class _DiagramBuilder:
         order, back = ordered([self.entry], self.after)
         self._mark(order)
         self._dominators = postdominators(order, back, self.after)
+        self._components = components(order, self.after)
         backward = set(back)
         regions = [(p, region) for p in order if (region := self._region(p)) is not None]
         for p, _ in sorted(regions, key=lambda each: len(each[1])):  # inner ones first
@@ -443,9 +444,13 @@ class _DiagramBuilder:
 
     def _returns(self, first: int, heads: set[int]) -> bool:
         """True if a path without a state leads from a point to one of `heads`."""
+        last = max((self._components[each] for each in heads), default=-1)
         seen, stack = {first}, [first]
         while stack:
-            for each in self._between(stack.pop()):
+            p = stack.pop()
+            if self._components[p] > last:
+                continue  # Nothing behind it leads back to the heads.
+            for each in self._between(p):
                 if each in heads:
                     return True
                 if each not in seen:

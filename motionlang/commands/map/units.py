@@ -63,6 +63,7 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
     reader = Reachability(structure)
     made = {id(unit): UnitMap(unit.title, unit.kind, unit.line) for unit in structure.units}
     by_title = {each.title: each for each in made.values()}
+    meant = meant_by(by_title)
     for k, unit in enumerate(structure.units):
         own = made[id(unit)]
         for trigger in unit.triggers:
@@ -77,9 +78,8 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
             _add(by_title[title].called_by, own.title, line)
         for at, title in reader.starts[k]:
             _add(own.starts, title, structure.line(at))
-            for each in by_title.values():
-                if is_meant(each.title, title):
-                    _add(each.started_by, own.title, structure.line(at))
+            for each in meant.get(title, ()):
+                _add(by_title[each].started_by, own.title, structure.line(at))
     return list(made.values()), reader.unreached_lines
 
 
@@ -123,9 +123,13 @@ def variables(
     )
 
 
-def is_meant(title: str, started: str) -> bool:
-    """True if a statement that starts a unit may mean one with this title: a macro may be defined more than once."""
-    return title == started or title.startswith(f"{started} of line ")
+def meant_by(titles: Iterable[str]) -> dict[str, list[str]]:
+    """Map what statements start to the titles that each may mean: a macro may be defined more than once."""
+    found: dict[str, list[str]] = {}
+    for title in titles:
+        for started in dict.fromkeys((title, title.partition(" of line ")[0])):
+            found.setdefault(started, []).append(title)
+    return found
 
 
 def _add(to: dict[str, list[int]], title: str, line: int) -> None:
@@ -146,6 +150,7 @@ class Reachability:
         self._reached: set[int] = set()
         self.reached_units: set[int] = set()
         by_title = {unit.title: k for k, unit in enumerate(structure.units)}
+        meant = meant_by(by_title)
         calls_unknown = False
         bodies = [self._body(unit, entries) for unit in structure.units]
         for k, body in enumerate(bodies):
@@ -173,7 +178,7 @@ class Reachability:
                 self._reached |= bodies[k]
                 stack += [callee for _, callee in self.calls[k]]
                 for _, title in self.starts[k]:
-                    stack += [number for each, number in by_title.items() if is_meant(each, title)]
+                    stack += [by_title[each] for each in meant.get(title, ())]
 
     def _body(self, unit: Unit, entries: dict[int, int]) -> set[int]:
         """Return the points of a unit, up to the entries of others."""

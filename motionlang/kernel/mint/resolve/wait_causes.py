@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import cache
 from math import inf
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -60,8 +61,8 @@ FIRST_KEY, LAST_KEY = 32, 126
 
 
 def finder(module: Module, names: Names, graph: StepGraph) -> Callable[[int], LoopDependencies | None]:
-    """Return a function that maps an offset to the dependencies of its loop or PAUSE."""
-    return _Survey(module, names.functions, graph).at
+    """Return a function that maps an offset to the dependencies of its loop or PAUSE, each analysed once."""
+    return cache(_Survey(module, names.functions, graph).at)
 
 
 class _Survey:
