@@ -1,9 +1,11 @@
-"""Counter of the calls of engine methods in a run."""
+"""Counters of calls: of engine methods in a run, and of all functions in a piece of work."""
 
 from __future__ import annotations
 
+import gc
+import sys
 from collections.abc import Callable
-from types import ModuleType
+from types import FrameType, ModuleType
 
 import pytest
 
@@ -32,3 +34,24 @@ def count_calls(monkeypatch: pytest.MonkeyPatch, *methods: tuple[type | ModuleTy
     for owner, name in methods:
         monkeypatch.setattr(owner, name, counted(getattr(owner, name)))
     return count
+
+
+def all_calls(work: Callable[[], object]) -> int:
+    """Return how many functions a piece of work calls, those written in C included.
+
+    The collector is off, because its callbacks would be counted, too.
+    """
+    made = 0
+
+    def count(_: FrameType, event: str, __: object) -> None:
+        nonlocal made
+        made += event in ("call", "c_call")
+
+    gc.disable()
+    sys.setprofile(count)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+        gc.enable()
+    return made

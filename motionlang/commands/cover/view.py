@@ -20,8 +20,9 @@ MAX_LISTED = 40
 def coverage_document(found: Sequence[Coverage]) -> Document:
     """Return the coverage of programs as data: of files, lines, conditions and parts."""
     lines = [
-        {"file": each.file, "line": line, "count": count, "missed": each.missed.get(line)}
+        {"file": each.file, "line": line, "count": count, "missed": missed.get(line)}
         for each in found
+        for missed in [each.missed]
         for line, count in each.lines.items()
     ]
     outcomes = [

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-from types import FrameType
-
 from motionlang import prove, run
+from motionlang.commands.prove.checker import Proof
 from motionlang.kernel import Source
 from tests.cases import cases
+from tests.counted_calls import all_calls
 
 BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
 PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
@@ -30,18 +29,10 @@ JOG(0) = 30
 
 def calls(text: str) -> int:
     """Return how many functions the proof of a program calls."""
-    result, count = run(Source("long.mnt", text), prove=True), 0
-
-    def note(frame: FrameType, event: str, called: object) -> None:
-        nonlocal count
-        count += event == "call"
-
-    sys.setprofile(note)
-    try:
-        proof = prove(result)
-    finally:
-        sys.setprofile(None)
-    assert proof.holds
+    result = run(Source("long.mnt", text), prove=True)
+    proofs: list[Proof] = []
+    count = all_calls(lambda: proofs.append(prove(result)))
+    assert proofs[0].holds
     return count
 
 

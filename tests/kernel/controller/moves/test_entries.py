@@ -2,17 +2,10 @@
 
 from __future__ import annotations
 
-import gc
-import sys
-from typing import TYPE_CHECKING
-
 import pytest
 
 from motionlang.kernel import INFINITY, Controller, Rejected
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from types import FrameType
+from tests.counted_calls import all_calls
 
 
 def ready(axes: int = 2) -> Controller:
@@ -85,30 +78,9 @@ def test_a_crossing_of_a_long_table_is_looked_up() -> None:
         controller = climbing(segments, cycles=3)
         level = controller.position(1) - 40.0  # the cam is not there again
         assert controller.crossing_time(1, level) == INFINITY
-        return count_calls(lambda: controller.crossing_time(1, level))
+        return all_calls(lambda: controller.crossing_time(1, level))
 
     assert calls(1000) == calls(10)
-
-
-def count_calls(work: Callable[[], object]) -> int:
-    """Return how many functions are called.
-
-    The collector is off, because its callbacks would be counted, too.
-    """
-    made = 0
-
-    def count(_: FrameType, event: str, __: object) -> None:
-        nonlocal made
-        made += event in ("call", "c_call")
-
-    gc.disable()
-    sys.setprofile(count)
-    try:
-        work()
-    finally:
-        sys.setprofile(None)
-        gc.enable()
-    return made
 
 
 def test_the_log_of_a_cam_whose_table_changes_is_packed_by_the_size_of_its_tables() -> None:

@@ -1,0 +1,138 @@
+"""Each command takes twice the work for a program of twice the length: counted in calls, not in seconds.
+
+A shape is a way to write a long program. The normal run gives each shape to one of the commands, at few lines; the slow
+tests give all shapes to each command.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from lsprotocol import types
+
+from motionlang.cli import main
+from motionlang.ide.lsp.documents import Document
+from motionlang.ide.lsp.jobs import CHECK, Job, work
+from tests.counted_calls import all_calls
+
+
+def _lines(text: str, count: int) -> str:
+    """Return a text with `{i}` and `{k}` in it for each i below `count`, with a k that jumps about."""
+    return "".join(text.replace("{i}", str(i)).replace("{k}", str(i * 7 % count)) for i in range(count))
+
+
+# Each program by its file: its text has about as many lines as it is asked for.
+SHAPES: dict[str, Callable[[int], str]] = {
+    "flat.mnt": lambda n: _lines("MOVER(0) = 5 : GO(0) : PAUSE IDLE(0)\n", n),
+    "subs.mnt": lambda n: (
+        _lines("Sub s{i}()\nMOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\nEnd Sub\n", n // 6) + _lines("s{i}\n", n // 6)
+    ),
+    "labels.prg": lambda n: _lines("#L{i}\nx = {i}\n", n // 2) + "IF x = 1 THEN GOTO L5\n",
+    "gotos.prg": lambda n: _lines("#L{i}\nx = x + 1\nIF x > {i} THEN GOTO L{k}\n", n // 3),
+    "gosubs.prg": lambda n: (
+        _lines("GOSUB S{i}\n", n // 5)
+        + "END\n"
+        + _lines("#S{i}\nMOVER.0 = 1 : GO.0\nPAUSE IDLE.0\nRETURN\n", n // 5)
+    ),
+    "ifs.mnt": lambda n: _lines("If INX(3) Then\nOUTX(1) = 1\nElse\nOUTX(1) = 0\nEnd If\n", n // 5),
+    "blocks.mnt": lambda n: (
+        "Dim x\n"
+        + _lines(
+            "While x < {i}\nIf x > 3 Then\nFor j = 1 To 3\nx = x + j\nNext\nEnd If\nx = x + 1\nEnd While\n",
+            n // 8,
+        )
+    ),
+    "select.mnt": lambda n: (
+        "Dim k As Integer\nLoop\nPAUSE INX(1)\nSelect Case k\n"
+        + _lines("Case {i}\nOUTX(1) = 1\nk = {k}\n", n // 3)
+        + "End Select\nEnd Loop\n"
+    ),
+    "variables.mnt": lambda n: (
+        _lines("Dim v{i} As Integer\n", n // 2) + _lines("v{i} = v{k} + 1\n", n // 2)
+    ),
+    "tasks.mnt": lambda n: (
+        _lines("Run t{i}\n", n // 6)
+        + "End\n"
+        + _lines("Task t{i}\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\nEnd Task\n", n // 6)
+    ),
+    "events.mnt": lambda n: (
+        "Dim d\n"
+        + _lines("Run t{i}\n", n // 6)
+        + "End\n"
+        + _lines("Event IN{i}\nd = {i}\nEnd Event\n", 16)
+        + _lines("Task t{i}\nPAUSE INX(3)\nd = d + {i}\nOUTX(1) = d > 3\nEnd Task\n", n // 6)
+    ),
+    "lines.mcl": lambda n: "1SV100,1SA1000,1DS1000,1MN\n" + _lines("1MR100,1WS0\n", n),
+    "macros.mcl": lambda n: (
+        "1MN\n" + _lines("MD{i},1MR100,1WS0\nMC{i}\n", n // 2)
+    ),
+    "jumps.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MJ{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
+    "calls.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MC{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
+}  # fmt: skip
+COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit")
+# A map names all conditions of a path, and a case of a Select has those of all cases before it; labels that jump to
+# each other are loops, each with the statements of those inside.
+QUADRATIC = (("map", "gotos.prg"),)
+UNTIL = ["--until", "0.001"]
+
+
+def _work(command: str, name: str, text: str) -> Callable[[], object]:
+    """Return what carries out a command on a program; its file is in the current folder."""
+    if command == "edit":
+        return lambda: _edit(name, text)
+    arguments = {
+        "check": ["check", name],
+        "steps": ["check", name, "--steps"],
+        "map": ["map", name],
+        "run": ["run", name, "-q", *UNTIL],
+        "diff": ["diff", name, f"old-{name}", *UNTIL],
+        "cover": ["cover", name, *UNTIL],
+    }
+    return lambda: main(arguments[command])
+
+
+def _edit(name: str, text: str) -> None:
+    """Do what a language server does after a keystroke."""
+    document = Document(f"file:///{name}", text, 1)
+    start = types.Position(0, 0)
+    document.change([types.TextDocumentContentChangePartial(types.Range(start, start), " ")], 2)
+    work(Job(CHECK, name, document.text, "mccl" if name.endswith(".mcl") else "mint", None, ""))
+
+
+def _measure(command: str, shape: str, sizes: Sequence[int]) -> list[int]:
+    """Return the calls that a command makes for a shape of each size."""
+    found = []
+    for size in (20, *sizes):  # the first one also imports and prepares
+        text = SHAPES[shape](size)
+        for name in (shape, f"old-{shape}"):
+            Path(name).write_text(text, encoding="utf-8")
+        found.append(all_calls(_work(command, shape, text)))
+    return found[1:]
+
+
+def _is_linear(calls: list[int]) -> bool:
+    return all(more <= 2.3 * less for less, more in pairwise(calls))
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / ".cache"))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
+    command = COMMANDS[list(SHAPES).index(shape) % len(COMMANDS)]
+    calls = _measure(command, shape, (20, 40, 80))
+    assert _is_linear(calls), (command, calls)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", COMMANDS)
+def test_all_shapes_of_long_programs_are_twice_the_work(command: str) -> None:
+    shapes = [each for each in SHAPES if (command, each) not in QUADRATIC]
+    calls = {shape: _measure(command, shape, (500, 1000, 2000)) for shape in shapes}
+    assert [f"{shape}: {each}" for shape, each in calls.items() if not _is_linear(each)] == []
