@@ -5,9 +5,10 @@ A move without SV, SA or DS runs at a default that is a choice of this program, 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping, Sequence
 
-from motionlang.kernel.lang.facts import AxisKey, Statement
+from motionlang.kernel.lang.chosen_rates import remark, unset
+from motionlang.kernel.lang.facts import AxisKey, Use
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mccl.keywords import trajectory
 from motionlang.kernel.mccl.models import Model
@@ -18,29 +19,16 @@ RATES = ("speed", "accel", "decel")
 _UNITS = {"uu/s": "counts/s", "uu/s2": "counts/s²"}
 
 
-def chosen_rates(
-    statements: Collection[Statement], settings: Mapping[str, object], model: Model
-) -> list[str]:
-    """Return a line about the rates that the moves of a file take from a chosen default, if there are any."""
-    given = {use.row.gives for each in statements for use in each.uses if use.row is not None}
-    rows = [row for row in trajectory.ROWS if row.gives in RATES and row.gives not in given]
-    chosen = sorted(
-        (row for row in rows if row.family not in model.lacks), key=lambda row: RATES.index(row.gives)
-    )
-    axes = _moved(statements)
-    if not chosen or not axes:
-        return []
-    *others, last = (row.name for row in chosen)
-    names = f"{', '.join(others)} and {last}" if others else last
-    figures = dict.fromkeys(
-        _default(row, axis, settings, model) for row in chosen for axis in sorted(axes, key=str)
-    )
-    verb, plural = "are" if others else "is", "are" if len(figures) > 1 else "is"
-    settled = ",".join(f"1{row.name}…" for row in chosen)
-    return [
-        f"{names} {verb} never set: {' and '.join(figures)} {plural} a choice of motionlang ({POWER_UP}); "
-        f"{settled} settles it"
-    ]
+def chosen_rates(uses: Sequence[tuple[int, Use]], settings: Mapping[str, object], model: Model) -> list[str]:
+    """Return a line about the rates that the moves of a file take from a chosen default, if there are any.
+
+    `uses` are those of its commands, each with its line.
+    """
+    rows = [row for row in trajectory.ROWS if row.family not in model.lacks]
+    axes = _moved(uses)
+    chosen = unset(rows, (use for _, use in uses), RATES) if axes else []
+    figures = [_default(row, axis, settings, model) for row in chosen for axis in sorted(axes, key=str)]
+    return remark(chosen, figures, [POWER_UP], ",".join(f"1{row.name}…" for row in chosen))
 
 
 def _default(row: Keyword, axis: AxisKey, settings: Mapping[str, object], model: Model) -> str:
@@ -50,9 +38,8 @@ def _default(row: Keyword, axis: AxisKey, settings: Mapping[str, object], model:
     return f"{value:.10g} {_UNITS[row.unit]}"
 
 
-def _moved(statements: Collection[Statement]) -> set[AxisKey]:
+def _moved(uses: Sequence[tuple[int, Use]]) -> set[AxisKey]:
     """Return the axes that a command moves at these rates; the commands on the line of a path only describe it."""
-    uses = [(each.line, use) for each in statements for use in each.uses if use.row is not None]
     paths = {line for line, use in uses if use.row is not None and use.row.verb == "path"}
     runs = any(use.row is not None and use.row.does("endless") for _, use in uses)
     roles = ("start", "run") if runs else ("start",)

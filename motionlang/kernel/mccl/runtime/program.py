@@ -154,9 +154,16 @@ class MacroFile(Program):
     def remarks(self) -> list[str]:
         from motionlang.kernel.mccl.resolve.chosen_rates import chosen_rates
         from motionlang.kernel.mccl.resolve.errors import model_of
+        from motionlang.kernel.mccl.runtime.structure import use_of
 
         model = model_of(self.source, self.settings)
-        return chosen_rates(self.structure.statements.values(), self.settings, model)
+        uses = [
+            (line.number, use_of(command, command.row, at))
+            for line in self.whole
+            for command, at in zip(line.commands, line.offsets, strict=True)
+            if command.row is not None
+        ]
+        return chosen_rates(uses, self.settings, model)
 
     @property
     def offsets(self) -> list[int]:

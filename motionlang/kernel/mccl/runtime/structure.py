@@ -114,11 +114,16 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
         made.channels.append(
             ChannelUse(row.selects, str(command.axis or "?"), SET_UP, at, value=command.text, name_at=at)
         )
+    made.uses.append(use_of(command, row, at))
+    return made
+
+
+def use_of(command: Command, row: Keyword, at: int) -> Use:
+    """Return the use of its row by a command."""
     access = READ if row.access == "R" else WRITE
     value = float(command.value) if command.kind == NUMBER else None
     written = [Written(_parameter(command), value)] if command.kind in (NUMBER, REGISTER) else []
-    made.uses.append(Use(role_of(row, access), row, at, (command.axis or None,), written))
-    return made
+    return Use(role_of(row, access), row, at, (command.axis or None,), written)
 
 
 def _access(row: Keyword) -> str:

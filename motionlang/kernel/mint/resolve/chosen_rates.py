@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from motionlang.kernel.lang.chosen_rates import remark, unset
 from motionlang.kernel.lang.facts import Statement
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.mint.keywords import axis
@@ -20,26 +21,15 @@ MOVES = frozenset(("move", "path"))
 
 def chosen_rates(statements: Iterable[Statement], settings: Mapping[str, object]) -> list[str]:
     """Return a line about the rates that the moves of a program take from a chosen default, if there are any."""
-    uses = [(use.role, use.row) for each in statements for use in each.uses if use.row is not None]
-    given = {row.gives for role, row in uses if role != "read"}
-    if given.issuperset(RATES):
-        return []
-    if not any(role in MOVES or row.effect == "act endless" for role, row in uses):
+    uses = [use for each in statements for use in each.uses if use.row is not None]
+    if not any(
+        use.role in MOVES or (use.row is not None and use.row.effect == "act endless") for use in uses
+    ):
         return []
     chosen = [
         row
-        for row in axis.ROWS
-        if row.gives in RATES
-        and row.default is not None
-        and row.gives not in given
-        and f"{ASSUMPTIONS}{name_of(row)}" not in settings
+        for row in unset(axis.ROWS, uses, RATES)
+        if row.default is not None and f"{ASSUMPTIONS}{name_of(row)}" not in settings
     ]
-    if not chosen:
-        return []
-    names, verb = " and ".join(row.name for row in chosen), "is" if len(chosen) == 1 else "are"
-    value = " and ".join(dict.fromkeys(f"{row.default:.10g} counts/s²" for row in chosen))
-    settled = " : ".join(f"{row.name}(0) = …" for row in chosen)
-    return [
-        f"{names} {verb} never set: {value} is a choice of motionlang ({', '.join(map(name_of, chosen))}); "
-        f"{settled} settles it"
-    ]
+    figures = [f"{row.default:.10g} counts/s²" for row in chosen]
+    return remark(chosen, figures, map(name_of, chosen), " : ".join(f"{row.name}(0) = …" for row in chosen))
