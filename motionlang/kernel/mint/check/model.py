@@ -72,7 +72,7 @@ def check_model(module: Module, source: Source, model: str, add: Callable[..., N
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
     other = MINTMT if wanted == V4 else V4
-    for at, what, hint, replacement, end in find(module, source):
+    for at, what, hint, replacement, end in find(module, source, Tokens(source.text)):
         message = f"{what} is {other}: it does not compile on {wanted}"
         add("model", message, at, hint, fix=replacement, end=end)
     product = named(model)
@@ -90,7 +90,8 @@ def written_for(module: Module) -> Target:
     extension speak for v4, although MintMT accepts them.
     """
     source = module.source
-    found = [list(find(module, source)) for find in (_not_mintmt, _not_v4)]
+    tokens = Tokens(source.text)
+    found = [list(find(module, source, tokens)) for find in (_not_mintmt, _not_v4)]
     if found[0] and found[1]:
         return Target("", [], [])
     reasons: dict[str, str] = {}
@@ -112,8 +113,8 @@ def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
             yield node.start, "AUTO"
 
 
-def _not_mintmt(module: Module, source: Source) -> Found:
-    yield from _v4_tokens(source, Tokens(source.text))
+def _not_mintmt(module: Module, source: Source, tokens: Tokens) -> Found:
+    yield from _v4_tokens(source, tokens)
     for name in names_of(module):
         if name.row is None or not name.axes:
             continue
@@ -141,8 +142,7 @@ def _square_brackets(source: Source, name: nodes.Name) -> Found:
         yield Foreign(name.end - 1, "]", "write )", ")")
 
 
-def _not_v4(module: Module, source: Source) -> Found:
-    tokens = Tokens(source.text)
+def _not_v4(module: Module, source: Source, tokens: Tokens) -> Found:
     yield from _mt_tokens(tokens)
     yield from _ends(tokens)
     for name in names_of(module):
