@@ -73,8 +73,7 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "calls.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MC{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
 }  # fmt: skip
 COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit")
-# A map names all conditions of a path, and a case of a Select has those of all cases before it; labels that jump to
-# each other are loops, each with the statements of those inside.
+# Labels that jump to each other are loops that overlap: the map asks for each of them what all its statements read.
 QUADRATIC = (("map", "gotos.prg"),)
 UNTIL = ["--until", "0.001"]
 
