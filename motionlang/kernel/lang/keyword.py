@@ -259,10 +259,12 @@ def kind_of(access: str) -> str:
     return "command" if access == "C" else "setting" if "W" in access else "reading"
 
 
-def constant(name: str, value: float | str, help: str, unit: str = "integer") -> Keyword:
-    """Return the row of a constant."""
+def constant(
+    name: str, value: float | str, help: str, unit: str = "integer", meant: str = ""
+) -> Keyword:  # fmt: skip
+    """Return the row of a constant, which people also write without its underscore."""
     return Keyword(name, "", "constant", "R", "none", unit, str(value), help, f"PRINT {name}",
-                   group="constants")  # fmt: skip
+                   group="constants", meant=f"{name[1:].upper()} {meant}".strip())  # fmt: skip
 
 
 def value(
