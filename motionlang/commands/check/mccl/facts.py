@@ -13,7 +13,7 @@ from motionlang.kernel import Keyword
 from motionlang.kernel.lang import CALL, ENTER, Use
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.mccl import Command, MacroFile
-from motionlang.kernel.mccl.resolve.errors import model_of
+from motionlang.kernel.mccl.resolve.errors import axis_count, model_of
 
 # The bits of LN and LF for the high and the low software limit.
 HIGH, LOW = 4, 8
@@ -42,6 +42,7 @@ class MacroFacts(Facts):
     def __init__(self, program: MacroFile) -> None:
         self.lines = program.whole
         self.model = model_of(program.source, program.settings)
+        self.axis_count = axis_count(program.settings)
         self.has_host = has_host(program.source, program.language)
         structure, graph = program.structure, program.structure.graph
         main, *macros = structure.units

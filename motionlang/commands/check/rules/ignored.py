@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.mccl import NUMBER, line_of
 from motionlang.kernel.mccl.resolve.decode import problem
+from motionlang.kernel.mccl.resolve.errors import axis_behind
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.facts import MacroFacts
@@ -19,8 +20,10 @@ _BEHIND = re.compile(r"(?<=\w);(?=\S)(.*)")
 def check(facts: MacroFacts, warn: Warn) -> None:
     for command, at in facts.commands:
         if command.row is not None and command.row.access == "C" and command.kind == NUMBER:
-            name = f"{command.axis or ''}{command.name}"
-            warn(f"{command.text}: {command.name} takes no number, which is ignored", at, f"write {name}")
+            number, hint = f"{command.value:.10g}", f"write {command.axis or ''}{command.name}"
+            if axis_behind(command, number, facts.axis_count):
+                hint = f"the axis goes before the command: {number}{command.name}"
+            warn(f"{command.text}: {command.name} takes no number, which is ignored", at, hint)
     text = facts.structure.source.text
     for line in facts.lines:
         end = text.find("\n", line.offsets[-1])

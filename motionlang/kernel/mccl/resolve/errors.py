@@ -25,6 +25,9 @@ DEFINES = "define_macro"
 # Verbs that need a defined macro.
 CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 _WORD = re.compile("[A-Za-z]+")
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)")
+# An axis behind its command, and a value.
+_ASSIGNED = re.compile(rf"([A-Za-z]{{2}})(\d+)[ \t]*=[ \t]*({_NUMBER.pattern})")
 
 
 def problems_of(
@@ -32,7 +35,7 @@ def problems_of(
 ) -> Iterator[Diagnostic]:
     """Yield the errors of the lines of a file, and a warning for each other command without effect."""
     model, flow = model_of(source, settings), flow_of(settings)
-    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    axes = axis_count(settings)
     macros = {line.commands[0].number for line in lines if isinstance(line, Line) and defines(line)}
     for line in lines:
         if not isinstance(line, Line):
@@ -41,7 +44,7 @@ def problems_of(
             continue
         for k, command in enumerate(line.commands):
             wrong = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
-            wrong = wrong or _wrong_here(line, k, command, model, flow)
+            wrong = _apart(line, k, wrong, axes) or wrong or _wrong_here(line, k, command, model, flow)
             idle = _not_simulated(command) or _undefined(line, k, macros)
             if wrong is not None:
                 yield diagnostic(source, line.offsets[k], wrong)
@@ -55,6 +58,11 @@ def model_of(source: Source, settings: Mapping[str, object]) -> Model:
     """Return the controller model of the settings, or that of the file's extension."""
     wanted = str(settings.get("controller.model", "")) or written_for(source.name)
     return named(wanted) or MODELS[DEFAULT]
+
+
+def axis_count(settings: Mapping[str, object]) -> int:
+    """Return the number of axes of the controller."""
+    return settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[return-value]
 
 
 def defines(line: Line) -> bool:
@@ -117,6 +125,41 @@ def _undefined(line: Line, k: int, macros: set[int | None]) -> Fault | None:
     message = f"no line of this file defines macro {command.number}"
     hint = f"{table().doing(DEFINES)}{command.number},... defines it"
     return Fault(0, message, hint, "unknown-word")
+
+
+def _apart(line: Line, k: int, wrong: Fault | None, axes: int) -> Fault | None:
+    """Return the fault of a number apart from its command, with a hint of both in one piece; None for others."""
+    text = line.commands[k].text
+    assigned = _ASSIGNED.fullmatch(text)
+    first = last = k
+    while first and _NUMBER.fullmatch(line.commands[first - 1].text):
+        first -= 1
+    while last < len(line.commands) and _NUMBER.fullmatch(line.commands[last].text):
+        last += 1
+    owner = line.commands[k if assigned else first - 1]
+    row = owner.row
+    if wrong is None or row is None or row.unit == "text" or not (assigned or 0 < first < last):
+        return None
+    numbers = [each.text for each in line.commands[first:last]]
+    if assigned:
+        numbers = [assigned[2], assigned[3]]
+    elif axis_behind(owner, owner.text[2:], axes):
+        numbers.insert(0, owner.text[2:])
+    is_axis = axis_behind(owner, numbers[0], axes) and (len(numbers) > 1 or row.access == "C")
+    if is_axis:
+        hint = f"the axis goes before the command: {''.join([numbers[0], row.name, *numbers[1:2]])}"
+    elif owner.is_bare and row.access != "C" and not assigned:
+        hint = f"a number follows its command directly: {owner.text.upper()}{numbers[0]}"
+    else:
+        return None
+    return Fault(wrong.code, wrong.message, hint, wrong.kind)
+
+
+def axis_behind(command: Command, number: str, axes: int) -> bool:
+    """True if a number behind a command without an axis is likely its axis."""
+    row = command.row
+    takes_axis = row is not None and row.index in ("axis", "axes") and not command.axis
+    return takes_axis and number.isdecimal() and 1 <= int(number[:9]) <= axes
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:
