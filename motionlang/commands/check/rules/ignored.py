@@ -1,4 +1,4 @@
-"""A part of a line has no effect: a number behind a command that takes none, or commands behind a semicolon."""
+"""A part of a line has no effect: a number behind a command that takes none, or what was not meant as a comment."""
 
 from __future__ import annotations
 
@@ -10,14 +10,31 @@ from motionlang.kernel.mccl import NUMBER, line_of
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.errors import axis_behind
 
+from motionlang.kernel.mint.syntax import nodes
+
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
 
 # A comment directly behind a command.
 _BEHIND = re.compile(r"(?<=\w);(?=\S)(.*)")
+# A text between single quotes in place of a value of PRINT.
+_QUOTED = re.compile(r"[ \t,;]*('([^'\"\n]*)')[ \t]*(?:[,;].*)?$", re.MULTILINE)
 
 
-def check(facts: MacroFacts, warn: Warn) -> None:
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    text = facts.module.source.text
+    for node in facts.of_kind(nodes.Print):
+        if node.items and not node.items[-1].separator:
+            continue
+        found = _QUOTED.match(text, node.end)
+        if found is not None:
+            message = "' begins a comment, so this text is not printed"
+            quoted, fix = found[1], f'"{found[2]}"'
+            warn(message, found.start(1), "a text is in double quotes", length=len(quoted), fix=fix)
+
+
+def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for command, at in facts.commands:
         if command.row is not None and command.row.access == "C" and command.kind == NUMBER:
             number, hint = f"{command.value:.10g}", f"write {command.axis or ''}{command.name}"
@@ -46,7 +63,11 @@ RULE = Rule(
 A part of a line has no effect. A command that takes no number, such as PT, ignores one. A semicolon begins a comment,
 so it does not separate commands: `1MR100;1WS0` moves and does not wait. The second warning is only for a semicolon
 directly between two commands.
+
+In Mint, `'` begins a comment, so `PRINT 'done'` prints an empty line. The warning is for a text between two of these
+quotes where PRINT has no value; `check --fix` writes double quotes.
 """,
-    fix="remove the number, or separate the commands by a comma",
-    mccl=Case(check, wrong="1MN,1PT1,1MR100;1WS0\n", right="1MN,1PT,1MR100,1WS0\n"),
+    fix="remove the number, separate the commands by a comma, or put the text in double quotes",
+    mint=Case(check_mint, wrong="PRINT 'done'\n", right='PRINT "done"\n'),
+    mccl=Case(check_mccl, wrong="1MN,1PT1,1MR100;1WS0\n", right="1MN,1PT,1MR100,1WS0\n"),
 )

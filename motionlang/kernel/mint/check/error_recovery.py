@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Set
+from copy import copy
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.mint.check.other_machines import as_typed
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.syntax.blocks import DECLARATIONS, OPENERS
+from motionlang.kernel.mint.syntax.expectations import SEPARATED
 from motionlang.kernel.mint.syntax.nodes import Module, Wrong
 from motionlang.kernel.mint.syntax.tokens import Tokens
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -64,7 +67,16 @@ def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Se
         and each.code in _OF_A_STATEMENT
         and not _words(source.line(each.line)) & names
     ]
-    return ProgramError([*module.errors, *remaining]).diagnostics
+    mistakes = [_with_other_hint(each, source) for each in module.errors]
+    return ProgramError([*mistakes, *remaining]).diagnostics
+
+
+def _with_other_hint(mistake: Diagnostic, source: Source) -> Diagnostic:
+    """Return a mistake; one in a statement of another machine gets what is typed here as its hint."""
+    hint = as_typed(source.line(mistake.line), mistake.column - 1) if mistake.hint == SEPARATED else ""
+    found = copy(mistake)
+    found.hint = hint or mistake.hint
+    return found
 
 
 def _is_of_blocks(mistake: Diagnostic) -> bool:

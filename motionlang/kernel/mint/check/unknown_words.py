@@ -6,6 +6,7 @@ from itertools import chain
 
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.labels import label_hint
+from motionlang.kernel.mint.check.other_machines import as_typed
 from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
@@ -60,7 +61,7 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
 
     problems, table = b.program.problems, b.program.table
     message = f"{target.name} is neither a keyword nor a sub of this program"
-    hint = _OTHER_WORDS.get(target.name.lower())
+    hint = _OTHER_WORDS.get(target.name.lower()) or as_typed(problems.line_from(target.start), 0) or None
     behind = problems.text(target.name.end)
     otherwise = label_hint(target.name) if behind == ":" else hint_at_type(target.name) if target.args else ""
     if behind == ":" and target.name.lower() in b.function.labels:

@@ -30,5 +30,5 @@ ROWS = (
     Keyword("WAIT", "WT", "setting", "W", "none", "ms", "wait",
             "Let a time pass before the next statement, written WAIT = ms or WAIT(ms).",
             "WAIT = 100\nWAIT(100)\nPRINT TIME", low=0.0, high=2147483647.0, group="control",
-            meant="SLEEP DELAY DWELL", waits="time"),
+            meant="SLEEP DELAY DWELL G4 G04", waits="time"),
 )  # fmt: skip

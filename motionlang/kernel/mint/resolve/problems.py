@@ -138,6 +138,10 @@ class Problems:
     def line(self, at: int) -> int:
         return self._module.line(at)
 
+    def line_from(self, at: int) -> str:
+        """Return the text from an offset to the end of its line."""
+        return self._module.source.text[at:].partition("\n")[0]
+
     def _location(self, at: int) -> tuple[int, int, int]:
         source = self._module.source
         return (*source.location(at), value_length(source.text, at))

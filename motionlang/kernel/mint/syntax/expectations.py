@@ -45,6 +45,7 @@ SLIPS = {
 }
 _WITH_UNIT = re.compile(r"(\d+(?:\.\d*)?)(?:m?s|[cmu]?m|in|deg|rad|rev|rpm|k?hz|v|counts?)", re.IGNORECASE)
 TYPE_SIGNS = "%$"
+SEPARATED = "statements are separated by : or by a new line"
 # The first word of a statement, and what its wrong brackets should be.
 _BRACKETS = {"DIM": "subscripts are in round brackets: Dim a(5)", "EVENT": "an event has no parameters"}
 
@@ -127,7 +128,7 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
             return SLIPS["/", "/"]
         if first == "PRINT":
             return "values are separated by , or ; and statements by : or by a new line"
-        return "statements are separated by : or by a new line"
+        return SEPARATED
     return ""
 
 
