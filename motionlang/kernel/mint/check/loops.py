@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.kernel.mint.check.body import Body
+from motionlang.kernel.mint.check.unknown_words import another_name
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import NUMERIC, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -14,7 +15,7 @@ def count(b: Body, node: nodes.For) -> None:
     symbol = node.variable.symbol
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
         name, row = node.variable.name, node.variable.row
-        hint = f"it is a word of Mint, {row.name}; Dim {name} makes a variable of it" if row else ""
+        hint = another_name(name, row) if row else ""
         b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
         return
     location(b, node.variable)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import chain
 
+from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.labels import label_hint
 from motionlang.kernel.mint.check.other_machines import as_typed
@@ -32,7 +33,8 @@ _OTHER_WORDS = {
 def unknown_name(b: Body, node: nodes.Name) -> None:
     """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
     if node.row is not None:
-        b.problem("type", f"a variable is needed here, and {node.row.word} is a keyword", node)
+        message = f"a variable is needed here, and {node.row.word} is a keyword"
+        b.problem("type", message, node, "" if node.args else another_name(node.name, node.row))
         return
     is_constant = node.name.startswith("_")
 
@@ -46,6 +48,12 @@ def unknown_name(b: Body, node: nodes.Name) -> None:
         hint = f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
     problems, table = b.program.problems, b.program.table
     problems.unknown(f"{node.name} is unknown", node.name, words, node.start, hint, table)
+
+
+def another_name(name: str, row: Keyword) -> str:
+    """Return a hint for a name that is meant as a variable, and is a keyword."""
+    short = "" if name.lower() == row.name.lower() else f"it is short for {row.name}: "
+    return f"{short}give the variable another name, such as {name.lower()}_value"
 
 
 def unknown_command(b: Body, target: nodes.Name) -> None:
