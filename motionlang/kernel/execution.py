@@ -204,6 +204,9 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
         report_guesses(result)
     if "answer" in settings and result.status in ("ended", "until", "stopped"):
         report_unasked(result)
+    if result.program is not None:
+        result.program.worded(result.diagnostics)
+        result.notes = [result.program.in_notation(each) for each in result.notes]
 
 
 def end_of(settings: Mapping[str, object]) -> float:

@@ -27,7 +27,7 @@ def lint(program: Program) -> list[Diagnostic]:
                 each for each in _warnings(program) if (each.code, each.line, each.column) not in reported
             )
     return sorted(
-        silence(program.source, found, program.language),
+        silence(program.source, program.worded(found), program.language),
         key=lambda each: (each.line, each.column, each.code, each.message),
     )
 

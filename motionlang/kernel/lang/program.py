@@ -65,6 +65,16 @@ class Program:
         """The errors, and the warnings that come with them or that need no linter."""
         raise NotImplementedError
 
+    def in_notation(self, text: str) -> str:
+        """Return a hint or another text for the user in the notation of the program."""
+        return text
+
+    def worded(self, found: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+        """Put hints and fixes of diagnostics of the program into its notation, and return these."""
+        for each in found:
+            each.hint, each.fix = self.in_notation(each.hint), self.in_notation(each.fix)
+        return found
+
     def require(self) -> None:
         """Raise ProgramError if errors prevent a run."""
         if self.errors:

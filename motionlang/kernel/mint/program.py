@@ -24,6 +24,7 @@ from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.facts import FactsReader
+from motionlang.kernel.mint.resolve.notation import in_v4
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
@@ -145,7 +146,17 @@ class MintProgram(Program):
         problems = self.checked.problems
         found = list(problems.found.values()) if problems.has_errors else []
         names = {name for function in self.checked.names.functions for name in function.scope.names}
-        return with_syntax_errors(found, self._readable, names)
+        mistakes = with_syntax_errors(found, self._readable, names)
+        self.worded(mistakes)
+        return mistakes
+
+    def in_notation(self, text: str) -> str:
+        return in_v4(text, self.source.text) if self._is_v4 else text
+
+    @cached_property
+    def _is_v4(self) -> bool:
+        model = age(str(self.settings.get("controller.model", "")))
+        return self.checked.problems.is_v4 if model is None else model == V4
 
     @property
     def errors(self) -> list[Diagnostic]:
@@ -263,7 +274,8 @@ class MintProgram(Program):
 
     @cached_property
     def remarks(self) -> Sequence[str]:
-        return [] if self.mistakes else chosen_rates(self._facts.statements.values(), self.settings)
+        found = [] if self.mistakes else chosen_rates(self._facts.statements.values(), self.settings)
+        return [self.in_notation(each) for each in found]
 
     @property
     def offsets(self) -> Sequence[int]:

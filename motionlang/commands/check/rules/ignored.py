@@ -9,7 +9,6 @@ from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.mccl import NUMBER, line_of
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.errors import axis_behind
-
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:

@@ -32,7 +32,9 @@ def _hint(word: str, axis: str | None, value: str) -> str:
             for row in moves
         )
         return f"{typed}; GO({number}) starts it"
-    settings = [_assigned(row, number, value) for row in rows if row.kind == "setting" and row.index == "axis"]
+    settings = [
+        _assigned(row, number, value) for row in rows if row.kind == "setting" and row.index == "axis"
+    ]
     return f"write {' or '.join(settings)}" if settings else ""
 
 
