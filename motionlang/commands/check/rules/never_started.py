@@ -1,12 +1,13 @@
 """A move is loaded into the buffer, and no GO for it follows.
 
 Going backward from every end of a part, each point gets the set of axes that a GO may still start behind it; a STOP
-empties the buffer and removes its axis. A load is reported if none of its axes is in the set, and if nothing that runs
-at the same time may start it.
+empties the buffer and removes its axis. A load is reported for the axes that are not in the set, a path if none of its
+axes is, and if nothing that runs at the same time may start it.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 Bits = dict["Key", int]
 
 _GO = frozenset(("go",))
+# The roles of keywords that load one entry for several axes.
+_OF_ONE_GO = frozenset(("path", "course"))
 # What starts the motion of a mode of MCCL, by the verb that selects the mode.
 _STARTS = {"velocity_mode": "go", "contour_mode": "path"}
 
@@ -52,13 +55,16 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
             for act in facts.acts[p]:
                 if act.role not in LOADS or p not in facts.axes.before[function]:
                     continue
-                own = sum(bits[key] for key in set(act.axes))
-                if behind[p] & own or {None, *act.axes} & without_go:
+                waiting = [key for key in dict.fromkeys(act.axes) if not behind[p] & bits[key]]
+                if act.role in _OF_ONE_GO and len(waiting) < len(set(act.axes)):
+                    continue  # a path is one entry, which is in the buffers of all its axes
+                if not waiting or {None, *waiting} & without_go:
                     continue
-                if not _is_started_elsewhere(facts, function, act):
+                if not _is_started_elsewhere(facts, function, replace(act, axes=tuple(waiting))):
                     what = "entry" if act.role == "entry" else "move"
-                    names = ", ".join(map(spelt, act.axes))
-                    message = f"the {what} is loaded, but no GO for it follows"
+                    names = ", ".join(map(spelt, waiting))
+                    part = f" of axis {names}" if len(waiting) < len(set(act.axes)) else ""
+                    message = f"the {what}{part} is loaded, but no GO for it follows"
                     warn(message, act.at, f"GO({names}) starts the buffered moves")
 
 
@@ -141,8 +147,9 @@ RULE = Rule(
     text="""\
 A move is loaded into the buffer, and on every path from there the buffer is emptied (STOP, CANCEL, RESET) or the
 program ends before a GO of its axis. These count as a GO: another task, a handler, the caller of the sub, and a
-TRIGGERMODE that starts moves by itself. For a move of several axes the GO of any of them counts; in a run only that of
-its first axis starts it (`motion.go-of-a-path`). A run that ends with a move in a buffer names it, too, also one that a
+TRIGGERMODE that starts moves by itself. `MOVEA(0, 1) = 10, 20` loads a move for each axis, and each needs its GO. For a
+path of several axes the GO of any of them counts; in a run only that of its first axis starts it
+(`motion.go-of-a-path`). A run that ends with a move in a buffer names it, too, also one that a
 GO has released and that waits, as for the end of a jog.
 
 In MCCL, VM selects velocity mode and no GO of the axis follows, or CM joins a contour and no CP of the controlling axis
