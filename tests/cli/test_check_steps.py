@@ -34,10 +34,10 @@ def test_steps_of_mint_are_below_their_lines(cell: Cell) -> None:
 
 
 def test_each_line_of_mccl_has_steps_of_its_own(cell: Cell) -> None:
-    cell.write("feed.mcl", "1MN,1MR-2.5 ; go\n1WS0,RP3\n")
+    cell.write("feed.mcl", "1MN,1MR-25 ; go\n1WS0,RP3\n")
     ran = cell("check", "feed.mcl", "--steps", "--quiet")
     assert ran.out == (
-        "   1  1MN,1MR-2.5 ; go\n"
+        "   1  1MN,1MR-25 ; go\n"
         "        0  command           1 statement\n"
         "        1  wait\n"
         "        2  command           1 statement\n"

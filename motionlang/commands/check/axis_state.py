@@ -336,7 +336,7 @@ class Follower:
     def _act(self, act: Use, state: State) -> State:
         if act.role == "call":
             return self._call(act, state)
-        if act.row is not None and act.row.verb == "wait":
+        if act.row is not None and act.row.verb == "wait" and act.values and act.number(0) != 0:
             return state.passed()
         follow = _FOLLOW.get(act.role)
         if follow is None:

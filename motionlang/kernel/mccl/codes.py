@@ -39,6 +39,8 @@ NO_AXIS = -14
 NOT_ASSIGNED = -15
 ALREADY_ASSIGNED = -16
 ASSIGNED_TWICE = -17
+# The part of a relative move that may be lost by rounding without a warning.
+MAX_LOST = 0.01
 
 
 class Abandoned(Exception):
@@ -89,10 +91,26 @@ def no_distance(text: str) -> Fault:
     )
 
 
-def too_short(text: str, axis: int, counts: float) -> Fault:
-    """Return the warning about a relative move that is less than half a count."""
-    message = f"{text} moves axis {axis} by less than half a count, which is 0"
-    return Fault(0, message, f"US is in counts per user unit, and {counts:.10g} is in force", "range")
+def no_time(text: str, axis: int) -> Fault:
+    """Return the warning about a wait for a time without a number, which does not wait."""
+    hint = "write the time in seconds, as in WA0.5"
+    if axis:
+        hint = f"{axis}WS waits for the end of the move; {hint}"
+    return Fault(0, f"{text} has no number, so it waits for 0 s", hint, "values")
+
+
+def inexact(text: str, axis: int, value: float, whole: float, counts: float) -> Fault | None:
+    """Return the warning about a relative move by `whole` counts, None if these are close to `value` user units."""
+    exact = value * counts
+    if abs(whole - exact) <= MAX_LOST * abs(exact):
+        return None
+    unit = "count" if abs(whole) == 1.0 else "counts"
+    message = f"{text} moves axis {axis} by {whole:.10g} {unit}, not by {exact:.10g}"
+    hint = "the difference adds up with each MR; give the targets with MA"
+    if not whole:
+        message = f"{text} moves axis {axis} by less than half a count, which is 0"
+        hint = f"US is in counts per user unit, and {counts:.10g} is in force"
+    return Fault(0, message, hint, "range")
 
 
 def rounded(text: str, value: float, whole: float) -> Fault:

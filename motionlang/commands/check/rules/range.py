@@ -1,4 +1,4 @@
-"""A rate of MCCL has a fraction, which the board rounds until a scale is set."""
+"""A rate or a relative move of MCCL has a fraction of a count, which the board rounds."""
 
 from __future__ import annotations
 
@@ -17,6 +17,22 @@ _RATES = frozenset(("uu/s", "uu/s2"))
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
+    _check_rates(facts, warn)
+    scales = facts.values(lambda row: row.verb == "scale")
+    for command, at in facts.commands:
+        if command.verb != "move_by" or command.kind != NUMBER or not command.axis:
+            continue
+        known = [scales.get(key, []) for key in (command.axis, None)]
+        counts = {each for values in known if values is not None for each in values} or {1.0}
+        if None in known or len(counts) > 1:
+            continue
+        value, scale = float(command.value), counts.pop()
+        fault = codes.inexact(command.text, command.axis, value, nearest_whole(value * scale), scale)
+        if fault is not None:
+            warn(fault.message, at, fault.hint)
+
+
+def _check_rates(facts: MacroFacts, warn: Warn) -> None:
     if not facts.model.rounds:
         return
     scaled = {command.axis for command, _ in facts.commands if command.verb in _SCALES}
@@ -36,7 +52,8 @@ RULE = Rule(
     group="Machine",
     text="""\
 A rate such as SV or SA has a fraction, and no command of the file sets the units of its axis: the board rounds it to
-counts. In Mint, a value that lies outside what the keyword accepts is an error.
+counts. Or a move by MR is not a whole number of counts, and rounding changes it by more than 1 %: with `1US3`, ten times
+`1MR.5` end at 6.67. In Mint, a value that lies outside what the keyword accepts is an error.
 """,
     fix="choose a value within the range that the hint names",
     mint=Case(

@@ -1,4 +1,4 @@
-"""A relative move of MCCL has no number, so it moves by 0."""
+"""A relative move or a wait for a time of MCCL has no number, so it moves by 0 or waits for 0 s."""
 
 from __future__ import annotations
 
@@ -16,13 +16,16 @@ def check(facts: MacroFacts, warn: Warn) -> None:
         if command.verb == "move_by" and command.is_bare:
             fault = codes.no_distance(command.text)
             warn(fault.message, at, fault.hint)
+        elif command.verb == "wait" and command.is_bare:
+            fault = codes.no_time(command.text, command.axis)
+            warn(fault.message, at, fault.hint)
 
 
 RULE = Rule(
     code="values",
     group="Names",
     text="""\
-MR without a number moves by 0. In Mint, a number of axes, arguments or values that does not fit the keyword is an
+MR without a number moves by 0, and WA without a number does not wait: `1WS` waits for the end of a move. In Mint, a number of axes, arguments or values that does not fit the keyword is an
 error.
 """,
     fix="give as many axes, arguments or values as motionlang help WORD shows",

@@ -84,9 +84,9 @@ def move_by(task: CommandTask, command: Command) -> Targets:
     for axis in movable(task, command):
         target = path.end_of(axis) if path is not None else aim(task.board, axis)
         distance = axis.distance(value)
-        if value and not distance:
-            fault = codes.too_short(command.text, axis.number, axis.scale.counts)
-            task.board.warn(task, fault.kind, fault.message, fault.hint)
+        inexact = codes.inexact(command.text, axis.number, value, distance, axis.scale.counts)
+        if inexact is not None:
+            task.board.warn(task, inexact.kind, inexact.message, inexact.hint)
         targets.append((axis, target + distance))
     return targets
 

@@ -97,7 +97,8 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
     if row is None:
         return made
     made.is_silent = row.verb in _SILENT
-    made.waits = row.waits
+    does_wait = row.waits != "time" or command.number != 0
+    made.waits = row.waits if does_wait else ""
     made.what = (command.axis,) if row.waits == "axis" and command.axis else ()
     if row.verb == "start_task":
         made.starts.append(f"macro {_parameter(command)}")
