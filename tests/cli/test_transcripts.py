@@ -117,6 +117,7 @@ FILES = {
     ),
     "shift.machine.toml": 'run.until = 5\n[[expect]]\nquantity = "cycle(4)"\nat_most = 0.6\n',
     "waits.mnt": "PAUSE INX(3)\nPRINT TIME\n",
+    "banks.mnt": 'If IN(3) Then PRINT "on"\n',
     "idle.mnt": "GO3\nPRINT 1\n",
     "one.mnt": "Print “x”\n",
     "v4.mnt": "AUTO\nn = 8\nSPEED.0 = 10\n? n\n",

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
+    from motionlang.kernel.lang.keyword import BANK as BANK
     from motionlang.kernel.lang.keyword import CHANNELS as CHANNELS
     from motionlang.kernel.lang.keyword import TOPICS as TOPICS
     from motionlang.kernel.lang.literals import Literal as Literal
@@ -101,7 +102,7 @@ PUBLIC = {
     "wait_hints": "what_ends what_frees",
     "run_errors": "explain",
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
-    "keyword": "CHANNELS TOPICS",
+    "keyword": "BANK CHANNELS TOPICS",
     "machine.keys": "KEYS TABLES CHOICES REQUIRED MAX_AXES",
     "machine.machine": "ASSUMPTIONS",
 }

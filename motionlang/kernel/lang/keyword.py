@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
+# The channels of a bank of inputs or outputs.
+BANK = 32
 # The devices of a machine that a keyword numbers, in the order of a map of a program.
 CHANNELS = (
     "input", "input bank", "output", "output bank", "relay", "relay bank", "digital", "analogue input",

@@ -52,8 +52,8 @@ RULE = Rule(
     group="Machine",
     text="""\
 A rate such as SV or SA has a fraction, and no command of the file sets the units of its axis: the board rounds it to
-counts. Or a move by MR is not a whole number of counts, and rounding changes it by more than 1 %: with `1US3`, ten times
-`1MR.5` end at 6.67. In Mint, a value that lies outside what the keyword accepts is an error.
+counts. Or a move by MR is not a whole number of counts, and rounding changes it by more than 1 %: with `1US3`, ten
+times `1MR.5` end at 6.67. In Mint, a value that lies outside what the keyword accepts is an error.
 """,
     fix="choose a value within the range that the hint names",
     mint=Case(

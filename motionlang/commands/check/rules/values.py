@@ -25,8 +25,8 @@ RULE = Rule(
     code="values",
     group="Names",
     text="""\
-MR without a number moves by 0, and WA without a number does not wait: `1WS` waits for the end of a move. In Mint, a number of axes, arguments or values that does not fit the keyword is an
-error.
+MR without a number moves by 0, and WA without a number does not wait: `1WS` waits for the end of a move. In Mint, a
+number of axes, arguments or values that does not fit the keyword is an error.
 """,
     fix="give as many axes, arguments or values as motionlang help WORD shows",
     mint=Case(

@@ -1,20 +1,66 @@
-"""An output is switched at a channel that is an input.
+"""A channel is not the one that was meant: an output at an input, or a bank of 32 in place of one channel.
 
-A channel is an output at power-up or after a CT anywhere in the file. A CT whose channel is in a register may be for
-any channel.
+In MCCL a channel is an output at power-up or after a CT anywhere in the file. A CT whose channel is in a register may
+be for any channel. In Mint a bank above 0 is probably a channel if its value is used as true or false.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.kernel.lang import BANK
 from motionlang.kernel.mccl import models_with, table
+from motionlang.kernel.mint import table as mint_table
+from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mint.facts import MintFacts
 
 _SWITCHES = frozenset({"channel_on", "channel_off"})
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    """Report a bank whose value is used as true or false, as that of one channel is."""
+    truths: list[nodes.Expr] = []
+    for node in walk(facts.module.everything):
+        if isinstance(node, nodes.If | nodes.While | nodes.Repeat | nodes.Pause):
+            truths.append(node.condition)
+        elif type(node) is nodes.Binary and node.op in ("And", "Or"):
+            truths += [node.left, node.right]
+        elif type(node) is nodes.Unary and node.op == "Not":
+            truths.append(node.operand)
+        elif type(node) is nodes.Binary and node.op in ("=", "<>"):
+            truths += [each for each, other in _sides(node) if facts.number(other) in (0, 1)]
+        elif type(node) is nodes.Assign and len(node.values) == 1 and _is_bool(node.values[0]):
+            truths.append(node.target)
+    for truth in truths:
+        _check_bank(facts, truth, warn)
+
+
+def _sides(node: nodes.Binary) -> tuple[tuple[nodes.Expr, nodes.Expr], ...]:
+    return (node.left, node.right), (node.right, node.left)
+
+
+def _is_bool(node: nodes.Expr) -> bool:
+    return type(node) is nodes.Name and node.row is not None and node.row.unit == "bool"
+
+
+def _check_bank(facts: MintFacts, node: nodes.Expr, warn: Warn) -> None:
+    name = meant(node)
+    if type(name) is not nodes.Name or name.row is None or name.row.index != "bank" or not name.args:
+        return
+    bank, one = facts.number(name.args[0]), mint_table().get(f"{name.row.name}X")
+    if not bank or one is None:
+        return
+    first, last = int(bank) * BANK, int(bank) * BANK + BANK - 1
+    if name.row.driven == "input" and set(range(first, last + 1)) & (driven_inputs(facts.settings) or set()):
+        return
+    message = f"{name.row.name}({bank:.0f}) is a bank, with the {one.index}s {first} to {last}"
+    warn(message, name.start, f"{one.index} {bank:.0f} alone is {one.name}({bank:.0f})")
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
@@ -48,10 +94,18 @@ RULE = Rule(
     code="wrong-channel",
     group="Machine",
     text="""\
-CN or CF names a channel that is an input at power-up, and no CT in the file makes it an output. The board rejects the
-command.
+A bank of 32 channels is used where one channel is probably meant: `IF IN(3)` asks for inputs 96 to 127, and `INX(3)` is
+input 3. The warning is for a bank above 0 that is used as true or false, unless the machine file drives an input of it.
+
+In MCCL, CN or CF names a channel that is an input at power-up, and no CT in the file makes it an output. The board
+rejects the command.
 """,
-    fix="make the channel an output with CT first",
+    fix="write INX or OUTX for one channel; in MCCL, make the channel an output with CT first",
+    mint=Case(
+        check_mint,
+        wrong="IF IN(3) THEN PRINT 1\n",
+        right="IF INX(3) THEN PRINT 1\n",
+    ),
     mccl=Case(
         check,
         wrong="CN1\n",

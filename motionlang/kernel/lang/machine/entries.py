@@ -13,9 +13,11 @@ what the machine file can. The entries override the machine file as a scenario d
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 
 from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.keyword import BANK
 from motionlang.kernel.lang.machine.file import first_mistake
 from motionlang.kernel.lang.machine.keys import SHORTEST_PERIOD
 from motionlang.kernel.lang.machine.layers import layered
@@ -64,24 +66,45 @@ def check_inputs_are_read(
 ) -> None:
     """Raise WrongEntry for an input in `given` that the program never reads.
 
-    A program that computes the number of an input, or reads a bank, may read any, and the machine file may connect an
-    input to a switch.
+    A program that computes the number of an input or of a bank may read any, and the machine file may connect an input
+    to a switch.
     """
     tokens = [(kind, text) for kind, text, _ in language.tokens(program.source.text)]
-    words = {text.lower().partition(".")[0] for _, text in tokens}
-    banks = {row.name.lower() for row in language.table() if row.driven == "input" and row.index == "bank"}
-    reads = program.reads
-    if banks & words or any("@" in text for _, text in tokens) or any(each.channel is None for each in reads):
+    reads, statements = program.reads, program.structure.statements.values()
+    uses = [use for each in statements for use in each.channels]
+    banks = [use.number for use in uses if use.channel == "input bank"]
+    if banks:
+        verbs = {use.row.verb for each in statements for use in each.uses if use.row is not None}
+        numbers_of = [use.number for use in uses if use.channel in ("input", "input bank")]
+        is_computed = "default_bank" in verbs or not all(map(str.isdecimal, numbers_of))
+    else:
+        is_computed = any(each.channel is None for each in reads)
+    if is_computed or any("@" in text for _, text in tokens):
         return
-    numbers = {number for _, text in tokens for number in text.split(".")}
+    numbers = Counter(number for _, text in tokens for number in text.split("."))
+    numbers -= Counter(banks)
     read = {each.channel for each in reads if each.kind != "key"}
+    read |= {int(bank) * BANK + k for bank in set(banks) for k in range(BANK)}
     switches = {value for key, value in settings.items() if key.endswith("_input")}
     for entry in given.get("input", ()):  # type: ignore[attr-defined]
         channel = entry["channel"]
         if channel not in read | switches and str(channel) not in numbers:
-            listed = ", ".join(map(str, sorted(each for each in read if each is not None)))
+            listed = _spans(sorted(each for each in read if each is not None))
             hint = f"it reads {listed}" if listed else "it reads no input"
             raise WrongEntry(f"--input {channel}: the program never reads input {channel}", hint)
+
+
+def _spans(channels: Sequence[int]) -> str:
+    """Return channels in increasing order as text, those of a bank as a span."""
+    spans: list[list[int]] = []
+    for each in channels:
+        if spans and each == spans[-1][-1] + 1:
+            spans[-1].append(each)
+        else:
+            spans.append([each])
+    return ", ".join(
+        f"{each[0]} to {each[-1]}" if len(each) > 2 else ", ".join(map(str, each)) for each in spans
+    )
 
 
 def entries(

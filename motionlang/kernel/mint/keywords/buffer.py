@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.watch import Watch, begin, end
-from motionlang.kernel.lang.keyword import Actions, Keyword, constant
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_masters import master
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.kernel.mint.keywords.motion import refuse_stopping
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, check, of
 from motionlang.kernel.mint.runtime.environment import Environment

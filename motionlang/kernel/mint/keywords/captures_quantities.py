@@ -11,8 +11,9 @@ from collections.abc import Sequence
 from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.motion.encoder import AUXILIARY
+from motionlang.kernel.lang.keyword import BANK
 from motionlang.kernel.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL, checked
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.kernel.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.kernel.mint.keywords.sensing import Encoders, channel_of
 from motionlang.kernel.mint.runtime.binding import axis_of, scale_of

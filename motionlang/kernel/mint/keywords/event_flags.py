@@ -8,10 +8,9 @@ or a bit pattern of elements, locations or buses.
 from __future__ import annotations
 
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE
-from motionlang.kernel.mint.keywords.io_inputs import BANK
 from motionlang.kernel.mint.runtime.binding import of_word
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.events import Events

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.mint.keywords.defaults import ANALOGUE
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, bits_of, checked
 from motionlang.kernel.mint.runtime.binding import Operation, of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable, reported
 from motionlang.kernel.mint.runtime.environment import Environment

@@ -5,9 +5,9 @@ A program that declares one of these names may use it for its own purposes.
 
 from __future__ import annotations
 
-from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.mint.keywords.hold_to_analogue import HOLD
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL, checked
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.kernel.mint.keywords.paths import set_mode
 from motionlang.kernel.mint.keywords.sensing import AXIS_MODE
 from motionlang.kernel.mint.runtime.binding import axis_of, of, of_word

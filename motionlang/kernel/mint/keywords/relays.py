@@ -8,8 +8,8 @@ from __future__ import annotations
 from functools import partial
 
 from motionlang.kernel.controller.clock import Event
-from motionlang.kernel.lang.keyword import Actions, Keyword, value
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, value
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, bits_of, checked
 from motionlang.kernel.mint.keywords.io_outputs import LAST_ANALOGUE
 from motionlang.kernel.mint.runtime.binding import ByNumber, of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable

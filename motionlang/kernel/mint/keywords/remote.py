@@ -10,8 +10,8 @@ from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.io.host_memory import HostMemory
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.lang.keyword import Actions, Keyword, kind_of
-from motionlang.kernel.mint.keywords.io_inputs import BANK, bits_of, checked
+from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, kind_of
+from motionlang.kernel.mint.keywords.io_inputs import bits_of, checked
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment

@@ -20,11 +20,11 @@ from dataclasses import replace
 from functools import cache
 from math import inf
 
-from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.keyword import BANK, Keyword
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
 from motionlang.kernel.mint.keywords.event_kinds import label_event
-from motionlang.kernel.mint.keywords.io_inputs import BANK, LAST_CHANNEL
+from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL
 from motionlang.kernel.mint.resolve.handlers import handled, raised_by
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
