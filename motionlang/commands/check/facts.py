@@ -197,6 +197,10 @@ class Facts:
         """Return the sides on which the software limit of an axis acts if it is set."""
         return frozenset((UPPER, LOWER))
 
+    def passes_switches(self, key: Key) -> bool:
+        """True if the axis may go on at a limit switch."""
+        return False
+
     def refined(self, p: int, truth: bool, state: State) -> State:
         """Return the state of the axes after the condition that is tested, or waited for, at a point was `truth`."""
         return state

@@ -58,7 +58,7 @@ class Reach:
     def _switch(self, key: Key, axis: Axis) -> Limit | None:
         assert axis.target is not None
         travel = self.facts.settings.get(f"axis.{key}.travel")
-        if not isinstance(travel, list) or axis.frame is None:
+        if not isinstance(travel, list) or axis.frame is None or self.facts.passes_switches(key):
             return None
         start = self.facts.settings.get(f"axis.{key}.start", 0.0)
         assert isinstance(start, (int, float))

@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.axis_state import IDLE, State
 from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.mint.conditions import Conditional
+from motionlang.kernel.mint.resolve.folding import binary, unary
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
+from motionlang.kernel.mint.syntax.traversal import changed, meaning, meant, walk
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.facts import MintFacts
 
+# Keywords with which an input without a signal is 1.
+_POLARITIES = frozenset(("INPUTACTIVELEVEL",))
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
 
 
@@ -51,6 +54,23 @@ def unchanging_loops(facts: MintFacts, function: Function) -> Iterator[tuple[Con
         symbols = {name.symbol for name in names if name.symbol is not None}
         if not _may_end(facts, function, loop, symbols):
             yield loop, inputs
+
+
+def at_rest(facts: MintFacts, node: nodes.Expr) -> float | None:
+    """Return the value of a condition while the inputs that nothing drives are 0, None if it depends on more."""
+    if any(row.name in _POLARITIES for row in facts.used):
+        return None
+    node = meant(node)
+    if type(node) is nodes.Name and _is_dead_input(facts, node):
+        return 0
+    value = facts.value(node)
+    if type(node) is nodes.Unary:
+        operand = at_rest(facts, node.operand)
+        value = None if operand is None else unary(node.op, operand)
+    elif type(node) is nodes.Binary:
+        left, right = at_rest(facts, node.left), at_rest(facts, node.right)
+        value = None if left is None or right is None else binary(node.op, left, right)
+    return None if isinstance(value, str) else value
 
 
 def _changes_outside(facts: MintFacts, function: Function, name: nodes.Name) -> bool:

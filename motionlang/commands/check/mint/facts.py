@@ -18,6 +18,8 @@ from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import by_kind, changed, meaning, meant, walk
 
+# The values of the modes of limits with which an axis stops there.
+_STOPPING = frozenset((1.0, 2.0, 3.0, 4.0))
 AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
 
@@ -147,8 +149,16 @@ class MintFacts(Facts):
         return super().resolved(part, found)
 
     def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
-        changed_mode = {key, None} & self.named("SOFTLIMITMODE")
-        return frozenset() if changed_mode else super().limits_in_force(key, axis)
+        return frozenset() if self._may_pass("SOFTLIMITMODE", key) else super().limits_in_force(key, axis)
+
+    def passes_switches(self, key: Key) -> bool:
+        return self._may_pass("LIMITMODE", key)
+
+    def _may_pass(self, mode: str, key: Key) -> bool:
+        """True if the program sets the mode of a limit to a value that does not stop the axis, or to an unknown one."""
+        given = self.constants(mode)
+        found = [given[each] for each in (key, None) if each in given]
+        return any(values is None or not _STOPPING.issuperset(values) for values in found)
 
     def refined(self, p: int, truth: bool, state: State) -> State:
         node = self.nodes_at[p]

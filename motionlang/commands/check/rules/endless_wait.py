@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.inputs import driven_inputs
-from motionlang.commands.check.mint.changes import may_change, unchanging_loops
+from motionlang.commands.check.mint.changes import at_rest, may_change, unchanging_loops
 from motionlang.commands.check.mint.conditions import MARGIN, Unattainable, awaited
 from motionlang.commands.check.rule import Case, Rule, Warn
 from motionlang.kernel.mint.syntax import nodes
@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
 
+_WHEN_ENDS = {True: "ends at once or never", False: "never ends"}
+_ENTRY = "; add an [[input]] entry"
+# Verbs of MCCL's commands with which a channel without a signal is on.
+_POLARITIES = frozenset({"channel_low"})
 # Waits of MCCL for an input, and for a position.
 _INPUT_WAITS = frozenset({"wait_on", "wait_off"})
 _POSITION_WAITS = frozenset({"wait_relative", "wait_position"})
@@ -37,11 +41,12 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
             if p in reached and state is not None and type(node) is nodes.Pause:
                 _pause(facts, function, node, state, warn)
         for loop, inputs in unchanging_loops(facts, function):
-            if inputs:
+            goes_on = at_rest(facts, loop.condition)
+            if inputs and (goes_on is None or bool(goes_on) is (type(loop) is nodes.While)):
                 word = "While" if type(loop) is nodes.While else "Repeat"
                 why = "no entry of the machine file drives it"
                 message = f"this {word} waits for a condition that cannot change: {why}"
-                warn(message, inputs[0].start, "it ends at once or never")
+                warn(message, inputs[0].start, f"it {_WHEN_ENDS[goes_on is None]}{_ENTRY}")
         for each in awaited(facts, function):
             found = unattainable.why(each.condition, each.truth, each.state) if each.polls else None
             if found is not None:
@@ -56,6 +61,9 @@ def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: State
     words = [each for name in names for each in _inner(name)]
     if any(may_change(facts, function, each, state) for each in words):
         return
+    value = at_rest(facts, node.condition)
+    if value:
+        return
     moving = [each for each in words if each.row is not None and each.row.changes == "motion"]
     if all(each.symbol is not None for each in words):
         why = "no other task and no event changes it"
@@ -63,11 +71,8 @@ def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: State
         why = f"axis {facts.key_of(moving[0])} is at rest"
     else:
         why = "no entry of the machine file drives it"
-    warn(
-        f"this waits for a condition that cannot change: {why}",
-        node.start,
-        "it continues at once or never",
-    )
+    hint = "it continues at once or never" if value is None else f"it never continues{_ENTRY}"
+    warn(f"this waits for a condition that cannot change: {why}", node.start, hint)
 
 
 def _inner(name: nodes.Name) -> list[nodes.Name]:
@@ -106,6 +111,7 @@ def _check_position(use: Use, text: str, axis: Axis, warn: Warn) -> None:
 def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
     """Report waits for inputs that no entry of the machine file drives."""
     driven = driven_inputs(facts.settings)
+    inverted = any(command.verb in _POLARITIES for command, _ in facts.commands)
     outputs = {command.number for command, _ in facts.commands if command.verb == "channel_output"}
     if driven is None or None in outputs:
         return
@@ -113,9 +119,10 @@ def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
         channel = command.number
         if command.verb not in _INPUT_WAITS or channel is None or channel in outputs | driven:
             continue
-        if channel not in facts.model.outputs:
+        if channel not in facts.model.outputs and (inverted or command.verb == "wait_on"):
             message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
-            warn(message, at, "it continues at once or never; add an [[input]] entry")
+            when = "it continues at once or never" if inverted else "it never continues"
+            warn(message, at, f"{when}{_ENTRY}")
 
 
 RULE = Rule(
@@ -123,9 +130,10 @@ RULE = Rule(
     group="Control flow",
     text="""\
 PAUSE waits for a value that cannot change meanwhile: a variable that no other task and no event sets, the position of
-an axis at rest, or an input that no entry of the machine file drives. The wait ends at once or never. The warning
-also covers a While or Repeat that only polls such an input, and WN and WF in MCCL. If there is no machine file, or it
-has only `controller` and `run` keys, every input may change, and there is no warning for inputs.
+an axis at rest, or an input that no entry of the machine file drives. The wait ends at once or never; an input that
+nothing drives is off, so a wait for off is no mistake. The warning also covers a While or Repeat that only polls such
+an input, and WN in MCCL. If there is no machine file, or it has only `controller` and `run` keys, every input may
+change, and there is no warning for inputs.
 
 Two more waits never end. One is for standstill while the axis jogs and nothing stops it: no input, limit, error or
 handler of the program, and no machine file. The other is for a position that no move so far leads to, such as
