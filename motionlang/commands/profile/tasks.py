@@ -8,7 +8,7 @@ without effect were skipped. A handler is never ready: the time between its call
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import fsum
@@ -124,7 +124,7 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
             begin, end, lived = life.begin, life.end, life.lived
             if life.since is not None:
                 end, lived = over, lived + over - life.since
-        causes = _by_cause(waits.get(name, []), end)
+        causes = _by_cause(run, waits.get(name, []), end)
         rest = max(fsum((lived, *(-time for time in causes.values()))), 0.0)
         computing = fsum(computed.get(name, ()))
         if name == parent:
@@ -137,13 +137,24 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     return made
 
 
-def _by_cause(waits: list[Wait], end: float) -> dict[str, float]:
+def _by_cause(run: Run, waits: list[Wait], end: float) -> dict[str, float]:
     """Return for how long a task waited for each cause, until its end."""
     times: dict[str, list[float]] = defaultdict(list)
-    for _, _, since, until, cause, _, _, _ in reported(waits):
+    statements = run.program.structure.statements if run.program is not None else {}
+    for _, at, since, until, cause, axes, _, _ in reported(waits):
         if since < end:
-            times[cause].append((until if until < end else end) - since)
+            statement = statements.get(at) if cause == "condition" else None
+            if statement is not None and statement.waits:
+                cause, axes = statement.waits, statement.what
+            times[_named(cause, axes)].append((until if until < end else end) - since)
     return {cause: fsum(each) for cause, each in times.items()}
+
+
+def _named(cause: str, axes: Sequence[int]) -> str:
+    """Return a cause as it is shown, with its axes if there are any."""
+    if cause != "axis" or not axes:
+        return cause
+    return f"{'axis' if len(axes) == 1 else 'axes'} {' and '.join(map(str, axes))}"
 
 
 def _within(waits: list[Wait], phases: list[tuple[float, float]]) -> float:

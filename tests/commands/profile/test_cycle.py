@@ -224,7 +224,7 @@ def test_a_task_lives_from_its_start_to_its_end() -> None:
         "ParentTask": (0.0, 0.3, {"time": 0.3}),
         "brief": (0.05, 0.15, {"time": 0.1}),
         "quick": (0.05, 0.07, {}),
-        "patient": (0.05, 0.3, {"time": 0.02, "condition": 0.23}),
+        "patient": (0.05, 0.3, {"time": 0.02, "input": 0.23}),
     }
     assert list(found) == list(expected)
     for name, (begin, end, waiting) in expected.items():

@@ -280,7 +280,7 @@ def test_tasks_that_poll_wait() -> None:
     assert by_name(made.lines())["3"] == pytest.approx(2.1, abs=2e-3)
     parent, feed = made.tasks
     assert parent.waiting["task"] == pytest.approx(2.1, abs=5e-3)
-    assert feed.waiting["axis"] == pytest.approx(2.1, abs=5e-3)
+    assert feed.waiting["axis 0"] == pytest.approx(2.1, abs=5e-3)
     for task in made.tasks:
         assert fsum((*task.waiting.values(), task.computing, task.ready)) == pytest.approx(
             task.life, abs=1e-9
