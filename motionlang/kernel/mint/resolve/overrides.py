@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Mapping
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.mint.keywords import table
+from motionlang.kernel.mint.resolve.literals import literals
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import replace, walk
 from motionlang.kernel.tools import nearest
@@ -27,7 +28,9 @@ def override(
         _replace(body, wanted, done, names)
     missing = [name for name in (*overrides, *(given or ())) if name.lower() not in done]
     if missing:
-        raise ProgramError([_unknown(name, names) for name in missing])
+        bases = dict.fromkeys(each.base.partition("[")[0] for each in literals(module))
+        words = [base for base in bases if table().get(base) is not None]
+        raise ProgramError([_unknown(name, names, words) for name in missing])
 
 
 def override_literals(module: nodes.Module, values: Mapping[int, float | str]) -> None:
@@ -58,12 +61,13 @@ def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]
         _replace(module.body, wanted, set(), [])
 
 
-def _unknown(name: str, names: list[str]) -> Diagnostic:
+def _unknown(name: str, names: list[str], words: list[str]) -> Diagnostic:
+    """Return the error for a name that is none of `names`; the program writes literals to the keywords `words`."""
     row = table().get(name)
     if row is not None:
         hint = f"{row.name} is a keyword; vary a constant or variable of the program instead"
         return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
-    near = nearest(name, names)
+    near = nearest(name, [*names, *words])
     has = f"the names of the program are {', '.join(names)}" if names else "the program declares no names"
     hint = f"did you mean {near}?" if near else has
     return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)

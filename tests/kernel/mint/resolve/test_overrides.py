@@ -46,6 +46,8 @@ def test_the_first_value_of_a_name_is_replaced(text: str, values: dict[str, floa
         ("PRINT 1", "width", "the program declares no names"),
         ("Dim a(2) As Integer = 1, 2\nDim b(2) As Integer", "a", "the program declares no names"),
         ("SPEED = 5", "n", "the program declares no names"),
+        ("SPEED(0, 1) = 5, 6 : WAIT = 3", "SPED", "did you mean SPEED?"),
+        ("spd = 5 : SPEED(0) = spd", "spdd", "did you mean spd?"),
         ("n = n + 1", "n", "the program declares no names"),
     ],
 )
