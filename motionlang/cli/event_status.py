@@ -15,6 +15,8 @@ ALLOWED = {
     "following-error": ("following error",),
     "fault": ("fault", "abort", "e-stop"),
 }
+# The axes of each message, by what is before and after them.
+Found = dict[tuple[str, str], list[int | None]]
 # Faults that are ignored if the program handles them; others always count.
 _HANDLED = ALLOWED["fault"]
 
@@ -35,8 +37,7 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
             handled[axis] = index
     kinds = {kind for name, kinds in ALLOWED.items() if name not in allowed for kind in kinds}
     seen: set[tuple[str, int | None]] = set()
-    # The axes of each message, by what is before and after them.
-    found: dict[tuple[str, str], list[int | None]] = {}
+    found: Found = {}
     for index, (time, kind, axis, _, _, at, ordered, text) in enumerate(events):
         if kind not in kinds or (kind, axis) in seen or text == HOMING:
             continue
@@ -51,5 +52,17 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
         found.setdefault((f"{where}: {kind}", after), []).append(axis)
     return [
         f"{before} on {'axes' if len(axes) > 1 else 'axis'} {', '.join(map(str, axes))} {after}"
-        for (before, after), axes in found.items()
+        for (before, after), axes in _without_idle(found, run).items()
     ]
+
+
+def _without_idle(found: Found, run: Run) -> Found:
+    """Return the messages without the axes that ABORT has stopped and that never moved, if others moved."""
+    aborts = [key for key in found if key[0].endswith(": abort")]
+    if not aborts:
+        return found
+    moved = {move.axis for move in run.machine.log.moves}
+    if moved.isdisjoint(axis for key in aborts for axis in found[key]):
+        return found
+    rest: Found = {key: [axis for axis in found[key] if axis in moved] for key in aborts}
+    return {key: axes for key, axes in {**found, **rest}.items() if axes}

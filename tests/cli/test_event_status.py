@@ -20,8 +20,8 @@ def event(
 
 
 def run(*events: tuple[object, ...]) -> Any:
-    """Return a run with events; the line of an offset is a tenth of it."""
-    log = SimpleNamespace(events=list(events))
+    """Return a run with events, in which axes 0 and 5 moved; the line of an offset is a tenth of it."""
+    log = SimpleNamespace(events=list(events), moves=[SimpleNamespace(axis=axis) for axis in (0, 5)])
     language = SimpleNamespace(locate=lambda source, at: (1 + at // 10, 1))
     return SimpleNamespace(machine=SimpleNamespace(log=log), dialect=language, source=Source("a.mnt", ""))
 
@@ -57,6 +57,10 @@ RUNS: tuple[tuple[list[tuple[object, ...]], frozenset[str], list[str]], ...] = (
     ([event("limit"), event("limit", 2), event("limit", 1, text="else")], NONE,
      [LIMIT.replace("axis 0", "axes 0, 2"), LIMIT.replace("axis 0", "axis 1").replace("why", "else")]),
     ([event("limit", text="")], NONE, [LIMIT.replace(" (why)", "")]),
+    # ABORT is an error of every axis; the message names those that moved, if any did.
+    ([event("abort"), event("abort", 1, at=25), event("abort", 5, at=25)], NONE,
+     [FAULT.replace("fault", "abort", 1), FAULT.replace("a.mnt: fault on axis 0", "a.mnt:3: abort on axis 5", 1)]),
+    ([event("abort", 1), event("abort", 2)], NONE, [FAULT.replace("fault on axis 0", "abort on axes 1, 2", 1)]),
     # A homing looks for its limit.
     ([event("limit", text=HOMING)], NONE, []),
 )  # fmt: skip
