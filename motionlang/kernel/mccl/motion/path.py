@@ -60,6 +60,8 @@ class Path:
         self.sweep: float | None = None
         self.radius: float | None = None
         self.distance: float | None = None
+        # True once a command of the description was rejected.
+        self.is_refused = False
 
     def end_of(self, axis: AxisState) -> float:
         """Return the position of the axis before this path, counts."""
@@ -93,6 +95,8 @@ class Path:
         """Queue the complete path; raise Fault if it is invalid."""
         board = task.board
         axes = [board.axes[number] for number in sorted({*self.targets, *self.center})]
+        if not axes and self.is_refused:
+            return
         if not axes:
             raise Fault(
                 codes.PARAMETER,

@@ -178,6 +178,8 @@ class CommandTask(StepTask):
 
     def refused(self, trouble: Fault | Rejected) -> bool:
         """Answer a rejected command; return True if the rest of the line is to be skipped."""
+        if self.path_open is not None:
+            self.path_open.is_refused = True
         return self.board.refused(self, trouble)
 
     def close_path(self) -> None:
