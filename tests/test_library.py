@@ -86,10 +86,17 @@ def test_every_function_is_called_here() -> None:
 
 
 def test_every_name_has_a_docstring_and_is_in_dir() -> None:
+    assert dir(motionlang) == sorted(motionlang.__all__)
     for name in motionlang.__all__:
-        assert name in dir(motionlang)
         if name != "__version__":
             assert inspect.getdoc(getattr(motionlang, name)), name
+
+
+def test_the_text_of_a_program_error_has_its_lines() -> None:
+    with pytest.raises(motionlang.ProgramError) as raised:
+        motionlang.parse("PRINT 1\nIf x\nPRINT )", "mint")
+    assert str(raised.value).startswith("line 2: `If` is never closed; ")
+    assert "; line 3: " in str(raised.value)
 
 
 @pytest.mark.parametrize("name", sorted(CALLS.keys() - PLAIN))

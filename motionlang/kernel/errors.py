@@ -182,7 +182,9 @@ class ProgramError(Exception):
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
-        super().__init__("; ".join(d.message for d in self.diagnostics))
+        super().__init__(
+            "; ".join(f"line {d.line}: {d.message}" if d.line else d.message for d in self.diagnostics)
+        )
 
     @classmethod
     def of(cls, code: str, message: str, line: int = 0, column: int = 0, hint: str = "") -> ProgramError:

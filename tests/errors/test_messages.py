@@ -31,7 +31,7 @@ def test_the_errors_of_a_program_are_in_the_order_of_its_text() -> None:
     positions = [(3, 1), (1, 7), (1, 2)]
     error = ProgramError(Diagnostic("syntax", f"at {at}", *at) for at in positions)
     assert [(each.line, each.column) for each in error.diagnostics] == [(1, 2), (1, 7), (3, 1)]
-    assert str(error) == "at (1, 2); at (1, 7); at (3, 1)"
+    assert str(error) == "line 1: at (1, 2); line 1: at (1, 7); line 3: at (3, 1)"
 
 
 def test_a_signal_has_the_exit_status_of_a_shell() -> None:
