@@ -35,8 +35,10 @@ class Waits:
     def space_wait(self, axes: tuple[int, ...]) -> Wait:
         """Return the wait of a move until the buffers of all its axes have space."""
         room = self.controller.room
-        names = ", ".join(map(str, axes))
-        buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
+        buffers = f"move buffer of axis {axes[0]}"
+        if len(axes) > 1:
+            names = [f"{axis} ({f'{room(axis)} free' if room(axis) > 0 else 'full'})" for axis in axes]
+            buffers = f"move buffers of axes {', '.join(names)}"
         self.controller.log.note(self.clock.now, "buffer full", axes[0], text=f"space in the {buffers}")
         return Wait(
             self.clock.now,
