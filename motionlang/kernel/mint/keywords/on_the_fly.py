@@ -38,10 +38,12 @@ _SUSPEND = Actions(
 
 ROWS = (
     Keyword("INCR", "", "setting", "W", "axis", "uu", Actions(write=of_word(Environment, write_by)),
-            "Let the move in progress end some distance further on; an axis at rest begins a move. No GO is needed.",
+            "Let the move in progress end some distance further on; the moves behind it keep their ends. At rest it "
+            "begins a move without GO, in any other motion it is rejected.",
             "INCR(0) = 10\nINCR(0) = 5\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="act"),
     Keyword("INCA", "", "setting", "W", "axis", "uu", Actions(write=of_word(Environment, write_to)),
-            "Let the move in progress end at a position; an axis at rest begins a move. No GO is needed.",
+            "Let the move in progress end at a position; the moves behind it keep their ends. At rest it begins a "
+            "move without GO, in any other motion it is rejected.",
             "INCA(0) = 10\nINCA(0) = 5\nPAUSE IDLE(0)\nPRINT POS(0)", group="motion", effect="act"),
     Keyword("SUSPEND", "", "setting", "RW", "axis", "bool", _SUSPEND,
             "1 ramps the axis to rest and keeps its moves, 0 goes on with them.",
