@@ -21,11 +21,11 @@ from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.scenarios import Scenario, unmet
-from motionlang.commands.verify.further import expectations, further_checks
+from motionlang.commands.verify.further import expectations, further_checks, further_files
 from motionlang.commands.verify.log import verify_log
 from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel import ProgramError, Run, Source, dialect_of, machine_of, run
+from motionlang.kernel import ProgramError, Run, Source, dialect_of, machine_of, run, settings_next_to
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
 
@@ -45,7 +45,8 @@ class Verify(Jobs, Findings):
     epilog: ClassVar[str] = """\
 The golden files of pick.mnt are pick.golden.json, with its report, and
 pick.golden.txt, with its output. A log of calls, host.mcapi-log, must replay
-without a difference. A missing golden file is an error.
+without a difference. Without golden files, [[expect]] entries, scenarios and a
+sweep are checked; a program with nothing to check is an error.
 """
     paths: list[str] = argument(
         "PATH", "programs, or folders of programs; default: this folder", many=True, default=["."]
@@ -81,7 +82,8 @@ without a difference. A missing golden file is an error.
                         return 2
         if form == "text" and not self.quiet:
             good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
-            what = "have current golden files" if self.update else "match their golden files"
+            what = "match their golden files" if all(each.has_golden for each in verdicts) else "pass"
+            what = "have current golden files" if self.update else what
             sys.stdout.write(f"{good} {what}\n")
         elif form in ("json", "csv"):
             self.show(_document(verdicts), "")
@@ -155,10 +157,20 @@ def _verdicts_of(rewrite: bool, program: str) -> list[Verdict]:
 
 def _verify(verdict: Verdict) -> None:
     report, _ = golden_files(verdict.name)
-    if not os.path.exists(report):
-        verdict.fail(f"no {os.path.basename(report)} next to it; --update writes one")
+    is_golden = os.path.exists(report)
+    result = _ran(verdict) if is_golden or _expects(verdict.name) else None
+    if not is_golden:
+        missing = f"no {os.path.basename(report)} next to it"
+        checked = ["its [[expect]] entries"] * (result is not None) + further_files(verdict.name)
+        verdict.has_golden = not checked
+        if checked:
+            are = "is" if checked in (["1 scenario"], ["a sweep"]) else "are"
+            verdict.lines.append(f"{verdict.name}: {missing}; only {' and '.join(checked)} {are} checked")
+        elif not verdict.failed:
+            verdict.fail(f"{missing}; --update writes one")
+        if result is not None:
+            verdict.report(expectations(result))
         return
-    result = _ran(verdict)
     if result is None:
         return
     try:
@@ -172,6 +184,14 @@ def _verify(verdict: Verdict) -> None:
         verdict.report(expectations(result) + found)
         if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
             verdict.diagnostics, verdict.source = result.diagnostics, result.source
+
+
+def _expects(program: str) -> bool:
+    """True if the machine file of a program has [[expect]] entries, or cannot be read, which the run reports."""
+    try:
+        return bool(settings_next_to(program).get("expect"))
+    except (OSError, ProgramError):
+        return True
 
 
 def _update(verdict: Verdict) -> None:

@@ -17,6 +17,7 @@ from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import ProgramError, Run, Source
 from motionlang.kernel.files import replacing
+from motionlang.kernel.tools import count_of
 
 
 def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
@@ -29,6 +30,16 @@ def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]
     path = os.path.splitext(program)[0] + SWEEP_SUFFIX
     if only in ("", path) and os.path.isfile(path):
         found.append(_guarded(Verdict(path, "sweep"), _sweep, program, rewrite))
+    return found
+
+
+def further_files(program: str) -> list[str]:
+    """Return what is verified with a program, as text: its scenarios and its sweep."""
+    scenarios, found = len(scenario_files(program)), []
+    if scenarios:
+        found.append(count_of(scenarios, "scenario"))
+    if os.path.isfile(os.path.splitext(program)[0] + SWEEP_SUFFIX):
+        found.append("a sweep")
     return found
 
 

@@ -14,13 +14,14 @@ from motionlang.kernel import Diagnostic, Source
 class Verdict:
     """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
 
-    `kind` is "program", "scenario" or "sweep".
+    `kind` is "program", "scenario" or "sweep". `has_golden` is False for a program of which only expectations,
+    scenarios or a sweep are checked.
     """
 
     def __init__(self, name: str, kind: str = "program") -> None:
         self.name = self.path = name
         self.kind = kind
-        self.failed = False
+        self.failed, self.has_golden = False, True
         self.lines: list[str] = []
         self.diagnostics: list[Diagnostic] = []
         self.source: Source | None = None

@@ -237,7 +237,7 @@ answer = [
 status = "stopped"
 """
     )
-    assert cell("verify", "old.prg").out.endswith("2 of 2 scenarios match their golden files\n")
+    assert cell("verify", "old.prg").out.endswith("2 of 2 scenarios pass\n")
     assert "stopped after 0.90025 s by an INPUT without an answer" in cell("run", "old.prg").out
 
 
