@@ -74,11 +74,12 @@ def test_a_file_is_read_in_its_encoding(tmp_path: Path, data: bytes) -> None:
 def test_padding_of_a_disk_block_is_no_text(tmp_path: Path) -> None:
     path = tmp_path / "old.prg"
     path.write_bytes(b"x = 1\r\n\x1a" + bytes(120))
-    assert Source.read(path).text == "x = 1\n "
+    assert Source.read(path).text == "x = 1\n"
 
 
-def test_blanks_replace_form_feeds_and_marks_outside_strings() -> None:
-    assert Source("x.mnt", 'x\f = "a\f\x1a"\r\n\f"\x1a').text == 'x  = "a\f\x1a"\n " '
+def test_blanks_replace_form_feeds_outside_strings_and_a_mark_ends_the_text() -> None:
+    assert Source("x.mnt", 'x\f = "a\f\x1a"\r\n\f"\x1aold\r\n').text == 'x  = "a\f\x1a"\n "'
+    assert Source("x.mnt", "\x1aold").text == ""
 
 
 def test_every_offset_has_its_line_and_column() -> None:

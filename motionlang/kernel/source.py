@@ -62,16 +62,24 @@ def _utf16(data: bytes) -> str:
     return "utf-16-le" if odd else "utf-16-be"
 
 
-def _with_blanks(text: str) -> str:
-    """Replace form feeds and DOS end-of-file marks outside strings by blanks."""
-    return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
+def _as_listed(text: str) -> str:
+    """Return a text up to its DOS end-of-file mark, with blanks for form feeds; in strings both are kept."""
+    made, end = [], 0
+    for found in re.finditer(r'"[^"\n]*"|[\f\x1a]', text):
+        if found[0] == "\x1a":
+            return "".join([*made, text[end : found.start()]])
+        if found[0] == "\f":
+            made += [text[end : found.start()], " "]
+            end = found.end()
+    return "".join([*made, text[end:]])
 
 
 class Source:
     """`name` for messages and `text` with `\\n` line ends; nothing else of the file.
 
-    A form feed between two pages of a listing, and the end-of-file mark of DOS (0x1A), become blanks outside
-    strings. `before` is the number of lines that a session has typed before it.
+    Outside strings, a form feed between two pages of a listing becomes a blank, and the text ends at the end-of-file
+    mark of DOS (0x1A): what follows is the rest of the last sector. `before` is the number of lines that a session
+    has typed before it.
     """
 
     __slots__ = ("_ends", "_lines", "before", "name", "text")
@@ -81,7 +89,7 @@ class Source:
         if "\r" in text:
             text = text.replace("\r\n", "\n").replace("\r", "\n")
         if "\f" in text or "\x1a" in text:
-            text = _with_blanks(text)
+            text = _as_listed(text)
         self.text = text
         self._lines: list[str] | None = None
         self._ends: list[int] | None = None
