@@ -2,7 +2,8 @@
 
 The columns are position, velocity, time and relative. Positions are in counts, velocities in counts/s, times
 in whole milliseconds. An empty velocity means a linear segment. A file may omit all columns but the first.
-Lines that begin with # are comments.
+Lines that begin with # are comments. The separator is a tab, a semicolon, a comma or blanks, as the first line has it;
+if it is not a comma, a comma may be the decimal point, as a European spreadsheet saves it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.tools import nearest
 from motionlang.lab.pvt.points import Point
 
+SEPARATORS = ("\t", ";", ",", " ")
 COLUMNS = ("position", "velocity", "time", "relative")
 YES, NO = ("1", "yes", "true"), ("0", "no", "false", "")
 
@@ -35,10 +37,14 @@ def read_points(source: Source) -> Table:
     """
     table, wrong = Table(), list[Diagnostic]()
     names: tuple[str, ...] = ()
+    separator = ""
     for number, line in enumerate(source.text.split("\n"), 1):
         if not line.strip() or line.lstrip().startswith("#"):
             continue
-        cells = [cell.strip() for cell in next(csv.reader([line]))]
+        separator = separator or next((each for each in SEPARATORS if each in line.strip()), ",")
+        cells = _cells(line, separator)
+        if not cells[-1] and len(cells) == (len(names) or len(cells)) + bool(names):
+            cells.pop()  # the line ends with a separator
         if not names:
             names = _names(cells, number, wrong)
             if wrong:
@@ -54,6 +60,16 @@ def read_points(source: Source) -> Table:
     if wrong:
         raise ProgramError(wrong)
     return table
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    """Return the values of a line; a decimal comma becomes a point."""
+    cells = line.split() if separator == " " else next(csv.reader([line], delimiter=separator))
+    if separator != ",":
+        cells = [
+            cell.replace(",", ".") if cell.count(",") == 1 and "." not in cell else cell for cell in cells
+        ]
+    return [cell.strip() for cell in cells]
 
 
 def write_points(points: Sequence[Point]) -> list[str]:

@@ -50,6 +50,11 @@ def test_what_is_written_is_read_back(move: list[Point]) -> None:
         ("position,velocity,time\n0,0,10\n5,,0\n", [Point(0, 0, 0.01), Point(5, None, 0)]),
         ("0,0,10\n5,1.5,0", [Point(0, 0, 0.01), Point(5, 1.5, 0)]),
         ("time, position\n10, 7\n", [Point(7, None, 0.01)]),
+        # As a spreadsheet saves it: semicolons or tabs, decimal commas, a separator at the end of each line.
+        ("position;velocity;time\n0;0,5;10\n5;;0\n", [Point(0, 0.5, 0.01), Point(5, None, 0)]),
+        ("position;time;\n1000,5;10;\n2000;0;\n", [Point(1000.5, None, 0.01), Point(2000, None, 0)]),
+        ("position\tvelocity\ttime\n7\t1,5\t10\n", [Point(7, 1.5, 0.01)]),
+        ("7 1.5 10\n8 0 0\n", [Point(7, 1.5, 0.01), Point(8, 0, 0)]),
         ("# a comment\n\nPOSITION\n1\n2\n", [Point(1, None, 0), Point(2, None, 0)]),
         (
             "position,velocity,time,relative\n1,2,3,yes\n1,2,3,0",
