@@ -72,7 +72,7 @@ def configure(a: Axis, name: str, value: object) -> None:
     acts = a.move is not None and name in LIVE
     if acts and _is_in_force(a, name, value):
         return
-    if name == "override" and a.move is not None:
+    if name == "override" and any(_concerns(move, name) for move in a.entries):
         note(a, "override", float(value))  # type: ignore[arg-type]
     log = a.controller.log
     if getattr(a, name) != value:
