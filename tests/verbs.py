@@ -47,6 +47,7 @@ VERBS: dict[str, str] = {
     "move_to": "Move to a position now, replacing what the axis is doing.",
     "move_by": "Move by a distance from the present target now.",
     "retarget_to": "Let the move in progress end at a position.",
+    "require_idle": "Reject a command that needs the axis idle while it has a motion.",
     "retarget_by": "Let the move in progress end some distance further on.",
     "jog": "Run at a velocity until the next command.",
     "refer_speed": "Follow a speed reference: ramp to what is written.",

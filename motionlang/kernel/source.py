@@ -64,7 +64,7 @@ def _utf16(data: bytes) -> str:
 
 def _as_listed(text: str) -> str:
     """Return a text up to its DOS end-of-file mark, with blanks for form feeds; in strings both are kept."""
-    made, end = [], 0
+    made, end = list[str](), 0
     for found in re.finditer(r'"[^"\n]*"|[\f\x1a]', text):
         if found[0] == "\x1a":
             return "".join([*made, text[end : found.start()]])

@@ -46,6 +46,10 @@ class Controller(Readings):
         life.permit_motion(a)
         return a
 
+    def require_idle(self, axis: int, command: str) -> None:
+        """Raise Rejected for a command that needs the axis idle while it has a motion."""
+        life.require_idle(self.axes[axis], command)
+
     def _all(self, axes: Iterable[int]) -> list[Axis]:
         return [self.axes[axis] for axis in axes]
 

@@ -14,6 +14,7 @@ from motionlang.kernel.controller.io.samples import PERIOD
 from motionlang.kernel.controller.io.sensor import next_tick
 from motionlang.kernel.controller.motion.follow import FollowMove
 from motionlang.kernel.controller.motion.reference import Reference
+from motionlang.kernel.controller.queue.life import require_idle
 from motionlang.kernel.controller.queue.plan import rates
 from motionlang.kernel.controller.queue.stop import give_up
 from motionlang.kernel.errors import Rejected
@@ -94,8 +95,7 @@ class SampledVelocity(Reference):
 
 def track(a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int) -> SampledVelocity:
     """Let the function `decide` move an axis at standstill, from the next tick on."""
-    if a.move is not None:
-        raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
+    require_idle(a, command)
     rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")
     made = SampledVelocity(a, move, decide)

@@ -69,6 +69,17 @@ def permit_motion(a: Axis) -> None:
     close_loop(a)
 
 
+def require_idle(a: Axis, command: str) -> None:
+    """Raise Rejected for a command that needs the axis idle while it has a motion, even one that stands still."""
+    if not a.is_moving:
+        return
+    is_held = a.suspended and not a.velocity(a.clock.now)
+    if a.move is not None and (a.is_at_standstill or is_held):
+        words = f"axis {a.index} stands still, but {a.move.command} has not ended"
+        raise Rejected("moving", words, f"STOP({a.index}) ends it; {command} needs the axis idle")
+    raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
+
+
 def close_loop(a: Axis) -> None:
     """Close the loop of a simulated motor whose output was set manually."""
     if a.feedback is not None and a.enabled:

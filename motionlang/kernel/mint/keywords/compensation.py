@@ -42,8 +42,8 @@ class Compensation(Settings):
         Raises Rejected for a mode that lacks its data, and for a backlash setting while the axis moves. After a write
         to BACKLASH the motor is assumed to be at one end of the play, which the sign selects.
         """
-        if name in _AT_REST and not self.controller.is_idle(axis):
-            raise Rejected("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
+        if name in _AT_REST:
+            self.controller.require_idle(axis, name)
         before, previous = self.shift(axis), self._settings.get((name, axis))
         self._settings[name, axis] = value
         try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.kernel.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.kernel.controller.triggers.homing import HOME, LIMIT, STATES, Homing
-from motionlang.kernel.errors import Diagnostic, Rejected
+from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
@@ -52,8 +52,7 @@ class Homes(Settings):
 
     def begin(self, axis: int, kind: int, line: int) -> None:
         """HOME: start homing of a type."""
-        if not self.controller.is_idle(axis):
-            raise Rejected("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
+        self.controller.require_idle(axis, "HOME")
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
         provided = self._provided(axis, direction, switch, index, line)

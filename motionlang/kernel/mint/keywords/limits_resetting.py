@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import STOP_INPUT_MODE
@@ -44,8 +43,7 @@ def reset(environment: Environment, axis: int) -> None:
 def default(environment: Environment, axis: int) -> None:
     """Reset the settings to their power-up values; raise Rejected while in motion."""
     controller = environment.controller
-    if not controller.is_idle(axis):
-        raise Rejected("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
+    controller.require_idle(axis, "DEFAULT")
     controller.restore(axis)
     mint_settings(controller, axis)
     controller.set_scale(axis, 1.0)
