@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
+import re
 import socket
 import sys
 from typing import Any, BinaryIO
@@ -27,6 +28,7 @@ MAX_MESSAGE = 1 << 28
 # The longest line of a message's header.
 _MAX_HEADER = 4096
 _CHUNK = 1 << 16
+_LENGTH = re.compile(rb"[ \t]*content-length[ \t]*:[ \t]*(\d+)[ \t]*\r?\n", re.IGNORECASE)
 
 
 class Server(LanguageServer):
@@ -104,6 +106,12 @@ class Server(LanguageServer):
             writer.close()
 
 
+def _header(line: bytes) -> bytes:
+    """Return a line of a header; the length is in the only form that pygls reads, without blanks and in this case."""
+    found = _LENGTH.fullmatch(line)
+    return line if found is None else b"Content-Length: %b\r\n" % found[1]
+
+
 class Input:
     """A stream of messages that limits their size."""
 
@@ -112,7 +120,7 @@ class Input:
 
     def readline(self) -> bytes:
         """Return a line of a header, truncated to the limit."""
-        return self._stream.readline(_MAX_HEADER)
+        return _header(self._stream.readline(_MAX_HEADER))
 
     def read(self, count: int) -> bytes:
         """Return the body of a message.
@@ -134,7 +142,7 @@ class _Limited:
 
     async def readline(self) -> bytes:
         try:
-            return await self._reader.readline()
+            return _header(await self._reader.readline())
         except ValueError:  # longer than the reader's limit
             return b"\r"
 

@@ -340,6 +340,23 @@ def test_bytes_that_are_no_message_are_answered() -> None:
     assert served.end() == (1, "")
 
 
+def test_a_header_may_have_any_case_and_blanks() -> None:
+    served = Process()
+    names = (
+        b"content-length:%d",
+        b"CONTENT-LENGTH :\t%d ",
+        b"Content-Length:   %d",
+        b"Content-Type: x\r\nContent-length:%d",
+    )
+    for number, name in enumerate(names):
+        body = json.dumps({"jsonrpc": "2.0", "id": number, "method": "nothing"}).encode()
+        served.input.write(name % len(body) + b"\r\n\r\n" + body)
+        served.input.flush()
+        assert served.until(id=number)["error"]["code"] == -32002
+    served.notify("exit", None)
+    assert served.end() == (1, "")
+
+
 def test_a_server_at_a_port_ends_with_its_editor() -> None:
     served = Process("--tcp", "127.0.0.1:0")
     assert served.process.stderr is not None
