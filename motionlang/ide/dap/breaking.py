@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 from motionlang.ide.dap.arguments import Arguments
 from motionlang.ide.debug import moments
@@ -27,7 +29,7 @@ class Breaking:
 
     def _is_program(self, given: Arguments) -> bool:
         path = given.object("source").text("path", "")
-        return bool(path) and os.path.normcase(os.path.abspath(path)) == os.path.normcase(self._path)
+        return bool(path) and _real(path) == _real(self._path)
 
     def lines(self, given: Arguments) -> list[Body]:
         """Replace the line breakpoints."""
@@ -137,6 +139,16 @@ class Breaking:
         if not self._is_program(given):
             return []
         return [{"line": line - self._line} for line in self._debugger.lines if first <= line <= last]
+
+
+def _real(path: str) -> str:
+    """Return the path of a file without links, as a text to compare; `path` may be a URI."""
+    try:
+        if path.lower().startswith("file:"):
+            path = url2pathname(urlsplit(path).path)
+        return os.path.normcase(os.path.realpath(path))
+    except ValueError:  # a NUL, or brackets that are no host
+        return path
 
 
 def _unverified(text: str) -> dict[str, object]:

@@ -169,6 +169,25 @@ def test_hit_counts_and_log_points(client: Client, program: Path) -> None:
     assert client.scopes(event)["Variables"]["i"] == "3"
 
 
+def test_a_breakpoint_by_a_link_or_a_uri_is_one_of_the_program(client: Client, program: Path) -> None:
+    folder = program.parent / "a folder"
+    folder.mkdir()
+    (folder / "link.mnt").symlink_to(program)
+    client.launch(program)
+    for path in (
+        str(folder / "link.mnt"),
+        program.as_uri(),
+        (folder / "link.mnt").as_uri(),
+        str(folder / ".." / program.name),
+    ):
+        found = client.ask("setBreakpoints", source={"path": path}, breakpoints=[{"line": 9}])["breakpoints"]
+        assert found[0]["verified"], path
+    found = client.ask(
+        "setBreakpoints", source={"path": str(folder / "other.mnt")}, breakpoints=[{"line": 9}]
+    )
+    assert not found["breakpoints"][0]["verified"]
+
+
 def test_data_breakpoints_and_the_last_change(client: Client, program: Path) -> None:
     client.launch(program, stopOnEntry=True)
     client.begin()

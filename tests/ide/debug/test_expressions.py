@@ -166,6 +166,7 @@ def test_an_expression_has_a_largest_length_and_depth() -> None:
         ("> 3", [4, 5, 6]),
         ("<= 3", [1, 2, 3]),
         ("< 3", [1, 2]),
+        (">= 0", [1, 2, 3, 4, 5, 6]),
         ("% 3", [3, 6]),
         ("% 1", [1, 2, 3, 4, 5, 6]),
     ],
@@ -176,7 +177,9 @@ def test_the_hits_at_which_a_breakpoint_stops(text: str, wanted: list[int]) -> N
     assert breakpoint.is_counted == bool(text)
 
 
-@pytest.mark.parametrize("text", ["three", "% 0", "-1", "1234567890", "3 4"])
+@pytest.mark.parametrize(
+    "text", ["three", "% 0", "0", "= 0", "<= 0", "< 0", "< 1", "-1", "1234567890", "3 4"]
+)
 def test_a_hit_count_that_is_none(text: str) -> None:
     with pytest.raises(WrongExpression, match="is no hit count; write 5, >= 5 or % 5"):
         Breakpoint((1,), hits=text)
