@@ -58,6 +58,9 @@ CONSUMER_HEARTBEAT = 0x1016
 PDO_LENGTH, NO_HEARTBEAT = 0x8210, 0x8130
 # The error register: bit 0 for any error, bit 4 for communication.
 GENERIC, COMMUNICATION = 0x01, 0x10
+# SDO requests: the mask of the command, that of a block upload and of its later steps; the answer that aborts one.
+SDO_COMMAND, BLOCK_UPLOAD, BLOCK_STEP, SDO_ABORT = 0xE0, 0xA0, 0x03, 0x80
+INVALID_COMMAND = 0x05040001
 NOT_MAPPABLE, TOO_LONG, VALUE_RANGE = 0x06040041, 0x06040042, 0x06090030
 
 
@@ -143,6 +146,8 @@ class DriveNode(LocalNode):
         if self.now >= self._silent_at:
             self._silent_at = INFINITY
             self.objects.trip(NO_HEARTBEAT)
+            if self.nmt_state == OPERATIONAL:
+                self.nmt._state = PRE_OPERATIONAL  # without object 0x1029, CiA 301
         operational = self.nmt_state == OPERATIONAL
         if operational and self._nmt_state != OPERATIONAL:
             for each in self._sent:
@@ -240,9 +245,30 @@ class DriveNode(LocalNode):
             self._heartbeat_at, self._boot_at = INFINITY, self.now + BOOT_TIME
 
     def _on_request(self, can_id: int, data: bytearray, timestamp: float) -> None:
-        """Answer an SDO request, unless the node is stopped."""
-        if self.nmt_state != STOPPED:
-            self.sdo.on_request(can_id, data, timestamp)  # type: ignore[no-untyped-call]
+        """Answer an SDO request, unless the node is stopped.
+
+        A block upload is answered by a normal one, as far as the client allows that.
+        """
+        if self.nmt_state == STOPPED:
+            return
+        if len(data) == 8 and data[0] & SDO_COMMAND == BLOCK_UPLOAD and not self._may_switch(data):
+            answer = bytes([SDO_ABORT]) + bytes(data[1:4]) + INVALID_COMMAND.to_bytes(4, "little")
+            self.network.send_message(self.sdo.tx_cobid, answer)
+            return
+        self.sdo.on_request(can_id, data, timestamp)  # type: ignore[no-untyped-call]
+
+    def _may_switch(self, request: bytearray) -> bool:
+        """True if a block upload may become a normal one: its threshold (pst) is not below the size of the data.
+
+        CiA 301: a threshold of 0 forbids it. The upload of an object that cannot be read has its own abort.
+        """
+        if request[0] & BLOCK_STEP:
+            return False
+        try:
+            size = len(self.get_data(int.from_bytes(request[1:3], "little"), request[3], check_readable=True))
+        except (SdoAbortedError, KeyError):
+            return True
+        return size <= request[5]
 
     @property
     def _heartbeat_period(self) -> float:

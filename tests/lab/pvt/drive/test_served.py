@@ -129,6 +129,37 @@ def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
     assert bus.ask(1, 0x40, 0x01, 0x10)[4] == 0x11
 
 
+def test_a_master_that_dies_leaves_the_node_pre_operational(bus: Bus) -> None:
+    """Its heartbeat shows state 5, and 127 after the error; without object 0x1029, CiA 301 has no other behaviour."""
+    bus.send(0, 1, 1)
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50, 0)
+    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
+    bus.send(0x77F, 5)
+    assert dict(bus.until(0.095))[0x701] == b"\x05"
+    assert dict(bus.until(0.2))[0x701] == b"\x7f"
+
+
+@pytest.mark.parametrize(
+    ("request_", "answer"),
+    [
+        # A threshold of 0, or below the size of the name, does not allow a normal upload.
+        ((0xA0, 0x08, 0x10, 0, 127, 0, 0, 0), "8008100001000405"),
+        ((0xA4, 0x08, 0x10, 0, 127, 23, 0, 0), "8008100001000405"),
+        ((0xA0, 0x08, 0x10, 0, 127, 24, 0, 0), "4108100018000000"),
+        ((0xA0, 0x01, 0x10, 0, 127, 1, 0, 0), "4f01100000000000"),
+        # The later steps of a block upload that was not begun.
+        ((0xA3, 0, 0, 0, 0, 0, 0, 0), "8000000001000405"),
+        ((0xA2, 5, 127, 0, 0, 0, 0, 0), "80057f0001000405"),
+        # An object that the drive does not have.
+        ((0xA0, 0xFF, 0x5F, 0, 127, 0, 0, 0), "80ff5f0000000206"),
+    ],
+)
+def test_a_block_upload_becomes_a_normal_one_if_its_threshold_allows_it(
+    request_: tuple[int, ...], answer: str, bus: Bus
+) -> None:
+    assert bus.ask(1, *request_).hex() == answer
+
+
 def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
     """Object 0x1016:1 requires a heartbeat of node 0x7F at least every 100 ms.
 
@@ -143,6 +174,7 @@ def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
     assert 0x81 not in dict(bus.until(0.4895))
     assert dict(bus.until(0.49))[0x81] == b"\x30\x81\x11" + bytes(5)
     assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
+    bus.send(0, 1, 1)
     bus.send(0x201, 0x80, 0)
     assert dict(bus.until(0.7))[0x81] == bytes(8)
 
