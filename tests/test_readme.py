@@ -58,6 +58,8 @@ def test_a_picture_without_a_digest_is_noticed() -> None:
 def test_the_remembered_keywords_are_counted_as_on_the_page() -> None:
     page = (ROOT / "docs" / "fidelity.md").read_text(encoding="utf-8")
     table = page.partition("| source of the meaning |")[2].partition("\n\n")[0]
-    counts = {name: int(count) for name, count in re.findall(r"^\| ([a-z ,]+) \| (\d+) \|", table, re.MULTILINE)}
+    counts = {
+        name: int(count) for name, count in re.findall(r"^\| ([a-z ,]+) \| (\d+) \|", table, re.MULTILINE)
+    }
     sentence = f"Of {sum(counts.values())} simulated Mint keywords, {counts['memory, low confidence']} have"
     assert sentence in README.replace("\n", " ")

@@ -143,7 +143,9 @@ class World(Command):
         "the answer to the next INPUT, or, as PROMPT=TEXT, to one that asks PROMPT",
         many=True,
     )
-    keys_: list[str] = option("TEXT@S", "keys that the operator presses, such as R@0.5 or {Enter}@2", many=True)
+    keys_: list[str] = option(
+        "TEXT@S", "keys that the operator presses, such as R@0.5 or {Enter}@2", many=True
+    )
 
     def entries(self) -> dict[str, list[str]]:
         """Return what is given, by the parameters of `with_entries`."""
