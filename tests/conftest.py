@@ -88,7 +88,7 @@ def _prove_every_run() -> None:
     def proved(
         result: Run,
         compiled: Program,
-        until: float,
+        until: float | None,
         pace: Callable[[float], None] | None,
         outside: Outside | None,
     ) -> None:

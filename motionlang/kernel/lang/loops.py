@@ -204,7 +204,7 @@ class Loops:
             if not self._is_first:
                 return t, None  # one state for each time slice is enough
             self._is_first = False
-        self._find_futile(task, here)
+        self._find_futile(task, here, t)
         scheduler = self.machine.scheduler
         if scheduler is not None and scheduler.gives_up:
             if task.is_endless:
@@ -267,20 +267,21 @@ class Loops:
         others = [each.wait for each in self._tasks if each is not task]
         return self.world.has_slices and any(wait is None or not wait.ignores_data for wait in others)
 
-    def _find_futile(self, task: StepTask, here: int) -> None:
+    def _find_futile(self, task: StepTask, here: int, t: float) -> None:
         """Find out if an iteration of a task was like the one before, and only others can change that."""
         dependencies, acted = self.world.dependencies, self.world.acted()
         now = acted, here, id(task.steps), task.pc, task.context(), list(task.own)
-        notes, first = task.since
+        notes, first, began = task.since
         if (
             now == task.last_own
             and notes is not None
             and notes is dependencies.notes
             and task.futile_after != acted
-            and dependencies.until(self.machine.clock.now, notes[first:]) == INFINITY
+            and dependencies.until(began - CLOSE, notes[first:]) == INFINITY
         ):
             self._is_futile(task)
-        task.last_own, task.since = now, (dependencies.notes, len(dependencies.notes or ()))
+        task.last_own = now
+        task.since = dependencies.notes, len(dependencies.notes or ()), self.time.at(t)
 
     def _is_futile(self, task: StepTask) -> None:
         acted = self.world.acted()
@@ -340,7 +341,7 @@ class Loops:
             if dependencies.notes is None:
                 dependencies.notes = []
             self.task.notes = dependencies.notes
-            self.task.since = dependencies.notes, len(dependencies.notes)
+            self.task.since = dependencies.notes, len(dependencies.notes), self.time.at(now.t)
         for each in self._tasks:
             if each.notes is None:
                 each.notes = []

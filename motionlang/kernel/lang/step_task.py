@@ -83,9 +83,9 @@ class StepTask(Task):
         # The states at its jumps back, by their places, since the last action.
         self.met: dict[object, State] = {}
         self.met_after = -1, -1
-        # Its own state at the last checked jump back, and what it had read by then.
+        # Its own state at the last checked jump back, what it had read by then, and when that was.
         self.last_own: object = None
-        self.since: tuple[list[Note] | None, int] = None, 0
+        self.since: tuple[list[Note] | None, int, float] = None, 0, 0.0
         # Since when all its iterations are equal if nothing else acts, and after which actions.
         self.futile_since: float | None = None
         self.futile_after: object = None

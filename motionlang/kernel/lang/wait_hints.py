@@ -68,7 +68,8 @@ def what_ends(
     entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
     if options:
         # A key or a level is an example: the program may wait for another one.
-        verb = "changes" if {"key", "analogue"} & set(driven) else "ends" if len(options) == 1 else "end"
+        verb = "change" if {"key", "analogue"} & set(driven) else "end"
+        verb += "s" * (len(options) == 1)
         return f"{' '.join(options)} {verb} it, as does {entries} of the machine file"
     if any("." in each for each in driven):
         for axis in (int(each.split(".")[1]) for each in driven if each.startswith("axis.")):
