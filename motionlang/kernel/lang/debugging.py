@@ -78,6 +78,9 @@ class Hook:
             self.stop(task, time, offset)
         return self.count >= self.round_at
 
+    def compared(self, left: object, right: object) -> None:
+        """Take note of both sides of a comparison of the statement that has begun last."""
+
 
 class Observer(Protocol):
     """An observer of the steps that a run takes.

@@ -22,7 +22,7 @@ class Channels:
     true if it is on.
     """
 
-    __slots__ = ("_clock", "_values", "_where", "active_low", "changes", "listeners")
+    __slots__ = ("_clock", "_values", "_where", "active_low", "changes", "listeners", "observer")
 
     def __init__(
         self,
@@ -34,8 +34,12 @@ class Channels:
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
         self.listeners: list[Callable[[int, float], None]] = []
+        # Called with each channel that is read; None if that is not observed.
+        self.observer: Callable[[int], None] | None = None
 
     def __getitem__(self, channel: int) -> float:
+        if self.observer is not None:
+            self.observer(channel)
         return self._values.get(channel, 0)
 
     def __setitem__(self, channel: int, value: float) -> None:
@@ -83,6 +87,8 @@ class Channels:
 
     def inverted(self, channel: int) -> bool:
         """Convert a channel's level to its logical state, or vice versa."""
+        if self.observer is not None:
+            self.observer(channel)
         return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
 
     def set_active_low(self, channels: Iterable[int]) -> None:

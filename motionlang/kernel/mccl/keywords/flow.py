@@ -106,6 +106,8 @@ def _if(condition: Condition) -> Action:
             value = task.value(command)
             task.tested(command, is_bit=False)
             task.board.loops.compared(task.registers[0] - value)
+            if task.hook is not None:
+                task.hook.compared(task.registers[0], value)
             return condition(task.registers[0], value)
 
         skip_unless(line, test)

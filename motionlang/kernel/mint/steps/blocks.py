@@ -27,7 +27,7 @@ from motionlang.kernel.lang.steps import (
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.unit import UnitWriter
-from motionlang.kernel.mint.steps.values import COMPARISONS, Get, Value, arithmetic, combined
+from motionlang.kernel.mint.steps.values import Get, Value, arithmetic, combined, comparison
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import is_stop
 
@@ -97,9 +97,10 @@ def _any(tests: list[Get]) -> Get:
 def _case_test(w: UnitWriter, test: nodes.CaseTest, chosen: int) -> Get:
     low = expressions.value(w, test.value).get
     if test.high is not None:
-        high = expressions.value(w, test.high).get
-        return lambda values: low(values) <= values[chosen] <= high(values)
-    compare = COMPARISONS[test.op]
+        high, at_least = expressions.value(w, test.high).get, comparison(">=", w.program.report)
+        at_most = comparison("<=", w.program.report)
+        return lambda values: at_least(values[chosen], low(values)) and at_most(values[chosen], high(values))
+    compare = comparison(test.op, w.program.report)
     return lambda values: compare(values[chosen], low(values))
 
 

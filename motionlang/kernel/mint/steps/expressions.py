@@ -269,7 +269,7 @@ def _of_two(w: UnitWriter, op: str, left: Value, right: Value) -> Value:
     is_test = op in COMPARISONS and left.solved is None and right.solved is None
     if STRING in (left.type, right.type) or not (is_sum or is_test):
         w.nonlinear |= left.sum_of | right.sum_of
-    return combined(op, left, right, w.program.environment.loops.compared)
+    return combined(op, left, right, w.program.environment.loops.compared, w.program.report)
 
 
 def _either(w: UnitWriter, op: str, left: nodes.Expr, right: nodes.Expr) -> Value:

@@ -51,6 +51,9 @@ class ProgramWriter:
         self.names, self.environment, self.line = names, environment, line
         self.given = {name.lower(): value for name, value in given.items()}
         self.is_debug = is_debug
+        hook = environment.machine.hook
+        # What a debug build calls with both sides of each comparison.
+        self.report = hook.compared if is_debug and hook is not None else None
         self.places = environment.places
         self.is_guarded = handles(names, "onerror")
         self.show_float = shows_float(environment.machine)

@@ -24,6 +24,8 @@ Get = Callable[[Values], Any]
 # What a reading is compared with: a level, or (distance, centre) for the absolute value of a difference.
 Level = float | tuple[float, float]
 Solved = Callable[[Values, Any], Any]
+# What a debug build calls with both sides of a comparison.
+Report = Callable[[Any, Any], object]
 
 COMPARISONS: dict[str, Callable[[Any, Any], bool]] = {
     "=": operator.eq,
@@ -101,10 +103,12 @@ def as_integer(found: Value) -> Get:
 # ---------------------------------------------------------------------------------------------------- operators
 
 
-def combined(op: str, left: Value, right: Value, compare: Callable[[float], None]) -> Value:
-    """Return `left op right`; `compare` is told the margin of each comparison of numbers."""
+def combined(
+    op: str, left: Value, right: Value, compare: Callable[[float], None], report: Report | None = None
+) -> Value:
+    """Return `left op right`; `compare` is told the margin of each comparison of numbers, `report` both sides."""
     if op in COMPARISONS:
-        return _compared(COMPARISONS[op], left, right, compare)
+        return _compared(comparison(op, report), left, right, compare)
     if STRING in (left.type, right.type):
         first, second = left.get, right.get
         return Value(lambda values: first(values) + second(values), STRING)
@@ -113,6 +117,19 @@ def combined(op: str, left: Value, right: Value, compare: Callable[[float], None
     if op in ARITHMETIC:
         return arithmetic(op, left, right)
     return _operation(op, left, right)
+
+
+def comparison(op: str, report: Report | None) -> Callable[[Any, Any], bool]:
+    """Return the function of a comparison; a debug build reports its sides."""
+    compare = COMPARISONS[op]
+    if report is None:
+        return compare
+
+    def reported(left: Any, right: Any) -> bool:
+        report(left, right)
+        return compare(left, right)
+
+    return reported
 
 
 def _compared(
