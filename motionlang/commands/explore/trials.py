@@ -1,0 +1,226 @@
+"""Runs of one program in a changing world: each has a timeline of changes, and records what its tasks did."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+from math import inf
+from typing import NamedTuple
+
+from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, run
+
+# A trial lasts until so long after its last change, s, and longer while an axis is on its way to an end.
+HORIZON, MAX_HORIZON, LONGER = 12.0, 200.0, 3.0
+# An axis that was on its way so short before the end of a trial still moves, s.
+GAP = 0.25
+# A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
+MAX_STATEMENTS, MAX_REPEATED = 300_000, 20_000
+# The changes of the world, by the table of the machine file: the key of the number, and that of the value.
+TABLES = {
+    "input": ("channel", "value"),
+    "analogue": ("channel", "value"),
+    "comms": ("element", "value"),
+    "key": ("", "text"),
+}
+# Where the name of a task would be, in a record of what handlers do.
+HANDLERS = "!"
+
+
+class Change(NamedTuple):
+    """A change of the world: an input, an analogue input, an element of the comms array, or a key.
+
+    A key has the number 0, and its text as the value.
+    """
+
+    table: str
+    number: int
+    value: float | str
+
+    def __str__(self) -> str:
+        if self.table == "input":
+            return f"input {self.number} {'on' if self.value else 'off'}"
+        if self.table == "key":
+            return "key Enter" if self.value == "\r" else f"key {self.value}"
+        assert isinstance(self.value, (int, float))
+        name = "analogue input" if self.table == "analogue" else self.table
+        return f"{name} {self.number} = {self.value:.10g}"
+
+
+# Changes with their times, in order.
+Timeline = tuple[tuple[float, Change], ...]
+
+
+class Begun(NamedTuple):
+    """A statement that began: its time, its source offset, and the offsets of the calls that led there."""
+
+    time: float
+    at: int
+    callers: tuple[int, ...]
+
+
+class Recorder(Hook):
+    """What the tasks of a run do from a time on: statements that begin, inputs that they read, comparisons."""
+
+    def __init__(self, since: float) -> None:
+        super().__init__(lambda task, time, offset: None)
+        self.since = since
+        self.statements: dict[str, list[Begun]] = defaultdict(list)
+        # By source offset: left and right side of each comparison, in order.
+        self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
+        # By source offset: the inputs that the statement there has read.
+        self.readings: dict[int, dict[int, None]] = defaultdict(dict)
+        self.seen: set[int] = set()
+        self._machine: Machine | None = None
+        self._at = -1
+        self._is_recorded = False
+        # The places since `since`, the moves so far, and the number of the last statement with something new.
+        self._places: set[int] = set()
+        self._moves = self._news = 0
+        # The calls of the last statement of each task: how many, the innermost one, and their offsets.
+        self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
+
+    def attach(self, machine: Machine) -> None:
+        """Watch a run that is about to begin on a machine."""
+        self._machine = machine
+        machine.controller.inputs.observer = self._reads
+
+    def _reads(self, channel: int) -> None:
+        if self._at >= 0:
+            self.readings[self._at][channel] = None
+
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        """Record a statement, and end the run if it only repeats."""
+        self.count += 1
+        self._at, self._is_recorded = offset, time >= self.since
+        assert self._machine is not None
+        scheduler = self._machine.scheduler
+        if not self._is_recorded:
+            self.seen.add(offset)
+            self._news = self.count
+            return False
+        assert scheduler is not None
+        name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
+        self.statements[name].append(Begun(time, offset, self._callers_of(task)))
+        if offset not in self._places or self._machine.moves_made != self._moves:
+            self._places.add(offset)
+            self.seen.add(offset)
+            self._moves, self._news = self._machine.moves_made, self.count
+        if self.count < MAX_STATEMENTS and self.count - self._news < MAX_REPEATED:
+            return False
+        scheduler.until = time
+        return True
+
+    def _callers_of(self, task: Task) -> tuple[int, ...]:
+        """Return the calls that lead to the present statement, worked out once for each call."""
+        calls = task.calls  # type: ignore[attr-defined]  # tasks of a program run on steps
+        if not calls:
+            return ()
+        depth, innermost, callers = self._callers.get(task.name, (0, None, ()))
+        if depth != len(calls) or innermost is not calls[-1]:
+            callers = task.stack[:-1]
+            self._callers[task.name] = len(calls), calls[-1], callers
+        return callers
+
+    def compared(self, left: object, right: object) -> None:
+        assert self._machine is not None
+        if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
+            self.comparisons[self._at].append((left, right))
+
+
+class Trial(NamedTuple):
+    """A run with a timeline, and what it did from `since` on."""
+
+    timeline: Timeline
+    since: float
+    run: Run
+    recorder: Recorder
+
+    @property
+    def is_stuck(self) -> bool:
+        """True if it ended because nothing could change any more."""
+        return any(each.code == "never" for each in self.run.diagnostics)
+
+    @property
+    def has_ended(self) -> bool:
+        """True if the program ended, or failed."""
+        return self.run.status in ("ended", "fault", "stopped") and not self.is_stuck
+
+
+class Trials:
+    """Runs of one program, a debug build; `base` are the settings that no change replaces."""
+
+    def __init__(self, program: Program, base: Mapping[str, object], most: int) -> None:
+        self.program, self.base, self.most = program.on(base), dict(base), most
+        self.count = 0
+        # The source offsets of all statements that any trial has begun.
+        self.seen: set[int] = set()
+
+    @property
+    def is_over(self) -> bool:
+        """True if the budget is used up."""
+        return self.count >= self.most
+
+    def play(self, timeline: Timeline, since: float) -> Trial:
+        """Run the program with a timeline, until nothing is on its way to an end any more."""
+        horizon = HORIZON
+        while True:
+            self.count += 1
+            recorder = Recorder(since)
+            result = run(
+                self.program,
+                machine=Checked({**self.base, **tables_of(timeline)}),
+                until=since + horizon,
+                hook=recorder,
+                begun=recorder.attach,
+            )
+            self.seen |= recorder.seen
+            trial = Trial(timeline, since, result, recorder)
+            if horizon >= MAX_HORIZON or not _is_busy(result):
+                return trial
+            horizon *= LONGER
+
+
+def tables_of(timeline: Timeline) -> dict[str, object]:
+    """Return the tables of a machine file with the changes of a timeline."""
+    tables: dict[str, list[dict[str, object]]] = defaultdict(list)
+    for time, change in timeline:
+        number, value = TABLES[change.table]
+        entry: dict[str, object] = {number: change.number} if number else {}
+        tables[change.table].append(entry | {"at": time, value: change.value})
+    return dict(tables)
+
+
+def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
+    """Return the levels of the inputs that a timeline has changed by a time."""
+    return {
+        change.number: float(change.value)
+        for at, change in timeline
+        if change.table == "input" and at <= time + 1e-9
+    }
+
+
+class Motion(NamedTuple):
+    """A move of a run to an end of its own: its times, s, and its line."""
+
+    begin: float
+    end: float
+    line: int
+
+
+def motions(result: Run) -> list[Motion]:
+    """Return the moves of a run that have an end of their own; a jog and a follower have none, a homing has."""
+    homes = result.dialect.table().homes
+    return [
+        Motion(move.start_time, move.start_time + move.profile.duration, move.line)
+        for move in result.machine.log.moves
+        if move.profile is not None
+        if move.profile.duration < inf and (move.profile.shape not in ENDLESS or homes(move.command))
+    ]
+
+
+# The shapes of profiles without an end of their own.
+ENDLESS = frozenset(("jog", "gear"))
+
+
+def _is_busy(result: Run) -> bool:
+    return result.status == "until" and any(each.end > result.time - GAP for each in motions(result))

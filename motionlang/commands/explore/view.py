@@ -1,0 +1,63 @@
+"""An exploration as text: a row for each transition, and the cycles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from motionlang.commands.explore import Cycle, Exploration, Node, RestState, Transition
+from motionlang.kernel import Program, dialect
+from motionlang.kernel.tools import count_of
+
+# So many cycles are shown, and so many acts of a transition.
+MAX_CYCLES, MAX_ACTS = 3, 8
+
+
+def exploration_text(found: Exploration, program: Program) -> str:
+    """Return the states of a program with their transitions, and its likeliest cycles."""
+    locate, source = dialect(program.language).locate, program.source
+    names = _Names(lambda at: locate(source, at)[0])
+    states = count_of(len(found.nodes) - 1, "state")
+    lines = [f"{source.name}: {states}, {count_of(found.trials, 'trial')}"]
+    for node in found.nodes:
+        lines += ["", names.head(node, source.line), *names.rows(node)]
+    if found.cycles:
+        lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in found.cycles[:MAX_CYCLES])]
+    return "\n".join(lines) + "\n"
+
+
+class _Names:
+    """Names of states by their lines."""
+
+    def __init__(self, line: Callable[[int], int]) -> None:
+        self._line = line
+
+    def of(self, state: RestState | None) -> str:
+        """Return the lines of a state, with those of the calls that lead there."""
+        if state is None:
+            return "power-up"
+        lines = ", ".join(map(str, sorted({self._line(at) for at in state.statements})))
+        calls = ", ".join(str(self._line(at)) for at in state.callers)
+        return f"{lines} called in {calls}" if calls else lines
+
+    def head(self, node: Node, text: Callable[[int], str]) -> str:
+        if node.state is None:
+            return "power-up"
+        first = min(self._line(at) for at in node.state.statements)
+        return f"waits in {self.of(node.state)}: {text(first).strip()}"
+
+    def rows(self, node: Node) -> Iterator[str]:
+        for each in node.transitions:
+            acts = ", ".join((*each.acts[:MAX_ACTS], *(["…"] if len(each.acts) > MAX_ACTS else [])))
+            target = "end" if each.target is None else self.of(each.target)
+            yield f"  {_causes(each)} → {target}, {each.seconds:.2f} s{': ' if acts else ''}{acts}"
+
+    def cycle(self, cycle: Cycle) -> str:
+        lines = ", ".join(map(str, dict.fromkeys(cycle.lines)))
+        steps = " → ".join(f"{self.of(each.source)} ({_causes(each)})" for each in cycle.transitions)
+        return f"{steps or 'work without a rest'}; lines {lines} move axes"
+
+
+def _causes(transition: Transition) -> str:
+    if not transition.causes:
+        return f"by itself after {transition.seconds:.2f} s" if transition.source is not None else "by itself"
+    return " and ".join(map(str, transition.causes))
