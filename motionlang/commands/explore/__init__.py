@@ -21,7 +21,10 @@ Without a choice are the switches of an axis that homes for ever, and the answer
 
 Cost. A run from power-up for each trial, at most `MAX_TRIALS`. The same program gives the same result.
 
-Not simulated yet: changes in the middle of a move, the joint state of several tasks, menus, and a world for a cycle.
+The world of the likeliest cycle is then described by simple rules (`world.py`).
+
+Not simulated yet: changes in the middle of a move, the joint state of several tasks, menus, and in the world of a cycle
+buttons, positions of axes, and the way on where a level is there already.
 """
 
 from __future__ import annotations
@@ -32,17 +35,22 @@ from typing import NamedTuple
 from motionlang.commands.explore.cycles import Cycle, cycles, working
 from motionlang.commands.explore.rests import RestState
 from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition
+from motionlang.commands.explore.world import World, world_of
 from motionlang.kernel import Program
 
-__all__ = ["Cycle", "Exploration", "Node", "RestState", "Transition", "explore"]
+__all__ = ["Cycle", "Exploration", "Node", "RestState", "Transition", "World", "explore"]
 
 
 class Exploration(NamedTuple):
-    """The states of a machine with their transitions, power-up first; its cycles, the likeliest first; the trials."""
+    """The states of a machine with their transitions, power-up first; its cycles, the likeliest first; the trials.
+
+    `world` is that of the first cycle, None without one.
+    """
 
     nodes: Sequence[Node]
     cycles: Sequence[Cycle]
     trials: int
+    world: World | None
 
 
 def explore(
@@ -52,4 +60,6 @@ def explore(
     explorer = Explorer(program, machine or {}, trials)
     explorer.explore()
     work = [found for trial, node in explorer.working if (found := working(trial, node)) is not None]
-    return Exploration(list(explorer.nodes.values()), cycles(explorer.nodes, work), explorer.trials.count)
+    likeliest, count = cycles(explorer.nodes, work), explorer.trials.count
+    world = world_of(explorer, likeliest[0]) if likeliest else None
+    return Exploration(list(explorer.nodes.values()), likeliest, count, world)

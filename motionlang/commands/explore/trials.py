@@ -179,6 +179,13 @@ class Trials:
                 return trial
             horizon *= LONGER
 
+    def run_in(self, tables: Mapping[str, object], until: float) -> Run:
+        """Run the program with some tables of the machine file up to a time."""
+        self.count += 1
+        recorder = Recorder(inf)
+        settings = Checked({**self.base, **tables})
+        return run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+
 
 def tables_of(timeline: Timeline) -> dict[str, object]:
     """Return the tables of a machine file with the changes of a timeline."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 
-from motionlang.commands.explore import Cycle, Exploration, Node, RestState, Transition
+from motionlang.commands.explore import Cycle, Exploration, Node, RestState, Transition, World
 from motionlang.kernel import Program, dialect
 from motionlang.kernel.tools import count_of
 
@@ -22,7 +23,22 @@ def exploration_text(found: Exploration, program: Program) -> str:
         lines += ["", names.head(node, source.line), *names.rows(node)]
     if found.cycles:
         lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in found.cycles[:MAX_CYCLES])]
+    if found.world is not None:
+        lines += ["", *_world(found.world)]
     return "\n".join(lines) + "\n"
+
+
+def _world(world: World) -> Iterator[str]:
+    """Yield the entries of a world in the form of a machine file, and how often lines then move an axis."""
+    lines = Counter(each.line for each in world.run.machine.log.moves)
+    counts = ", ".join(f"line {line} {count_of(count, 'move')}" for line, count in sorted(lines.items()))
+    yield f"the world of the first cycle: {counts} in {world.run.time:.2f} s"
+    for table, entries in world.settings.items():
+        assert isinstance(entries, list)
+        yield from (
+            f"  [[{table}]] {', '.join(f'{key} = {value!r}' for key, value in each.items())}"
+            for each in entries
+        )
 
 
 class _Names:

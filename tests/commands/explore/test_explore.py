@@ -31,3 +31,19 @@ def test_an_exploration_ends_when_its_trials_are_used_up() -> None:
     assert language is not None
     few = explore(language.program(Source.read(path), is_debug=True), trials=5)
     assert few.trials == 5
+
+
+@pytest.mark.slow
+def test_a_packer_of_the_gallery_runs_in_the_world_that_is_found() -> None:
+    """The carton follows the stop, the clamp its valve; guard, start button and row are on."""
+    source = Source.read(Path(__file__).parents[3] / "examples" / "old" / "packer.prg")
+    language = dialect_of(source.name)
+    assert language is not None
+    world = explore(language.program(source, is_debug=True)).world
+    assert world is not None
+    assert world.settings["input"] == [
+        {"channel": 0, "output": 1, "delay": 0.3},
+        {"channel": 1, "output": 0, "delay": 0.3},
+        *({"channel": channel, "at": 0.0} for channel in (2, 3, 4)),
+    ]
+    assert [line.split()[1] for line in world.run.output if line.startswith("carton")] == list("123456789")
