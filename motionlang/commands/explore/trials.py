@@ -162,14 +162,14 @@ class Trials:
 
     def play(self, timeline: Timeline, since: float) -> Trial:
         """Run the program with a timeline, until nothing is on its way to an end any more."""
-        horizon = HORIZON
+        horizon, last = HORIZON, max((at for at, _ in timeline), default=since)
         while True:
             self.count += 1
             recorder = Recorder(since)
             result = run(
                 self.program,
                 machine=Checked({**self.base, **tables_of(timeline)}),
-                until=since + horizon,
+                until=max(since, last) + horizon,
                 hook=recorder,
                 begun=recorder.attach,
             )

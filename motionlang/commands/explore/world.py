@@ -10,7 +10,7 @@ A rule holds if every axis makes the moves of the played run in the same order.
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Iterator, Mapping
 from math import inf
 from typing import NamedTuple
@@ -18,11 +18,11 @@ from typing import NamedTuple
 from motionlang.commands.explore.cycles import Cycle
 from motionlang.commands.explore.rests import Rest, RestState, rests
 from motionlang.commands.explore.search import DELAY, Causes, Explorer
-from motionlang.commands.explore.trials import Trial, levels_at, tables_of
+from motionlang.commands.explore.trials import Timeline, Trial, levels_at, tables_of
 from motionlang.kernel import Run
 
-# So often a cycle is played.
-TIMES = 5
+# So often a cycle is played, with so many changes that lead back to it.
+TIMES, EXTRA = 5, 3
 # A rest that is shorter than this, s, is over before a change comes.
 SHORT = DELAY + 0.02
 # What happens so close to the ends of a rest, s, led there or leads on.
@@ -46,20 +46,43 @@ def played(explorer: Explorer, cycle: Cycle) -> Trial:
     }
     timeline, at = cycle.timeline, explorer.nodes[cycle.states[0]].time if cycle.transitions else 0.0
     trial = explorer.play(timeline, 0.0)
-    for _ in range(TIMES * len(policy)):
-        found = next(_due(rests(trial), policy, at), None)
-        if found is None:
+    for _ in range(TIMES * len(policy) + EXTRA):
+        found = rests(trial)
+        due = next(_due(found, policy, at), None)
+        changes = () if due is None else _missing(policy[due.state], timeline)
+        if not changes:  # elsewhere, or the levels are there already: go round by other transitions
+            due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
+            changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
+        if due is None or not changes:
             return trial
-        time = round(max(found.begin, at) + DELAY, 4)
-        levels = levels_at(timeline, time)
-        changes = [
-            each
-            for each in policy[found.state]
-            if each.table != "input" or levels.get(each.number, 0.0) != each.value
-        ]
-        timeline, at = (*timeline, *((time, each) for each in changes)), time
+        at = round(max(due.begin, at) + DELAY, 4)
+        timeline = (*timeline, *((at, each) for each in changes))
         trial = explorer.play(timeline, 0.0)
     return trial
+
+
+def _missing(causes: Causes, timeline: Timeline) -> Causes:
+    """Return the changes of some that change anything at the end of a timeline."""
+    levels = levels_at(timeline, inf)
+    return tuple(
+        each for each in causes if each.table != "input" or levels.get(each.number, 0.0) != each.value
+    )
+
+
+def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | None, Causes]) -> Causes:
+    """Return the first changes on the shortest way from a state to one of a policy; none if there is no way."""
+    ways: deque[tuple[RestState, Causes]] = deque([(state, ())])
+    known = {state}
+    while ways:
+        here, first = ways.popleft()
+        for each in explorer.nodes[here].transitions:
+            if each.target is None or not each.causes or each.target in known:
+                continue
+            if each.target in policy:
+                return first or each.causes
+            known.add(each.target)
+            ways.append((each.target, first or each.causes))
+    return ()
 
 
 def _due(found: list[Rest], policy: Mapping[RestState | None, Causes], at: float) -> Iterator[Rest]:
