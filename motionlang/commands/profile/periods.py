@@ -1,6 +1,7 @@
 """The cycle of a machine: the times between the occurrences of something that a run repeats.
 
-    cycle(12)            a move that line 12 starts; without one, a wait, an output or a printed line of line 12
+    cycle(12)            a move that line 12 starts; without one, a wait, an output or a printed line of line 12;
+                         axes that start together start once
     cycle(output 3)      output 3 is switched on
     cycle(print placed)  a line with this text is printed
 
@@ -70,7 +71,10 @@ def _times(run: Run, line: str | None, output: str | None, text: str | None) -> 
     if text is not None:
         return [each.time for each in log.prints if text.strip() in each.text]
     number = int(line or 0)
-    found = ([time for at, time in _occurrences(run, name) if at == number] for name in STATEMENTS)
+    found = (
+        list(dict.fromkeys(time for at, time in _occurrences(run, name) if at == number))
+        for name in STATEMENTS
+    )
     return next((times for times in found if times), [])
 
 
