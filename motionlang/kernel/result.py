@@ -27,6 +27,7 @@ from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of, in_notebook
 
 if TYPE_CHECKING:
+    from motionlang.kernel.log.cycle import Cycle
     from motionlang.kernel.moves import Moves
     from motionlang.kernel.report_types import Report, ReportMove
     from motionlang.kernel.tracks.trace import Trace
@@ -97,6 +98,20 @@ class Run:
         from motionlang.kernel.report import moves
 
         return Moves(cast("list[ReportMove]", list(moves(self))), self)
+
+    @property
+    def cycle(self) -> Cycle | None:
+        """What the task that moves most repeats; None if it repeats nothing."""
+        from motionlang.kernel.log.cycle import cycle
+
+        if self.program is None:
+            return None
+        locate, table, source = self.dialect.locate, self.dialect.table(), self.source
+        owners = self.program.structure.owners()
+        has_ended = self.status == "ended"
+        return cycle(
+            self.machine.log, self.time, has_ended, lambda at: locate(source, at)[0], owners.get, table.homes
+        )
 
     @property
     def report(self) -> Report:

@@ -190,3 +190,21 @@ class Structure:
     def line(self, at: int) -> int:
         """Return the line of an offset."""
         return self.source.location(at)[0]
+
+    def owners(self) -> dict[int, str]:
+        """Return the lines that the program or a task carries out, each with the first of them that reaches it.
+
+        A line that only a handler reaches has none. A macro that nothing is known to start or call is of the program.
+        """
+        started = {name.lower() for each in self.statements.values() for name in each.starts}
+        macros = [unit for unit in self.units if unit.kind == "macro"]
+        tasks = [unit for unit in self.units if unit.kind in ("program", "task")]
+        tasks += [unit for unit in macros if unit.title.lower() in started]
+        found: dict[int, str] = {}
+        for unit in [*tasks, *macros]:
+            owner = unit.title if unit in tasks else tasks[0].title
+            for at in sorted({self.points[p].at for p in self.graph.reached(unit.entry)}):
+                statement = self.statements.get(at)
+                if statement is not None and not statement.is_silent:
+                    found.setdefault(statement.line, owner)
+        return found

@@ -137,6 +137,12 @@ class Moves(Records[Move]):
             yield _move(row, self.axes) if late is None else late
         yield from self._tail[max(first - self.packed, 0) : max(past - self.packed, 0)]
 
+    def rows(self) -> Iterator[MoveRow | Move]:
+        """Yield all moves, the older ones as they are stored, which have no profile."""
+        for number, row in enumerate(self._rows, self.first):
+            yield self._late.get(number, row)
+        yield from self._tail
+
     def number(self, move: Move) -> int:
         """Return the number of a move in progress."""
         for index in range(len(self._tail) - 1, -1, -1):

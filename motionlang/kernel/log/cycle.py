@@ -1,0 +1,448 @@
+"""The cycle of a run: what the task that moves most repeats.
+
+Problem. A machine repeats its work, and a run has nothing but a log. Which repetition is the cycle? Within it, others
+repeat: the pecks of a hole, the holes of a plate. A real machine varies: a part is rejected now and then, a layer has
+as many pieces as the data say, the first cycle differs, the end of the run cuts the last one off.
+
+Idea. The events of a task are its moves, outputs and prints in the order of the log; all axes that start at the same
+time are one event. What a statement does is a key. Each key could begin a cycle, and divides the log into blocks, from
+one occurrence to the next. What occurs in more than `USUAL` of its blocks is typical of it. A cycle covers the time
+that its typical keys take in the whole run, wherever they are; so blocks that differ need no rule of their own. What
+occurs twice in a cycle is in half of its own blocks only, and does not cover the rest.
+
+    log               A B C B C B C D   A B C B C B C D   A B C B C D
+    blocks of A       A B C B C B C D   A B C B C B C D                     typical: A B C D, covers all
+    blocks of B         B C, B C, B C D   A B C …                           typical: B C
+
+The one that covers most is the cycle. A shorter one takes its place if it leaves out little: at most a tenth of the
+time, and less than half of the axes and keys. If the longer one is regular, it leaves out less than a third of the
+keys, and occurs more than four times as often. Then the rest is an interruption, such as a rejected part or a full box,
+and not the work around some pecks.
+
+A move has its direction in its key, since a line may move an axis both ways, and a print its words. If these depend on
+data, so that the repetition covers less with them, they do not count.
+
+Invariants. Nothing depends on the order of a hash: keys are numbered in the order of the log. A cycle has a move that
+is no homing. The times of its name are those that `cycle(…)` of a quantity has.
+
+Cost. Each stream of the log is read once, from one end to the other. Keys that alternate have the same blocks, and one
+of them is tried; `MAX_TRIED` at most. So the work is linear in the length of the log.
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import fsum, isinf
+from statistics import median
+from typing import Any, NamedTuple
+
+from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.move import CONTINUED
+
+# A repetition occurs as often at least, so that two periods are known.
+MIN_OCCURRENCES = 3
+# The share of the blocks with what is typical of them; what occurs twice in a cycle may be in two of three.
+USUAL = 0.67
+# A shorter cycle covers as much of the time of a longer one, and has more of its axes; it is more frequent than so many
+# times, and has more of its keys, if the longer one is regular or not.
+MIN_TIME, MIN_AXES = 0.9, 0.5
+REGULAR, IRREGULAR = (4, 0.67), (1, 0.5)
+# The keys that are tried, those first that take the most time together with what alternates with them.
+MAX_TRIED = 32
+_FIGURE = re.compile(r"[-+]?\d")
+MOVE, OUTPUT, PRINT = "move", "output", "print"
+
+
+@dataclass(frozen=True, slots=True)
+class Cycle:
+    """The cycle of a run.
+
+    `period` is the median time from one to the next, s, `count` the number of whole ones. `lines` are those of its
+    moves, outputs and prints. `name` is a quantity such as "cycle(48)" or "cycle(print PART)", "" if nothing that has
+    such a name happens once in it.
+    """
+
+    name: str
+    period: float
+    count: int
+    lines: tuple[int, ...]
+
+    def __str__(self) -> str:
+        first, last = self.lines[0], self.lines[-1]
+        lines = f"line {first}" if first == last else f"lines {first} to {last}"
+        return f"{self.period:.5g} s, {self.count} times ({lines})" + (f", {self.name}" if self.name else "")
+
+
+class _Key(NamedTuple):
+    """What a statement does.
+
+    `what` are the command, axis and line of each of its moves, or kind, number and value of an output. `axes` are those
+    that it moves without homing them. `detail` are the directions of its moves, or the words of its print.
+    """
+
+    kind: str
+    what: tuple[Any, ...]
+    lines: tuple[int, ...]
+    axes: tuple[int, ...] = ()
+    detail: tuple[Any, ...] = ()
+
+
+class _Events:
+    """Events in the order of time: the numbers of their keys."""
+
+    __slots__ = ("numbers", "times")
+
+    def __init__(self) -> None:
+        self.times, self.numbers = array("d"), array("q")
+
+    def add(self, time: float, number: int) -> None:
+        """Append an event."""
+        self.times.append(time)
+        self.numbers.append(number)
+
+    def merged(self, other: _Events) -> _Events:
+        """Return these events and others; of simultaneous ones these are first."""
+        made, begin = _Events(), 0
+        for time, number in zip(other.times, other.numbers, strict=True):
+            end = bisect_right(self.times, time, begin)
+            made.times += self.times[begin:end]
+            made.numbers += self.numbers[begin:end]
+            made.times.append(time)
+            made.numbers.append(number)
+            begin = end
+        made.times += self.times[begin:]
+        made.numbers += self.numbers[begin:]
+        return made
+
+
+@dataclass(slots=True)
+class _Repetition:
+    """The repetition that a key begins.
+
+    `blocks` is the number of its blocks, `times` are those of the key. `typical` keys are in most blocks, `once` those
+    that are once in each; `covered` is the time that the typical ones take in the run. Most blocks of one that
+    `is_regular` have the same number of events.
+    """
+
+    key: int
+    blocks: int
+    times: array[float]
+    typical: frozenset[int]
+    once: frozenset[int]
+    covered: float
+    is_regular: bool
+
+
+def cycle(
+    log: Log,
+    end: float,
+    has_ended: bool,
+    line_of: Callable[[int], int],
+    owner: Callable[[int], str | None],
+    homes: Callable[[str], bool],
+) -> Cycle | None:
+    """Return the cycle of a run that ended at `end`, or was cut off there; None if it has none.
+
+    `line_of` returns the line of a source offset, `owner` the task that a line belongs to, None for a handler, and
+    `homes` is true for the commands that home an axis.
+    """
+    seen = _Seen(owner, line_of, homes)
+    moves = seen.moves(log)
+    task = max(moves, key=lambda each: seen.work(moves[each]), default="")
+    if not moves or seen.work(moves[task]) < MIN_OCCURRENCES:
+        return None
+    events = moves[task].merged(seen.outputs(log, task)).merged(seen.prints(log, task))
+    sequence = _Sequence(events, seen.keys, end)
+    found = sequence.cycle()
+    if found is None or sequence.share(found) < MIN_TIME:
+        coarse = sequence.without_details()
+        other = coarse.cycle()
+        if other is not None and (found is None or sequence.share(found) < MIN_TIME * coarse.share(other)):
+            sequence, found = coarse, other
+    return None if found is None else sequence.described(found, seen, has_ended)
+
+
+class _Seen:
+    """The keys of a log by number, and how often lines, outputs and texts occur in all tasks."""
+
+    def __init__(
+        self, owner: Callable[[int], str | None], line_of: Callable[[int], int], homes: Callable[[str], bool]
+    ) -> None:
+        self._owner, self._line_of, self._homes = owner, line_of, homes
+        self.keys: list[_Key] = []
+        self._numbers: dict[_Key, int] = {}
+        self._pairs: dict[tuple[int, int], int] = {}
+        self.lines: Counter[int] = Counter()
+        self.channels: Counter[int] = Counter()
+        self.texts: Counter[str] = Counter()
+
+    def _number(self, key: _Key) -> int:
+        found = self._numbers.setdefault(key, len(self.keys))
+        if found == len(self.keys):
+            self.keys.append(key)
+        return found
+
+    def moves(self, log: Log) -> dict[str, _Events]:
+        """Return the moves of each task."""
+        made: dict[str, _Events] = {}
+        targets: dict[int, float] = {}
+        zeros = [(time, axis) for time, axis, _ in reversed(log.zeros)]
+        continued: set[int] = set()
+        last: dict[int, float] = {}  # the time of the last move of each line
+        owners: dict[int, str | None] = {}
+        parts: dict[tuple[object, ...], int] = {}
+        for row in log.moves.rows():
+            axis, command, line, time = row.axis, row.command, row.line, row.start_time
+            goes_on = axis in continued
+            if row.ended == CONTINUED:
+                continued.add(axis)
+            elif goes_on:
+                continued.discard(axis)
+            while zeros and zeros[-1][0] <= time:
+                targets[zeros.pop()[1]] = 0.0  # an axis is at its new zero, or near it
+            before, target = targets.get(axis, 0.0), row.target
+            targets[axis] = target
+            if goes_on:
+                continue
+            if last.get(line) != time:
+                last[line] = time
+                self.lines[line] += 1
+            if line not in owners:
+                owners[line] = self._owner(line)
+            task = owners[line]
+            if task is None:
+                continue
+            # An endless motion has no target but a direction.
+            origin = target if isinf(before) else 0.0 if isinf(target) else before
+            direction = (target > origin) - (target < origin)
+            fields = command, axis, line, direction
+            part = parts.get(fields)
+            if part is None:
+                # A homing goes to and fro.
+                moved, direction = ((), 0) if self._homes(command) else ((axis,), direction)
+                what = command, axis, line
+                key = _Key(MOVE, (what,), (line,), moved, ((what, direction),))
+                part = parts[fields] = self._number(key)
+            events = made.setdefault(task, _Events())
+            if events.times and events.times[-1] == time:
+                events.numbers[-1] = self._joined(events.numbers[-1], part)
+            else:
+                events.add(time, part)
+        return made
+
+    def work(self, moves: _Events) -> int:
+        """Return how many moves are no homing."""
+        return sum(bool(self.keys[number].axes) for number in moves.numbers)
+
+    def _joined(self, number: int, part: int) -> int:
+        """Return the key of moves and another one that start at one time."""
+        found = self._pairs.get((number, part))
+        if found is None:
+            keys = self.keys[number], self.keys[part]
+            found = self._pairs[number, part] = self._number(
+                _Key(
+                    MOVE,
+                    tuple(sorted(each for key in keys for each in key.what)),
+                    tuple(sorted({line for key in keys for line in key.lines})),
+                    tuple(sorted({axis for key in keys for axis in key.axes})),
+                    tuple(sorted(each for key in keys for each in key.detail)),
+                )
+            )
+        return found
+
+    def outputs(self, log: Log, task: str) -> _Events:
+        """Return the outputs that a task switches."""
+        digital, analogue = _Events(), _Events()
+        known: dict[tuple[object, ...], int | None] = {}
+        for stream, made in ((log.outputs, digital), (log.analogue_outputs, analogue)):
+            is_digital = made is digital
+            for time, channel, value, at in stream:
+                if is_digital and value:
+                    self.channels[channel] += 1
+                fields = is_digital, channel, value if is_digital else None, at
+                if fields not in known:
+                    line = self._line_of(at) if at >= 0 else 0
+                    mine = at >= 0 and self._owner(line) == task
+                    known[fields] = self._number(_Key(OUTPUT, fields[:3], (line,))) if mine else None
+                number = known[fields]
+                if number is not None:
+                    made.add(time, number)
+        return digital.merged(analogue)
+
+    def prints(self, log: Log, task: str) -> _Events:
+        """Return the lines that a task prints."""
+        made = _Events()
+        lines: dict[int, int] = {}
+        known: dict[tuple[int, str], int] = {}
+        for time, text, at in log.prints:
+            self.texts[_FIGURE.sub("\0", text)] += 1
+            if at not in lines:
+                line = self._line_of(at) if at >= 0 else 0
+                lines[at] = line if at >= 0 and self._owner(line) == task else 0
+            if lines[at]:
+                words = at, _FIGURE.split(text, maxsplit=1)[0].strip()
+                if words not in known:
+                    known[words] = self._number(_Key(PRINT, (), (lines[at],), (), (words[1],)))
+                made.add(time, known[words])
+        return made
+
+    def name(self, key: _Key, count: int) -> str:
+        """Return the name of what occurs `count` times in a task; "" if it has none, or also occurs elsewhere."""
+        if key.kind == MOVE:
+            line = key.lines[0]
+            return f"cycle({line})" if len(key.lines) == 1 and line and self.lines[line] == count else ""
+        if key.kind == OUTPUT:
+            is_digital, channel, value = key.what
+            is_named = is_digital and value and self.channels[channel] == count
+            return f"cycle(output {channel})" if is_named else ""
+        words = str(key.detail[0]) if key.detail else ""
+        is_typed = len(words) > 1 and words.isprintable() and not set("()") & set(words)
+        times = sum(each for text, each in self.texts.items() if words in text) if is_typed else 0
+        return f"cycle(print {words})" if times == count else ""
+
+
+class _Sequence:
+    """The events of a task in the order of the log: times and keys."""
+
+    def __init__(self, events: _Events, keys: Sequence[_Key], end: float) -> None:
+        self.times, self.numbers, self.keys, self.end = events.times, events.numbers, keys, end
+        self.counts = Counter(self.numbers)
+        # The usual time from an event to the next, times the number of such events: a long wait does not count.
+        spans = {number: array("d") for number in self.counts}
+        following = self.times[1:]
+        following.append(end)
+        for number, before, after in zip(self.numbers, self.times, following, strict=True):
+            spans[number].append(after - before)
+        self.spans = {number: len(each) * median(each) for number, each in spans.items()}
+        self.total = fsum(self.spans.values())
+
+    def without_details(self) -> _Sequence:
+        """Return the sequence without the directions and words that vary."""
+        variants: dict[_Key, list[int]] = {}
+        for k in self.spans:
+            variants.setdefault(self.keys[k]._replace(detail=()), []).append(k)
+        keys = [plain if len(same) > 1 else self.keys[same[0]] for plain, same in variants.items()]
+        of = {k: number for number, same in enumerate(variants.values()) for k in same}
+        events = _Events()
+        events.times, events.numbers = self.times, array("q", [of[k] for k in self.numbers])
+        return _Sequence(events, keys, self.end)
+
+    def share(self, found: _Repetition) -> float:
+        """Return the share of the time of all events that a repetition covers."""
+        return found.covered / self.total if self.total else 1.0
+
+    def cycle(self) -> _Repetition | None:
+        """Return the repetition that covers most, or a shorter one in its place."""
+        found: dict[frozenset[int], _Repetition] = {}
+        for key in self._tried():
+            made = self._repetition(key)
+            if any(self.keys[k].axes for k in made.typical):
+                found.setdefault(made.typical, made)
+        if not found:
+            return None
+        best = max(found.values(), key=lambda each: (each.covered, len(each.typical)))
+        shorter = [each for each in found.values() if self._replaces(each, best)]
+        return max(shorter, key=lambda each: each.blocks, default=best)
+
+    def _replaces(self, short: _Repetition, long: _Repetition) -> bool:
+        """True if what a shorter repetition leaves out is no more than an interruption."""
+        rare, keys = REGULAR if long.is_regular else IRREGULAR
+        axes, all_axes = self._axes(short.typical), self._axes(long.typical)
+        return (
+            short.covered >= MIN_TIME * long.covered
+            and short.blocks > rare * long.blocks
+            and len(short.typical) > keys * len(long.typical)
+            and len(axes) > MIN_AXES * len(all_axes)
+        )
+
+    def _axes(self, typical: Iterable[int]) -> set[object]:
+        return {axis for k in typical for axis in self.keys[k].axes}
+
+    def _tried(self) -> list[int]:
+        """Return the first of each set of keys that alternate, in the order of the log."""
+        first: dict[int, int] = {}
+        second: dict[int, int] = {}
+        last: dict[int, int] = {}
+        for place, number in enumerate(self.numbers):
+            if number not in first:
+                first[number] = place
+            elif number not in second:
+                second[number] = place
+            last[number] = place
+        heads: dict[int, list[int]] = {}  # those with the same number of occurrences
+        spans: dict[int, float] = {}
+        for number, place in first.items():
+            count = self.counts[number]
+            if count < MIN_OCCURRENCES:
+                continue
+            # A later key is in no first block of what has already occurred twice.
+            same = heads[count] = [k for k in heads.get(count, ()) if place < second[k]]
+            head = next((k for k in same if last[number] > last[k]), None)
+            if head is None:
+                head = number
+                same.append(number)
+            spans[head] = spans.get(head, 0.0) + self.spans[number]
+        chosen = sorted(spans, key=lambda k: -spans[k])[:MAX_TRIED]
+        return sorted(chosen, key=lambda k: first[k])
+
+    def _repetition(self, key: int) -> _Repetition:
+        """Return the blocks of a key."""
+        block, times, starts = 0, array("d"), array("q")
+        seen, inside = [0] * len(self.keys), [0] * len(self.keys)
+        for place, number in enumerate(self.numbers):
+            if number == key:
+                block += 1
+                times.append(self.times[place])
+                starts.append(place)
+            if seen[number] != block:
+                seen[number] = block
+                inside[number] += 1
+        # The last block is cut off, by the end of the run or of what is repeated.
+        blocks = block - 1
+        inside = [count - (at == block) for count, at in zip(inside, seen, strict=True)]
+        typical = frozenset(k for k, count in enumerate(inside) if count > USUAL * blocks)
+        once = frozenset(k for k in typical if inside[k] == blocks and self.counts[k] <= blocks + 2)
+        covered = fsum(self.spans[k] for k in typical)
+        usual = Counter(_gaps(starts)).most_common(1)[0][1]
+        return _Repetition(key, blocks, times, typical, once, covered, usual > USUAL * blocks)
+
+    def described(self, found: _Repetition, seen: _Seen, has_ended: bool) -> Cycle:
+        """Return a repetition as a cycle, with the name of what happens once in it."""
+        kinds = (PRINT, MOVE, OUTPUT)
+        name, named = "", found.key
+        for k in sorted([found.key, *sorted(found.once)], key=lambda k: kinds.index(self.keys[k].kind)):
+            name = seen.name(self.keys[k], self.counts[k])
+            if name:
+                named = k
+                break
+        times = [time for time, number in zip(self.times, self.numbers, strict=True) if number == named]
+        lines = sorted({line for k in found.typical for line in self.keys[k].lines})
+        count = found.blocks + self._is_first_whole(found) + self._is_last_whole(found, has_ended)
+        return Cycle(name, median(_gaps(times)), count, tuple(lines))
+
+    def _is_first_whole(self, found: _Repetition) -> bool:
+        """True if all of a cycle precedes its key, which ends it then."""
+        others = found.typical - {found.key}
+        return bool(others) and others <= set(self.numbers[: self.numbers.index(found.key)])
+
+    def _is_last_whole(self, found: _Repetition, has_ended: bool) -> bool:
+        """True if the last cycle has come to its end."""
+        before = Counter(one for one, two in pairwise(self.numbers) if two == found.key)
+        final = max(before, key=lambda k: (before[k], -k))
+        start = len(self.numbers) - 1 - self.numbers[::-1].index(found.key)
+        rest = self.numbers[start:]
+        if final not in rest:
+            return False
+        is_done = has_ended or (self.keys[final].kind != MOVE and final in found.once)
+        is_followed = any(k not in found.typical for k in rest[rest.index(final) :])
+        return is_done or is_followed or self.end - self.times[start] >= min(_gaps(found.times))
+
+
+def _gaps(times: Iterable[float]) -> Iterator[float]:
+    return (after - before for before, after in pairwise(times))

@@ -1,0 +1,56 @@
+"""The cycle of a long log: each chunk is read once, and twice the log is twice the work."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from motionlang.kernel import Run, Source, run
+from motionlang.kernel.log import Stream
+from motionlang.kernel.log.stream import Chunk
+from tests.counted_calls import all_calls
+from tests.kernel.log.small import shrink
+
+SHUTTLE = """
+Dim n As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+For n = 1 To {count}
+  MOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)
+  OUTX(1) = 1 : WAIT(100) : OUTX(1) = 0
+  If n Mod 7 = 0 Then MOVEA(0) = 30 : GO(0) : PAUSE IDLE(0) : Print "reject"
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+  Print "part "; n
+Next
+"""
+
+
+def shuttle(count: int) -> Run:
+    return run(Source("shuttle.mnt", SHUTTLE.format(count=count)))
+
+
+def test_each_chunk_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = shuttle(60).cycle
+    assert whole is not None
+    assert whole.count == 60
+    shrink(monkeypatch)
+    read: Counter[tuple[int, int]] = Counter()
+    unsealed = Stream._unsealed
+
+    def counted(self: Stream[object], chunk: Chunk) -> Chunk:
+        read[id(self), chunk.first] += 1
+        return unsealed(self, chunk)
+
+    made = shuttle(60)
+    monkeypatch.setattr(Stream, "_unsealed", counted)
+    assert made.cycle == whole
+    assert len(read) > 100
+    assert set(read.values()) == {1}
+
+
+def test_twice_the_log_is_twice_the_work() -> None:
+    runs = [shuttle(count) for count in (200, 400, 800)]
+    lengths = [len(made.machine.log.moves) for made in runs]
+    short, middle, long = (all_calls(lambda made=made: made.cycle) for made in runs)  # type: ignore[misc]
+    assert lengths[2] > 1.9 * lengths[1] > 3.6 * lengths[0]
+    assert long - middle < 2.1 * (middle - short)
