@@ -423,13 +423,15 @@ class _Sequence:
                 break
         times = [time for time, number in zip(self.times, self.numbers, strict=True) if number == named]
         lines = sorted({line for k in found.typical for line in self.keys[k].lines})
-        count = found.blocks + self._is_first_whole(found) + self._is_last_whole(found, has_ended)
+        ends = self._is_first_whole(found, has_ended) + self._is_last_whole(found, has_ended)
+        count = found.blocks + (ends or self._are_ends_one(found, has_ended))
         return Cycle(name, median(_gaps(times)), count, tuple(lines))
 
-    def _is_first_whole(self, found: _Repetition) -> bool:
-        """True if all of a cycle precedes its key, which ends it then."""
+    def _is_first_whole(self, found: _Repetition, has_ended: bool) -> bool:
+        """True if all of a cycle precedes its key, which ends it then, and the last one is not a move under way."""
         others = found.typical - {found.key}
-        return bool(others) and others <= set(self.numbers[: self.numbers.index(found.key)])
+        is_over = has_ended or self.keys[found.key].kind != MOVE or self.numbers[-1] != found.key
+        return is_over and bool(others) and others <= set(self.numbers[: self.numbers.index(found.key)])
 
     def _is_last_whole(self, found: _Repetition, has_ended: bool) -> bool:
         """True if the last cycle has come to its end."""
@@ -442,6 +444,12 @@ class _Sequence:
         is_done = has_ended or (self.keys[final].kind != MOVE and final in found.once)
         is_followed = any(k not in found.typical for k in rest[rest.index(final) :])
         return is_done or is_followed or self.end - self.times[start] >= min(_gaps(found.times))
+
+    def _are_ends_one(self, found: _Repetition, has_ended: bool) -> bool:
+        """True if the run begins a cycle before its key, and does as much of one after the last key as is left."""
+        begin = next(place for place, number in enumerate(self.numbers) if number in found.typical)
+        before, after = found.times[0] - self.times[begin], self.end - found.times[-1]
+        return before > 0.0 and (has_ended or before + after >= median(_gaps(found.times)))
 
 
 def _gaps(times: Iterable[float]) -> Iterator[float]:
