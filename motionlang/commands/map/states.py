@@ -28,7 +28,7 @@ Invariants. Every path of the program passes the same states in the same order; 
 and the branches on its way (`Transition.branches`), which lead to one target. `observed.py` follows a run by these.
 
 Cost. Rule 5 bounds the paths to a step and the branches of a path, so states, transitions and actions together are
-linear in the number of steps. Folding visits a step once for each branch around it that cannot be folded.
+linear in the number of steps. Folding visits at most `MAX_FOLDED` steps for each branch.
 """
 
 from __future__ import annotations
@@ -55,6 +55,8 @@ from motionlang.kernel.lang import (
 MAX_PATHS = 4
 # The number of branches on a path.
 MAX_BRANCHES = 6
+# The number of steps that are folded into one action.
+MAX_FOLDED = 200
 # The kinds of states, with what a reader sees of each.
 KINDS_OF_STATES = {
     "start": "the unit begins",
@@ -297,10 +299,12 @@ class _DiagramBuilder:
         self._mark(order)
         self._dominators = postdominators(order, back, self.after)
         self._components = components(order, self.after)
-        backward = set(back)
+        leads_back: dict[int, list[int]] = {}
+        for one, other in back:
+            leads_back.setdefault(one, []).append(other)
         regions = [(p, region) for p in order if (region := self._region(p)) is not None]
         for p, _ in sorted(regions, key=lambda each: len(each[1])):  # inner ones first
-            self._fold(p, backward)
+            self._fold(p, leads_back)
         self._cut_loops()
         self._cut_paths()
         for p in self.states:
@@ -401,23 +405,24 @@ class _DiagramBuilder:
             each = stack.pop()
             if each in region or each == end:
                 continue
-            if each in self.states or self._is_foreign(each):
+            if each in self.states or self._is_foreign(each) or len(region) == MAX_FOLDED:
                 return None
             region.add(each)
             stack += self.after(each)
         return region
 
-    def _fold(self, p: int, back: set[tuple[int, int]]) -> None:
+    def _fold(self, p: int, leads_back: dict[int, list[int]]) -> None:
         """Make one action, or one polling state, of a branch whose sides meet again."""
         inside, end = self._region(p), self._dominators.get(p, -1)
         if inside is None:
             return
-        heads = {other for one, other in back if one in inside and other in inside}
+        heads = {other for one in inside for other in leads_back.get(one, ()) if other in inside}
         loops = bool(heads)
         polled = self.program.polled(sorted(self._offsets(inside))) if loops else None
-        actions = self._outline(p, end, inside, loops)
-        if self._returns(end, heads) and not all(each.is_condition for each in actions):
+        acts = any(not each.is_condition for q in inside - {p} for each in self._acts(q))
+        if acts and self._returns(end, heads):
             return  # This is a branch of a larger loop with the same head, and acts in it.
+        actions = self._outline(p, end, inside, loops)
         self._after[p] = [end]
         if polled is None:
             self._folded[p] = actions
@@ -555,25 +560,34 @@ class _DiagramBuilder:
     def _cut_loops(self) -> None:
         """Make a state of the first point of each loop that has none; it waits for what the loop tests."""
         order, back = ordered(self._roots(), self._between)
-        before: dict[int, list[int]] = {p: [] for p in order}
-        for p in order:
-            for q in self._between(p):
-                before[q].append(p)
-        loops: dict[int, set[int]] = {}
-        for first in dict.fromkeys(first for _, first in back):
-            inside = loops[first] = {first}
-            stack = [p for p, to in back if to == first]
-            while stack:
-                p = stack.pop()
-                if p not in inside:
-                    inside.add(p)
-                    stack += before[p]
-        for first, inside in sorted(loops.items(), key=lambda each: len(each[1])):
-            if not self._returns(first, {first}):
-                continue  # It passes the state of a loop inside it.
-            offsets = self._offsets(inside)
-            self._state(first, "loop")
-            self._poll(self.states[first], self._tested(offsets), offsets)
+        heads = {first for _, first in back}
+        for first in reversed([p for p in order if p in heads]):  # inner ones first
+            inside = self._cycle(first)
+            if inside:
+                offsets = self._offsets(inside)
+                self._state(first, "loop")
+                self._poll(self.states[first], self._tested(offsets), offsets)
+
+    def _cycle(self, first: int) -> set[int]:
+        """Return the points of the paths without a state that lead from a point to itself."""
+        before: dict[int, list[int]] = {}
+        stack = [first]
+        while stack:
+            p = stack.pop()
+            for each in self._between(p):
+                if self._components[each] == self._components[first]:
+                    if each not in before:
+                        before[each] = []
+                        stack.append(each)
+                    before[each].append(p)
+        found: set[int] = set()
+        stack = [first] if first in before else []
+        while stack:
+            p = stack.pop()
+            if p not in found:
+                found.add(p)
+                stack += before[p]
+        return found
 
     def _tested(self, offsets: Collection[int]) -> frozenset[Read]:
         """Return the readings that statements of a loop test, without those of a larger loop around them."""
