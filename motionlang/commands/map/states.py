@@ -17,8 +17,9 @@ Rules, in this order:
 
 1. A statement at which a task waits is a state, with all of its steps.
 2. A call of a unit that may wait is a state; another call is an action. What is called has its own diagram.
-3. A branch whose sides meet again, with no state between, is one action with its conditions (`_fold`). A loop
-   without a state is one action if it computes, and a state if it waits for a reading: it polls.
+3. A branch whose sides meet again after at most `MAX_FOLDED` steps, with no state between, is one action with its
+   conditions (`_fold`). A loop without a state is one action if it computes, and a state if it waits for a reading: it
+   polls.
 4. A loop that is left over has no state and no end; its first step is a state.
 5. A step that more than `MAX_PATHS` paths lead to is a state ("meet"), and so is a branch behind `MAX_BRANCHES` others
    ("branch"), so that the paths after it are counted again from one.
@@ -560,22 +561,24 @@ class _DiagramBuilder:
     def _cut_loops(self) -> None:
         """Make a state of the first point of each loop that has none; it waits for what the loop tests."""
         order, back = ordered(self._roots(), self._between)
-        heads = {first for _, first in back}
-        for first in reversed([p for p in order if p in heads]):  # inner ones first
-            inside = self._cycle(first)
+        number = {p: k for k, p in enumerate(order)}
+        for first in sorted(
+            {first for _, first in back}, key=number.__getitem__, reverse=True
+        ):  # inner ones first
+            inside = self._cycle(first, number)
             if inside:
                 offsets = self._offsets(inside)
                 self._state(first, "loop")
                 self._poll(self.states[first], self._tested(offsets), offsets)
 
-    def _cycle(self, first: int) -> set[int]:
-        """Return the points of the paths without a state that lead from a point to itself."""
+    def _cycle(self, first: int, number: dict[int, int]) -> set[int]:
+        """Return the points of the paths without a state from a point to itself, by points of higher numbers."""
         before: dict[int, list[int]] = {}
         stack = [first]
         while stack:
             p = stack.pop()
             for each in self._between(p):
-                if self._components[each] == self._components[first]:
+                if number[each] >= number[first] and self._components[each] == self._components[first]:
                     if each not in before:
                         before[each] = []
                         stack.append(each)

@@ -15,6 +15,7 @@ A loop that moves an axis is work: `While INX(2) = 1` is a run switch, which is 
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cache
@@ -65,132 +66,193 @@ def finder(module: Module, names: Names, graph: StepGraph) -> Callable[[int], Lo
     return cache(_Survey(module, names.functions, graph).at)
 
 
+class _Part:
+    """Summary of a statement or an expression with all below it, but not of what it calls.
+
+    `calls`    the subs, labels and Defines that it uses
+    `lines`    its lines
+    `leaving`  the conditions that guard a statement that leaves a loop, and `why` their texts
+    `tested`   the conditions of all statements in it
+    `given`    the values that it assigns to each variable, and the conditions for it
+    `reads`    the readings of keywords in it
+    `symbols`  the variables and parameters in it
+    """
+
+    def __init__(self, survey: _Survey, node: object) -> None:
+        self.nodes = list(walk([node]))
+        self.lines = frozenset(survey.module.line(each.start) for each in self.nodes)
+        conditions = sorted(_leaving([node]), key=lambda each: each.start)
+        self.leaving, self.why = survey.parts(conditions), [shown(each) for each in conditions]
+        self.calls: list[Symbol | nodes.Node] = []
+        self.tested: list[_Part] = []
+        self.given: dict[Symbol | None, list[_Part]] = {}
+        self.reads: set[Read] = set()
+        self.symbols: set[Symbol] = set()
+        for each in self.nodes:
+            if isinstance(each, (nodes.If, nodes.Select, nodes.While, nodes.Repeat)):
+                self.tested += survey.parts(_guarded(each)[0])
+            if isinstance(each, nodes.Assign):
+                self.given.setdefault(each.target.symbol, []).extend(survey.parts(each.values))
+            elif isinstance(each, nodes.If):
+                for symbol in _assigned(walk([*each.body, *each.orelse])):
+                    self.given.setdefault(symbol, []).extend(survey.parts([each.condition]))
+            elif isinstance(each, nodes.Jump):
+                if each.kind == "gosub" and each.symbol is not None:
+                    self.calls.append(each.symbol)
+            elif isinstance(each, nodes.Name):
+                if each.definition is not None:
+                    self.calls.append(each.definition)
+                elif each.symbol is None:
+                    self.reads.update(_read(each, each.row))
+                elif each.symbol.kind == "sub":
+                    self.calls.append(each.symbol)
+                elif each.symbol.kind in ("variable", "parameter"):
+                    self.symbols.add(each.symbol)
+
+
 class _Survey:
-    """The loops and PAUSEs of a program, each analysed on request."""
+    """The loops and PAUSEs of a program, each analysed on request.
+
+    Loops made of Gotos overlap, so a statement may belong to many; it is summarised once.
+    """
 
     def __init__(self, module: Module, functions: Iterable[Function], graph: StepGraph) -> None:
-        self._module = module
+        self.module = module
+        self._parts: dict[int, _Part] = {}
+        # The parts of each body, by the id of its list.
+        self._bodies: dict[int, list[_Part]] = {}
         self._nodes: dict[int, nodes.Node] = {}
-        self._by_labels: dict[int, list[nodes.Stmt]] = {}
+        self._by_labels: dict[int, tuple[list[nodes.Stmt], slice]] = {}
         # The statements of each label that a Gosub may call, to their Return.
         self._routines: dict[Symbol | None, tuple[list[nodes.Stmt], slice]] = {}
-        # The nodes that each task, the parent task and each event handler may execute.
-        self._roots = [
-            list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
-        ]
-        # The variables that labels which handle events assign, as an Event does.
-        self._handled: set[Symbol | None] = set()
         for function in functions:
-            found = list(self._reached(handled(function, graph)))
-            if found:
-                self._roots.append(found)
-                assigned = (node.target for node in found if isinstance(node, nodes.Assign))
-                self._handled |= {target.symbol for target in assigned}
             for node in walk(function.body):
                 if isinstance(node, (*LOOPS, nodes.Pause)):
                     self._nodes[node.start] = node
             self._by_labels.update(_by_labels(function))
             self._routines.update(_routines(function))
+        # The nodes, by id, that each task, the parent task and each event handler may execute, and the variables that
+        # these assign.
+        self._roots: list[tuple[set[int], set[Symbol | None]]] = []
+        # The variables that labels which handle events assign, as an Event does.
+        self._handled: set[Symbol | None] = set()
+        for function in functions:
+            if function.kind in ("main", "task", "event"):
+                self._add_root(function.body)
+            self._handled |= self._add_root(handled(function, graph))
+
+    def _add_root(self, body: Iterable[object]) -> set[Symbol | None]:
+        """Add what a task or handler executes; return the variables that it assigns."""
+        found = [node for part in self._reached(self.parts(body)) for node in part.nodes]
+        self._roots.append(({id(node) for node in found}, _assigned(found)))
+        return self._roots[-1][1]
 
     def at(self, offset: int) -> LoopDependencies | None:
         """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
         node = self._nodes.get(offset)
         if isinstance(node, nodes.Pause):
-            return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
+            reads = self._reads(self.parts([node.condition]), [])
+            return LoopDependencies(reads, why=f"until {shown(node.condition)}")
         if node is not None:
-            return self.loop(node)  # type: ignore[arg-type]
-        return self.goto(self._by_labels[offset]) if offset in self._by_labels else None
+            return self._loop(node)  # type: ignore[arg-type]
+        if offset not in self._by_labels:
+            return None
+        body, own = self._by_labels[offset]
+        return self._dependencies(self._body(body)[own])
 
-    def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
-        """Return the dependencies of a loop statement."""
-        conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
-        why = ""
-        if conditions:
-            word = "until" if isinstance(node, nodes.Repeat) else "while"
-            why = f"{word} {shown(conditions[0])}"
-        conditions += _deciding(node.body, LEAVES)
-        found = self._dependencies(node.body, conditions, why)
+    def _loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
+        condition = None if isinstance(node, (nodes.For, nodes.Loop)) else node.condition
+        word = "until" if isinstance(node, nodes.Repeat) else "while"
+        found = self._dependencies(self._body(node.body), condition, word)
         found.counts = isinstance(node, nodes.For)
         return found
 
-    def goto(self, body: list[nodes.Stmt]) -> LoopDependencies:
-        """Return the dependencies of a loop made of Gotos."""
-        return self._dependencies(body, _deciding(body, LEAVES), "")
-
     def _dependencies(
-        self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str
+        self, body: list[_Part], condition: nodes.Expr | None = None, word: str = ""
     ) -> LoopDependencies:
-        reached = list(self._reached(body))
-        lines = frozenset(self._module.line(node.start) for node in reached)
-        if not why and conditions:
-            in_order = sorted(conditions, key=lambda each: each.start)
-            why = " or ".join(dict.fromkeys(map(shown, in_order)))
-        within = self.reads([*conditions, *_deciding(reached, None)], reached)
-        return LoopDependencies(self.reads(conditions, reached), within, lines, why)
+        """Return the dependencies of a loop with a condition at its head or end, or of a loop made of Gotos."""
+        leaving = [each for part in body for each in part.leaving]
+        why = " or ".join(dict.fromkeys([text for part in body for text in part.why]))
+        if condition is not None:
+            leaving += self.parts([condition])
+            why = f"{word} {shown(condition)}"
+        reached = self._reached(body)
+        lines = frozenset[int]().union(*[part.lines for part in reached])
+        tested = [each for part in reached for each in part.tested]
+        within = self._reads([*leaving, *tested], reached)
+        return LoopDependencies(self._reads(leaving, reached), within, lines, why)
 
-    def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
-        """Return the readings in the conditions of a loop; `body` are the loop's nodes."""
+    def _reads(self, conditions: list[_Part], body: list[_Part]) -> frozenset[Read]:
+        """Return the readings in the conditions of a loop; `body` are its statements and what they call."""
+        given: defaultdict[Symbol | None, list[_Part]] = defaultdict(list)
+        for part in body:
+            for assigned in part.given:
+                given[assigned] += part.given[assigned]
         found: set[Read] = set()
         seen: set[Symbol] = set()
         others: set[Symbol] = set()
         counts = False
-        rest: list[nodes.Node] = list(conditions)
-        while rest:
-            for node in self._reached([rest.pop()]):
-                if isinstance(node, nodes.Name) and node.definition is None:
-                    symbol = node.symbol
-                    if symbol is None:
-                        found.update(_read(node, node.row))
-                    elif symbol.kind in ("variable", "parameter") and symbol not in seen:
-                        seen.add(symbol)
-                        if symbol.type.name == TIME:
-                            found.add(("time", None))
-                            continue
-                        given = _given(symbol, body)
-                        rest += given
-                        counts = counts or bool(given)
-                        if not given and (symbol.shared or symbol in self._handled):
-                            others.add(symbol)
-        if not counts and any(self._is_written(symbol, body) for symbol in others):
+        while conditions:
+            reached = self._reached(conditions)
+            conditions = []
+            found.update(*[part.reads for part in reached])
+            for symbol in {each for part in reached for each in part.symbols} - seen:
+                seen.add(symbol)
+                if symbol.type.name == TIME:
+                    found.add(("time", None))
+                elif symbol in given:
+                    conditions += given[symbol]
+                    counts = True
+                elif symbol.shared or symbol in self._handled:
+                    others.add(symbol)
+        if others and not counts and self._is_written(others, body):
             found.add(("task", None))
         return frozenset(found)
 
-    def _is_written(self, symbol: Symbol, body: list[nodes.Node]) -> bool:
-        """True if a task or handler other than the loop's own assigns the variable."""
-        inside = {id(node) for node in body}
-        others = [root for root in self._roots if not any(id(node) in inside for node in root)]
-        return any(
-            isinstance(node, nodes.Assign) and node.target.symbol is symbol
-            for root in others
-            for node in root
-        )
+    def _is_written(self, symbols: set[Symbol], body: list[_Part]) -> bool:
+        """True if a task or handler other than the loop's own assigns one of the variables."""
+        inside = {id(node) for part in body for node in part.nodes}
+        return any(inside.isdisjoint(root) and assigned & symbols for root, assigned in self._roots)
 
-    def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
-        """Yield the nodes of a body and of the subs and routines that it calls."""
-        bodies: list[Iterable[object]] = [body]
-        seen = set[object]()
-        for each in bodies:  # the list grows during the loop
-            for node in walk(each):
-                yield node
-                if isinstance(node, nodes.Jump) and node.kind == "gosub" and node.symbol not in seen:
-                    seen.add(node.symbol)
-                    routine, part = self._routines.get(node.symbol, ([], slice(0)))
-                    bodies.append(routine[part])
-                if not isinstance(node, nodes.Name):
-                    continue
-                symbol = node.symbol
-                if node.definition is not None:
-                    bodies.append([node.definition])
-                elif symbol is not None and symbol.kind == "sub" and symbol not in seen:
-                    seen.add(symbol)
-                    bodies.append(symbol.home.body)
+    def _reached(self, body: list[_Part]) -> list[_Part]:
+        """Return the parts of a body and of the subs, routines and Defines that it uses."""
+        found = list(body)
+        seen: set[int] = set()
+        for part in found:  # the list grows during the loop
+            for called in part.calls:
+                if id(called) not in seen:
+                    seen.add(id(called))
+                    found += self._called(called)
+        return found
+
+    def _called(self, called: Symbol | nodes.Node) -> list[_Part]:
+        if not isinstance(called, Symbol):
+            return self.parts([called])
+        if called.kind == "sub":
+            return self._body(called.home.body)
+        if called not in self._routines:
+            return []
+        body, own = self._routines[called]
+        return self._body(body)[own]
+
+    def _body(self, body: list[nodes.Stmt]) -> list[_Part]:
+        if id(body) not in self._bodies:
+            self._bodies[id(body)] = self.parts(body)
+        return self._bodies[id(body)]
+
+    def parts(self, of: Iterable[object]) -> list[_Part]:
+        """Return the summaries of some nodes."""
+        found: list[_Part] = []
+        for node in of:
+            part = self._parts.get(id(node))
+            if part is None:
+                part = self._parts[id(node)] = _Part(self, node)
+            found.append(part)
+        return found
 
 
-def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
-    """Yield each loop made of Gotos: its label and its statements.
-
-    The statements end with the last jump back to the label.
-    """
+def _by_labels(function: Function) -> Iterator[tuple[int, tuple[list[nodes.Stmt], slice]]]:
+    """Yield each loop made of Gotos: its label, and its statements to the last jump back: a list and its slice."""
     body = function.body
     labels = {each.symbol: number for number, each in enumerate(body) if isinstance(each, nodes.Label)}
     last: dict[int, int] = {}
@@ -201,7 +263,7 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
                 if first < number:
                     last[first] = number
     for first, number in last.items():
-        yield body[first].start, body[first : number + 1]
+        yield body[first].start, (body, slice(first, number + 1))
 
 
 def _routines(function: Function) -> Iterator[tuple[Symbol | None, tuple[list[nodes.Stmt], slice]]]:
@@ -214,34 +276,31 @@ def _routines(function: Function) -> Iterator[tuple[Symbol | None, tuple[list[no
             yield label.symbol, (body, slice(first, end))
 
 
-def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
-    """Return the conditions in a body that guard one of `leaves`; all if this is None."""
+def _guarded(
+    node: nodes.If | nodes.Select | nodes.While | nodes.Repeat,
+) -> tuple[list[nodes.Expr], list[object]]:
+    """Return the condition of a statement, and the statements that it guards: those of a loop run in any case."""
+    if isinstance(node, nodes.If):
+        return [node.condition], [*node.body, *node.orelse]
+    if isinstance(node, nodes.Select):
+        return [node.subject], [each for case in node.cases for each in case.body]
+    return [node.condition], []
+
+
+def _leaving(body: Iterable[object]) -> list[nodes.Expr]:
+    """Return the conditions in a body that guard a statement that leaves a loop."""
     found: list[nodes.Expr] = []
     for node in walk(body):
-        if isinstance(node, nodes.If):
-            conditions, inner = [node.condition], [*node.body, *node.orelse]
-        elif isinstance(node, nodes.Select):
-            conditions, inner = [node.subject], [each for case in node.cases for each in case.body]
-        elif isinstance(node, (nodes.While, nodes.Repeat)) and leaves is None:
-            conditions, inner = [node.condition], []
-        else:
-            continue
-        if leaves is None or any(isinstance(each, leaves) for each in walk(inner)):
-            found += conditions
+        if isinstance(node, (nodes.If, nodes.Select)):
+            conditions, inner = _guarded(node)
+            if any(isinstance(each, LEAVES) for each in walk(inner)):
+                found += conditions
     return found
 
 
-def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
-    """Return the values that a loop assigns to a variable, and the conditions for it."""
-    found: list[nodes.Node] = []
-    for node in body:
-        if isinstance(node, nodes.Assign) and node.target.symbol is symbol:
-            found += node.values
-        elif isinstance(node, nodes.If):
-            inner = walk([*node.body, *node.orelse])
-            if any(isinstance(x, nodes.Assign) and x.target.symbol is symbol for x in inner):
-                found.append(node.condition)
-    return found
+def _assigned(body: Iterable[nodes.Node]) -> set[Symbol | None]:
+    """Return the variables that some nodes assign."""
+    return {node.target.symbol for node in body if isinstance(node, nodes.Assign)}
 
 
 def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
@@ -365,15 +424,16 @@ def _timed(module: Module, function: Function) -> dict[int, int]:
     IF TIME < 1500 THEN GOTO PICK
     """
     found: dict[int, int] = {}
-    for _, body in _by_labels(function):
+    for _, (statements, own) in _by_labels(function):
+        *body, back = statements[own]
+        if not isinstance(back, nodes.If) or not _ends_without_inputs(back.condition, False):
+            continue
         leaving = [
             each
-            for each in body[:-1]
+            for each in body
             if isinstance(each, nodes.If) and any(_leaves(inner) for inner in walk(each.body))
         ]
-        back = body[-1]
-        is_timed = isinstance(back, nodes.If) and _ends_without_inputs(back.condition, False)
-        if is_timed and len(leaving) == 1 and not any(_works(each) for each in walk(body)):
+        if len(leaving) == 1 and not any(_works(each) for each in walk([*body, back])):
             found[leaving[0].start] = module.line(back.start)
     return found
 
