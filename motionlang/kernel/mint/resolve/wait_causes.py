@@ -16,9 +16,9 @@ A loop that moves an axis is work: `While INX(2) = 1` is a run switch, which is 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, cached_property
 from math import inf
 
 from motionlang.kernel.lang.keyword import BANK, Keyword
@@ -131,21 +131,25 @@ class _Survey:
                     self._nodes[node.start] = node
             self._by_labels.update(_by_labels(function))
             self._routines.update(_routines(function))
-        # The nodes, by id, that each task, the parent task and each event handler may execute, and the variables that
-        # these assign.
-        self._roots: list[tuple[set[int], set[Symbol | None]]] = []
+        # The statements of each task, of the parent task and of each event handler.
+        self._tasks: list[Sequence[nodes.Node]] = []
         # The variables that labels which handle events assign, as an Event does.
         self._handled: set[Symbol | None] = set()
         for function in functions:
             if function.kind in ("main", "task", "event"):
-                self._add_root(function.body)
-            self._handled |= self._add_root(handled(function, graph))
+                self._tasks.append(function.body)
+            if labelled := list(handled(function, graph)):
+                self._tasks.append(labelled)
+                for part in self._reached(self.parts(labelled)):
+                    self._handled.update(part.given)
 
-    def _add_root(self, body: Iterable[object]) -> set[Symbol | None]:
-        """Add what a task or handler executes; return the variables that it assigns."""
-        found = [node for part in self._reached(self.parts(body)) for node in part.nodes]
-        self._roots.append(({id(node) for node in found}, _assigned(found)))
-        return self._roots[-1][1]
+    @cached_property
+    def _roots(self) -> list[tuple[set[int], set[Symbol | None]]]:
+        """The ids of the nodes that each task or handler may execute, and the variables that these assign."""
+        nodes_of = [
+            [node for part in self._reached(self.parts(body)) for node in part.nodes] for body in self._tasks
+        ]
+        return [({id(node) for node in found}, _assigned(found)) for found in nodes_of]
 
     def at(self, offset: int) -> LoopDependencies | None:
         """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
