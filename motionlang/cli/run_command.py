@@ -57,7 +57,7 @@ Pace = Callable[[float], None]
 
 @dataclass
 class Simulated(Output, World, ProgramOptions):
-    """A command that runs one program: it prints the program's output and then its report."""
+    """A command that runs one program: it prints the program's output, its answer, and the report of the run."""
 
     title: ClassVar[str] = "run"
     file: str = argument("FILE", "the program; - reads standard input")
@@ -124,12 +124,9 @@ class Simulated(Output, World, ProgramOptions):
         """Return the tables of a run, for CSV."""
         return run_document(result)
 
-    def more(self, result: Run, *, width: int, colour: bool) -> str:
-        """Return what the command prints after the table of the run."""
+    def conclusion(self, result: Run, *, width: int, colour: bool) -> str:
+        """Return what the command prints before the report of the run."""
         return ""
-
-    def conclude(self, result: Run) -> None:
-        """Print what follows the report."""
 
     def after(self, result: Run) -> int:
         """Write the files of the command; return the exit status, 0 for success."""
@@ -233,8 +230,7 @@ class Simulated(Output, World, ProgramOptions):
         elif self.format == "csv":
             self.show(self.document(result), "")
         else:
-            self._table(result)
-            self.conclude(result)
+            self._print_text(result)
         if result.diagnostics:
             warned = result.machine.warned
             left = [each for each in result.diagnostics if not any(each is other for other in warned)]
@@ -255,21 +251,28 @@ class Simulated(Output, World, ProgramOptions):
         wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
         return 1 if wrong or met else 0
 
-    def _table(self, result: Run) -> None:
-        began = result.status != "fault" or result.time or result.controller.log.moves
-        if self.format == "none" or not began:
-            return
+    def _print_text(self, result: Run) -> None:
         seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
         width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
-        table = render(result, width=width, colour=colour, charts=seen and drawn, everything=self.lists_all)
-        table += self.more(result, width=width, colour=colour)
-        if self.lists_all:
-            count = len(assumptions(result))
-            note = f"{count} unconfirmed assumptions; motionlang check --evidence {self.file} lists them"
-            table += f"\nnote: depends on {note}\n"
-        if result.machine.log.prints:
-            table = "\n" + table
-        sys.stdout.write(table if drawn else plain(table))
+        sections = [self.conclusion(result, width=width, colour=colour)]
+        if self.shows(result):
+            report = render(
+                result, width=width, colour=colour, charts=seen and drawn, everything=self.lists_all
+            )
+            if self.lists_all:
+                count = len(assumptions(result))
+                note = f"{count} unconfirmed assumptions; motionlang check --evidence {self.file} lists them"
+                report += f"\nnote: depends on {note}\n"
+            sections.append(report)
+        text = "\n".join(filter(None, sections))
+        if text and result.machine.log.prints and self.format == "text":
+            text = "\n" + text
+        sys.stdout.write(text if drawn else plain(text))
+
+    def shows(self, result: Run) -> bool:
+        """True if the format has a report, and there is a run to report."""
+        began = result.status != "fault" or result.time or result.controller.log.moves
+        return self.format != "none" and bool(began)
 
     @property
     def lists_all(self) -> bool:

@@ -79,8 +79,8 @@ examples:
             result.diagnostics += found_proof.violations
             lines = certify(result, machine_of(program))
             if self.format == "text":
-                print_certificate(result, lines, found_proof, machine_of(program))
-                sys.stdout.write("\n")
+                made = certificate_text(result, lines, found_proof, machine_of(program)) + "\n"
+                sys.stdout.write(made if draws(sys.stdout) else plain(made))
             wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
             if result.diagnostics:
                 complain(result.diagnostics, result.source, program)
@@ -101,12 +101,10 @@ examples:
     def document(self, result: Result) -> Document:
         return Document([limits_table(self.certificate)])
 
-    def conclude(self, result: Result) -> None:
+    def conclusion(self, result: Result, *, width: int, colour: bool) -> str:
         if self.proof is None or not self.certificate or self.format != "text":
-            super().conclude(result)
-            return
-        sys.stdout.write("\n")
-        print_certificate(result, self.certificate, self.proof, self.machine_path())
+            return super().conclusion(result, width=width, colour=colour)
+        return certificate_text(result, self.certificate, self.proof, self.machine_path())
 
 
 def certify(result: Result, machine: str | None) -> list[Limit]:
@@ -118,15 +116,12 @@ def certify(result: Result, machine: str | None) -> list[Limit]:
     return lines
 
 
-def print_certificate(
-    result: Result, lines: Sequence[Limit], proof: Proof | None, machine: str | None
-) -> None:
-    """Write the table to standard output."""
+def certificate_text(result: Result, lines: Sequence[Limit], proof: Proof | None, machine: str | None) -> str:
+    """Return the certificate as text for standard output."""
     width = width_of(sys.stdout) if is_terminal(sys.stdout) else 160
     text = _text_of(machine)
     made = certificate_lines(result, lines, proof, text, width=width, colour=wants_colour(sys.stdout))
-    written = "\n".join(made) + "\n"
-    sys.stdout.write(written if draws(sys.stdout) else plain(written))
+    return "\n".join(made) + "\n"
 
 
 def _text_of(machine: str | None) -> str:

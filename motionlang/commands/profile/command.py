@@ -62,15 +62,16 @@ examples:
 
         return Document([paths_table(paths(result.trace)), *made.tables], made.values)
 
-    def more(self, result: Result, *, width: int, colour: bool) -> str:
-        shown = ""
+    def conclusion(self, result: Result, *, width: int, colour: bool) -> str:
+        if not self.shows(result):
+            return ""
+        shown = render_profile(TimeProfile(result), width=width, colour=colour, everything=self.all)
         if self.paths:
             from motionlang.commands.profile.paths import paths
 
             lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
-            shown = "\n" + "\n".join(lines) + "\n"
-        made = TimeProfile(result)
-        return shown + "\n" + render_profile(made, width=width, colour=colour, everything=self.all)
+            shown = "\n".join([*lines, "", shown])
+        return shown
 
     def after(self, result: Result) -> int:
         to = self.to

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -41,10 +40,8 @@ examples:
             result.findings["proof"] = self.proof.as_dict()
             result.diagnostics += self.proof.violations
 
-    def conclude(self, result: Result) -> None:
-        if self.proof is not None:
-            sys.stdout.write("\n" if self.format == "text" else "")
-            sys.stdout.write("\n".join(self.proof.lines()) + "\n")
+    def conclusion(self, result: Result, *, width: int, colour: bool) -> str:
+        return "\n".join([*self.proof.lines(), ""]) if self.proof is not None else ""
 
 
 def proof_of(result: Result) -> Proof | None:
