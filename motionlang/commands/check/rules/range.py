@@ -19,17 +19,20 @@ _RATES = frozenset(("uu/s", "uu/s2"))
 def check(facts: MacroFacts, warn: Warn) -> None:
     _check_rates(facts, warn)
     scales = facts.values(lambda row: row.verb == "scale")
+    switched_on = sorted(key for key in facts.given("enable") if isinstance(key, int))
     for command, at in facts.commands:
-        if command.verb != "move_by" or command.kind != NUMBER or not command.axis:
+        if command.verb != "move_by" or command.kind != NUMBER:
             continue
-        known = [scales.get(key, []) for key in (command.axis, None)]
-        counts = {each for values in known if values is not None for each in values} or {1.0}
-        if None in known or len(counts) > 1:
-            continue
-        value, scale = float(command.value), counts.pop()
-        fault = codes.inexact(command.text, command.axis, value, nearest_whole(value * scale), scale)
-        if fault is not None:
-            warn(fault.message, at, fault.hint)
+        value = float(command.value)
+        for axis in [command.axis] if command.axis else switched_on:
+            known = [scales.get(key, []) for key in (axis, None)]
+            counts = {each for values in known if values is not None for each in values} or {1.0}
+            if None in known or len(counts) > 1:
+                continue
+            scale = counts.pop()
+            fault = codes.inexact(command.text, axis, value, nearest_whole(value * scale), scale)
+            if fault is not None:
+                warn(fault.message, at, fault.hint)
 
 
 def _check_rates(facts: MacroFacts, warn: Warn) -> None:
