@@ -69,7 +69,7 @@ from motionlang.kernel.mint.resolve.symbols import (
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nesting import depth_of
 from motionlang.kernel.mint.syntax.node import Resolved
-from motionlang.kernel.mint.syntax.traversal import Survey, copied
+from motionlang.kernel.mint.syntax.traversal import Survey, copied, walk
 
 # The maximum number of array elements. A typing error in a Dim must not exhaust the memory of the computer.
 MAX_ELEMENTS = 10_000_000
@@ -309,8 +309,11 @@ class Names:
             self._declare(function.scope, node, symbol)
             return
         if value is None:
-            self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.start,
-                              hint="a Const can use numbers, texts and other constants")  # fmt: skip
+            names = (each.name for each in walk([node.value]) if isinstance(each, nodes.Name))
+            near = next((found[0] for name in names if (found := self.table.meant_by(name))), None)
+            hint = f"did you mean {near}?" if near else "a Const can use numbers, texts and other constants"
+            message = f"the value of {node.name} is not known before the program runs"
+            self.problems.add("type", message, node.start, hint=hint)
             value = 1  # as the size of an array or a divisor, 0 would be a second error
         natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
         kind = self.type_of(node.type, natural)
