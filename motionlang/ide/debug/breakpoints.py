@@ -44,7 +44,7 @@ def _hits(text: str) -> Callable[[int], bool]:
     if not text.strip():
         return lambda count: True
     match = _HITS.fullmatch(text)
-    if match is None or (not int(match[2]) and match[1] not in (">=", ">")) or match.groups() == ("<", "1"):
+    if match is None or int(match[2]) < {">=": 0, ">": 0, "<": 2}.get(match[1], 1):
         raise WrongExpression(f"{text.strip()!r} is no hit count; write 5, >= 5 or % 5")
     sign, number = match[1], int(match[2])
     return {

@@ -178,7 +178,7 @@ def test_the_hits_at_which_a_breakpoint_stops(text: str, wanted: list[int]) -> N
 
 
 @pytest.mark.parametrize(
-    "text", ["three", "% 0", "0", "= 0", "<= 0", "< 0", "< 1", "-1", "1234567890", "3 4"]
+    "text", ["three", "% 0", "0", "= 0", "<= 0", "< 0", "< 1", "<01", "-1", "1234567890", "3 4"]
 )
 def test_a_hit_count_that_is_none(text: str) -> None:
     with pytest.raises(WrongExpression, match="is no hit count; write 5, >= 5 or % 5"):
