@@ -49,7 +49,6 @@ def longest_line(move: Move | None) -> str:
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -65,8 +64,8 @@ class Longest(Simulated):
 
     title: ClassVar[str] = "longest"
 
-    def conclude(self, result: Run) -> None:
-        sys.stdout.write(f"{longest_line(longest(result))}\\n")
+    def conclusion(self, result: Run, *, width: int, colour: bool) -> str:
+        return f"{longest_line(longest(result))}\\n"
 """,
 }
 
