@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections import defaultdict, deque
 from collections.abc import Iterator, Mapping
-from math import inf
+from math import fsum, inf
 from typing import NamedTuple
 
 from motionlang.commands.explore.cycles import Cycle
@@ -165,7 +165,7 @@ def _explains(changes: list[tuple[float, float]], switched: list[tuple[float, in
 def _lead(changes: list[tuple[float, float]], switched: list[tuple[float, int]]) -> float:
     """Return by how much an output changes before an input on average, s; infinite if it does not."""
     leads = [min((time - at for at, _ in switched if at <= time), default=inf) for time, _ in changes]
-    return sum(leads) / len(leads)
+    return fsum(leads) / len(leads)
 
 
 def _moves(result: Run) -> list[tuple[int, int]]:

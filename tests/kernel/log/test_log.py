@@ -178,6 +178,7 @@ End Task
         assert fsum(each.seconds) == pytest.approx(each.until - each.time)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("small")
 def test_a_track_is_read_as_one_list() -> None:
     axis = run(Source("shuttle.mnt", SHUTTLE)).controller.axes[0]

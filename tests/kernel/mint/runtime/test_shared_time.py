@@ -32,7 +32,7 @@ BODIES = {
 
 
 def ran(text: str) -> Run:
-    return run(Source("t.mnt", HEAD + text), machine=MACHINE, until=3.0)
+    return run(Source("t.mnt", HEAD + text), machine=MACHINE, until=2.0)
 
 
 def told(result: Run) -> tuple[object, ...]:

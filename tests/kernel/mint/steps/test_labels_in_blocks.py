@@ -15,7 +15,7 @@ from tests.kernel.mint.polling_programs import program
 _ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)
 
 
-def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[object, ...]:
+def outcome(text: str, machine: dict[str, object], until: float = 1.0) -> tuple[object, ...]:
     result = run(Source("a.mnt", text), machine=machine, until=until)
     assert not result.diagnostics
     return result.output, result.status, round(result.time, 7), len(result.controller.log.moves)
