@@ -92,6 +92,12 @@ def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
     return opened, control().feedback(opened, 1)
 
 
+@pytest.fixture(autouse=True, scope="module")
+def _imported() -> None:
+    """Import the library before the first test, whose time is limited."""
+    control()
+
+
 @pytest.mark.parametrize("name", PAIRS)
 def test_step_response_is_controls(name: str) -> None:
     loop, plant = PAIRS[name]
