@@ -1,4 +1,4 @@
-"""What a machine does, found by playing: the states in which its program rests, its transitions and its cycles.
+"""The behaviour of a machine, found by playing: rest states of its program, transitions and cycles.
 
 Problem. A control program waits for its world, and its text does not say what the world should do. Conclusions from
 the text need a form for each way in which a program can be written.

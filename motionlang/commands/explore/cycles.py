@@ -27,7 +27,7 @@ MIN_REPEATS, LAST_SHARE = 3, 0.6
 
 @dataclass(frozen=True)
 class Cycle:
-    """What a machine repeats: its transitions, none for work without a rest.
+    """A repetition of a machine: its transitions, none for work without a rest.
 
     `timeline` leads there, `lines` are those that move an axis in it. The likelier a person names it, the larger is
     its `value`.

@@ -29,15 +29,13 @@ MAX_TRIALS = 500
 DELAY = 0.3
 # So many changes at once are tried.
 MAX_TOGETHER = 5
-# Work without a rest repeats a line so often.
-MIN_REPEATS = 3
 
 Causes = tuple[Change, ...]
 
 
 @dataclass
 class Transition:
-    """What leads from a state to the next one.
+    """A way from a state to the next one.
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
     those that move an axis, in order, `acts` what the program does: moves, outputs and printed lines. `is_cut` is True

@@ -59,7 +59,7 @@ class Begun(NamedTuple):
 
 
 class Recorder(Hook):
-    """What the tasks of a run do from a time on: statements that begin, inputs that they read, comparisons."""
+    """A record of the tasks of a run from a time on: their statements, the inputs that they read, comparisons."""
 
     def __init__(self, since: float) -> None:
         super().__init__(lambda task, time, offset: None)
