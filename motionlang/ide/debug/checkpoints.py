@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from motionlang.ide.debug.snapshot import Snapshot
+from motionlang.kernel.lang import Snapshot
 
 FIRST, MAX_CHECKPOINTS = 16, 32
 

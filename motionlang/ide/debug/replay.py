@@ -33,7 +33,6 @@ from queue import Empty, SimpleQueue
 from motionlang.ide.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
 from motionlang.ide.debug.scopes import find
-from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.kernel import (
     INFINITY,
     Dialect,
@@ -47,6 +46,7 @@ from motionlang.kernel import (
     run,
     run_on,
 )
+from motionlang.kernel.lang import Snapshot
 
 # The limit at which every statement is considered: they are numbered from 1.
 EVERY = 0

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.names import Span as Span
     from motionlang.kernel.lang.program import Target as Target
     from motionlang.kernel.lang.run_errors import explain as explain
+    from motionlang.kernel.lang.snapshot import Snapshot as Snapshot
     from motionlang.kernel.lang.step_graph import StepGraph as StepGraph
     from motionlang.kernel.lang.step_list import ListedStep as ListedStep
     from motionlang.kernel.lang.step_list import ListedUnit as ListedUnit
@@ -98,6 +99,7 @@ PUBLIC = {
     "step_graph": "StepGraph",
     "step_task": "StepTask",
     "debugging": "Frame",
+    "snapshot": "Snapshot",
     "waits": "ROUNDING wait_idle wait_until",
     "wait_hints": "what_ends what_frees",
     "run_errors": "explain",

@@ -11,8 +11,8 @@ from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.checkpoints import Checkpoint, Checkpoints
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.replay import NEAR
-from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.kernel import Hook, Source, dialect, entries, run
+from motionlang.kernel.lang import Snapshot
 from tests.ide.debug.walks import go_to_number, snapshot
 from tests.ide.debug.whole import whole
 

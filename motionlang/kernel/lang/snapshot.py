@@ -48,8 +48,9 @@ from types import (
 )
 from typing import Any
 
-from motionlang.kernel import Hook, Steps
-from motionlang.kernel.log import Store
+from motionlang.kernel.lang.debugging import Hook
+from motionlang.kernel.lang.steps import Steps
+from motionlang.kernel.log.stream import Store
 
 # Types of the language and the library whose objects never change or are the same in every run.
 _ATOMS = (

@@ -15,7 +15,6 @@ from typing import Any
 
 import pytest
 
-from motionlang.ide.debug.snapshot import Snapshot
 from motionlang.kernel import (
     Controller,
     Hook,
@@ -28,6 +27,7 @@ from motionlang.kernel import (
     dialect_for,
     settings_next_to,
 )
+from motionlang.kernel.lang import Snapshot
 from tests.golden.test_gallery import PROGRAMS
 
 # Snapshots of a run, and its end if the program has none, s.
