@@ -98,17 +98,14 @@ def _value(transitions: tuple[Transition, ...], node: Node, lines: tuple[int, ..
 
 def working(trial: Trial, node: Node) -> Cycle | None:
     """Return the work that a trial repeats to its end without a rest; None if it does not."""
-    result = trial.run
-    starts = [
-        (move.start_time, move.line) for move in result.machine.log.moves if move.start_time >= trial.since
-    ]
-    if result.status != "until" or not starts:
+    starts = [(move.begin, move.line) for move in trial.moves if move.begin >= trial.since]
+    if trial.status != "until" or not starts:
         return None
     middle = 0.5 * (trial.since + starts[-1][0])  # what it does in the end, not the homing
     late = [(time, line) for time, line in starts if time > middle]
     counts = Counter(line for _, line in late)
     often = [line for _, line in late if counts[line] >= MIN_REPEATS]
-    if not often or starts[-1][0] < trial.since + LAST_SHARE * (result.time - trial.since):
+    if not often or starts[-1][0] < trial.since + LAST_SHARE * (trial.time - trial.since):
         return None
     least = min(counts[line] for line in often)
     period = tuple(often[: max(1, len(often) // least)])

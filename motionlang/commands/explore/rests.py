@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.trials import GAP, HANDLERS, Begun, Motion, Trial, motions
+from motionlang.commands.explore.trials import GAP, HANDLERS, Begun, Motion, Trial
 
 # What begins so soon after the first statement of a loop belongs to it, s.
 BODY = 0.1
@@ -33,7 +33,7 @@ class Rest(NamedTuple):
 
 def rests(trial: Trial) -> list[Rest]:
     """Return the rests of all tasks from `trial.since` on, in the order of their begin."""
-    moves = motions(trial.run)
+    moves = trial.motions
     found = [*_waits(trial, moves), *_loops(trial, moves)]
     return sorted(
         found, key=lambda rest: (rest.begin, rest.end, rest.state.task, sorted(rest.state.statements))
@@ -42,21 +42,14 @@ def rests(trial: Trial) -> list[Rest]:
 
 def _waits(trial: Trial, moves: Sequence[Motion]) -> Iterator[Rest]:
     """Yield the waits for anything but a time that last, without the motion that goes on meanwhile."""
-    result, since = trial.run, trial.since
-    waits = [
-        (each.task, each.at, each.callers, each.since, each.until)
-        for each in result.machine.log.waits.written()
-        if each.cause != "time" and each.until > since
-    ]
-    scheduler = result.machine.scheduler
-    for task in scheduler.tasks if scheduler is not None else ():
-        if not task.done and task.wait is not None and task.wait.due() == inf:
-            waits.append((task.name, task.at, task.stack[:-1], task.wait.since, inf))
-    for name, at, callers, begin, end in waits:
-        known = max(result.time, begin + 1.0) if trial.is_stuck and end == inf else min(end, result.time)
-        begin = _at_rest(max(begin, since), known, moves)
+    for wait in trial.waits:
+        end = wait.until
+        if end <= trial.since or (wait.cause == "time" and end < inf):
+            continue
+        known = max(trial.time, wait.since + 1.0) if trial.is_stuck and end == inf else min(end, trial.time)
+        begin = _at_rest(max(wait.since, trial.since), known, moves)
         if known - begin > GAP:
-            yield Rest(begin, end, RestState(name, frozenset((at,)), tuple(callers)))
+            yield Rest(begin, end, RestState(wait.task, frozenset((wait.at,)), wait.callers))
 
 
 class _Stretch:
@@ -87,14 +80,14 @@ class _Stretch:
 
 def _loops(trial: Trial, moves: Sequence[Motion]) -> Iterator[Rest]:
     """Yield the loops that repeat the same statements while nothing moves to an end."""
-    for name, statements in trial.recorder.statements.items():
+    for name, statements in trial.statements.items():
         if name == HANDLERS:
             continue
         stretches = list(_stretches(statements))
         ends = [*(each.begin for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
             repeated = frozenset(at for at in stretch.body if stretch.counts[at] > MIN_REPEATS)
-            known = min(end, trial.run.time)
+            known = min(end, trial.time)
             begin = _at_rest(stretch.begin, known, moves)
             if repeated and stretch.is_known and known - begin >= GAP:
                 yield Rest(begin, end, RestState(name, repeated, stretch.callers))

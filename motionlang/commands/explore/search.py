@@ -9,15 +9,7 @@ from itertools import chain
 from math import inf
 
 from motionlang.commands.explore.rests import Rest, RestState, rests
-from motionlang.commands.explore.trials import (
-    HANDLERS,
-    Change,
-    Timeline,
-    Trial,
-    Trials,
-    levels_at,
-    motions,
-)
+from motionlang.commands.explore.trials import HANDLERS, Change, Timeline, Trial, Trials, levels_at
 from motionlang.commands.explore.values import probes, solved
 from motionlang.commands.init import Guesses
 from motionlang.commands.init.ending import asks, plain
@@ -126,12 +118,12 @@ class Explorer:
         while True:
             trial = self.trials.play(timeline, since)
             self._note_readings(trial)
-            if self.trials.is_over or not self._forced(trial.run):
+            if self.trials.is_over or not self._forced(self.trials.last):
                 return trial
 
     def _note_readings(self, trial: Trial) -> None:
         """Take note of the inputs that statements read whose numbers only a run can know."""
-        for at, channels in trial.recorder.readings.items():
+        for at, channels in trial.readings.items():
             if at not in self._computed:
                 continue  # it reads what its text says; its other readings are those of limits and drives
             known = self._read_in.setdefault(self.line(at), {})
@@ -222,7 +214,7 @@ class Explorer:
 
     def _together(self, trial: Trial, causes: Causes, levels: Mapping[int, float]) -> list[Causes]:
         """Return the changes with one more of the inputs that are read behind them."""
-        ran = {self.line(begun.at) for begun in chain.from_iterable(trial.recorder.statements.values())}
+        ran = {self.line(begun.at) for begun in chain.from_iterable(trial.statements.values())}
         read = (channel for line in sorted(ran) for channel in self._read_in.get(line, ()))
         changed = {each.number for each in causes if each.table == "input"}
         return [
@@ -246,7 +238,7 @@ class Explorer:
     def _arrive(self, node: Node, causes: Causes, trial: Trial) -> bool:
         """Take the rests of a trial behind a change; True if it leads this state elsewhere for the first time."""
         news = False
-        handled = {begun.at for begun in trial.recorder.statements.get(HANDLERS, ())}
+        handled = {begun.at for begun in trial.statements.get(HANDLERS, ())}
         is_cut = bool(handled & self._handlers) or _fails(trial)
         last: dict[str, tuple[Node, Causes, float]] = {}
         if node.state is not None:
@@ -264,9 +256,9 @@ class Explorer:
             )
             if before is not None or node.state is None:
                 news |= self._link(source, how, found.state, trial, since, rest.begin, is_cut)
-            last[rest.state.task] = found, (), rest.end if rest.end < inf else trial.run.time
+            last[rest.state.task] = found, (), rest.end if rest.end < inf else trial.time
         if trial.has_ended and node.state is not None:
-            news |= self._link(*last[node.state.task][:2], None, trial, trial.since, trial.run.time, is_cut)
+            news |= self._link(*last[node.state.task][:2], None, trial, trial.since, trial.time, is_cut)
         return news
 
     def _reached(self, rest: Rest, trial: Trial) -> Node:
@@ -278,7 +270,7 @@ class Explorer:
             or (lasts and not node.lasts)
             or (lasts == node.lasts and len(trial.timeline) < len(node.timeline))
         ):
-            moved = frozenset(each.line for each in motions(trial.run) if each.begin <= rest.begin)
+            moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
             made = Node(rest.state, trial.timeline, rest.begin, lasts, moved=moved)
             if node is not None:
                 made.transitions = node.transitions
@@ -297,11 +289,10 @@ class Explorer:
         is_cut: bool,
     ) -> bool:
         """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
-        log = trial.run.machine.log
-        lines = tuple(each.line for each in log.moves if since - 1e-9 <= each.start_time < until + 1e-9)
+        lines = tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9)
         if source.knows(causes, target, lines) or (target == source.state and not lines):
             return False
-        acts = _acts(trial.run, since, until)
+        acts = _acts(trial, since, until)
         source.transitions.append(
             Transition(source.state, causes, target, until - since, lines, acts, is_cut)
         )
@@ -310,24 +301,19 @@ class Explorer:
 
 def _fails(trial: Trial) -> bool:
     """True if a fault cut off a move."""
-    return any(
-        move.start_time >= trial.since and move.ended == "fault" for move in trial.run.machine.log.moves
-    )
+    return any(move.begin >= trial.since and move.ended == "fault" for move in trial.moves)
 
 
-def _acts(result: Run, since: float, until: float) -> tuple[str, ...]:
+def _acts(trial: Trial, since: float, until: float) -> tuple[str, ...]:
     """Return what a program does between two times, in order."""
-    log, found = result.machine.log, list[tuple[float, int, str]]()
-    for move in log.moves:
-        if since - 1e-9 <= move.start_time < until + 1e-9 and move.profile is not None:
-            end = (move.profile.end - move.zero) / (move.scale or 1.0) if move.profile.duration < inf else inf
-            found.append(
-                (move.start_time, 0, f"axis {move.axis} {f'to {end:.4g}' if end < inf else move.command}")
-            )
-    for switched in log.outputs:
+    found: list[tuple[float, int, str]] = []
+    for move in trial.moves:
+        if since - 1e-9 <= move.begin < until + 1e-9 and move.act:
+            found.append((move.begin, 0, move.act))
+    for switched in trial.outputs:
         if since - 1e-9 <= switched.time <= until + 1e-9:
             found.append((switched.time, 1, f"output {switched.channel} {'on' if switched.value else 'off'}"))
-    for printed in log.prints:
+    for printed in trial.prints:
         if since - 1e-9 <= printed.time <= until + 1e-9:
             found.append((printed.time, 2, repr(printed.text.strip())))
     return tuple(text for _, _, text in sorted(found, key=lambda each: each[:2]))

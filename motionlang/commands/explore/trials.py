@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, run
+from motionlang.kernel.log import Printed, Switched, Waited
 
 # A trial lasts until so long after its last change, s, and longer while an axis is on its way to an end.
 HORIZON, MAX_HORIZON, LONGER = 12.0, 200.0, 3.0
@@ -127,23 +128,56 @@ class Recorder(Hook):
             self.comparisons[self._at].append((left, right))
 
 
+class Motion(NamedTuple):
+    """A move of a trial: when it began, s, its axis and its line, and how it was cut off, as in the log.
+
+    `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `act` is what it does,
+    with its target in user units if it has one; it is empty for an entry of the move buffer that moves nothing.
+    """
+
+    begin: float
+    end: float
+    axis: int
+    line: int
+    act: str
+    ended: str
+
+
 class Trial(NamedTuple):
-    """A run with a timeline, and what it did from `since` on."""
+    """What a run with a timeline did: nothing in it changes when another one begins.
+
+    `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more.
+    `waits` are in the order of their ends; those that go on end at infinity. `statements`, `comparisons` and
+    `readings` are those of the `Recorder`, from `since` on.
+    """
 
     timeline: Timeline
     since: float
-    run: Run
-    recorder: Recorder
-
-    @property
-    def is_stuck(self) -> bool:
-        """True if it ended because nothing could change any more."""
-        return any(each.code == "never" for each in self.run.diagnostics)
+    time: float
+    status: str
+    is_stuck: bool
+    moves: Sequence[Motion]
+    outputs: Sequence[Switched]
+    prints: Sequence[Printed]
+    waits: Sequence[Waited]
+    statements: Mapping[str, Sequence[Begun]]
+    comparisons: Mapping[int, Sequence[tuple[object, object]]]
+    readings: Mapping[int, Mapping[int, None]]
 
     @property
     def has_ended(self) -> bool:
         """True if the program ended, or failed."""
-        return self.run.status in ("ended", "fault", "stopped") and not self.is_stuck
+        return self.status in ("ended", "fault", "stopped") and not self.is_stuck
+
+    @property
+    def motions(self) -> list[Motion]:
+        """The moves that have an end of their own."""
+        return [each for each in self.moves if each.end < inf]
+
+    @property
+    def is_busy(self) -> bool:
+        """True if an axis was on its way to an end when time was up."""
+        return self.status == "until" and any(each.end > self.time - GAP for each in self.motions)
 
 
 class Trials:
@@ -152,6 +186,8 @@ class Trials:
     def __init__(self, program: Program, base: Mapping[str, object], most: int) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self.count = 0
+        # The run of the last trial, as it is until the next one.
+        self.last: Run
         # The source offsets of all statements that any trial has begun.
         self.seen: set[int] = set()
 
@@ -166,7 +202,7 @@ class Trials:
         while True:
             self.count += 1
             recorder = Recorder(since)
-            result = run(
+            self.last = run(
                 self.program,
                 machine=Checked({**self.base, **tables_of(timeline)}),
                 until=max(since, last) + horizon,
@@ -174,8 +210,8 @@ class Trials:
                 begun=recorder.attach,
             )
             self.seen |= recorder.seen
-            trial = Trial(timeline, since, result, recorder)
-            if horizon >= MAX_HORIZON or not _is_busy(result):
+            trial = _trial(timeline, since, self.last, recorder)
+            if horizon >= MAX_HORIZON or not trial.is_busy:
                 return trial
             horizon *= LONGER
 
@@ -206,28 +242,46 @@ def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
     }
 
 
-class Motion(NamedTuple):
-    """A move of a run to an end of its own: its times, s, and its line."""
-
-    begin: float
-    end: float
-    line: int
-
-
-def motions(result: Run) -> list[Motion]:
-    """Return the moves of a run that have an end of their own; a jog and a follower have none, a homing has."""
-    homes = result.dialect.table().homes
-    return [
-        Motion(move.start_time, move.start_time + move.profile.duration, move.line)
-        for move in result.machine.log.moves
-        if move.profile is not None
-        if move.profile.duration < inf and (move.profile.shape not in ENDLESS or homes(move.command))
-    ]
-
-
 # The shapes of profiles without an end of their own.
 ENDLESS = frozenset(("jog", "gear"))
 
 
-def _is_busy(result: Run) -> bool:
-    return result.status == "until" and any(each.end > result.time - GAP for each in motions(result))
+def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) -> Trial:
+    """Return what a run did that has just ended."""
+    log = result.machine.log
+    return Trial(
+        timeline,
+        since,
+        result.time,
+        result.status,
+        any(each.code == "never" for each in result.diagnostics),
+        list(_moves(result)),
+        list(log.outputs),
+        list(log.prints),
+        [*log.waits.written(), *_open_waits(result)],
+        recorder.statements,
+        recorder.comparisons,
+        recorder.readings,
+    )
+
+
+def _moves(result: Run) -> Iterator[Motion]:
+    homes = result.dialect.table().homes
+    for move in result.machine.log.moves:
+        profile, end, act = move.profile, inf, ""
+        if profile is not None:
+            act = f"axis {move.axis} {move.command}"
+            if profile.duration < inf:
+                act = f"axis {move.axis} to {(profile.end - move.zero) / (move.scale or 1.0):.4g}"
+                if profile.shape not in ENDLESS or homes(move.command):
+                    end = move.start_time + profile.duration
+        yield Motion(move.start_time, end, move.axis, move.line, act, move.ended)
+
+
+def _open_waits(result: Run) -> Iterator[Waited]:
+    """Yield the waits that no time ends."""
+    scheduler = result.machine.scheduler
+    for task in scheduler.tasks if scheduler is not None else ():
+        wait = task.wait
+        if not task.done and wait is not None and wait.due() == inf:
+            yield Waited(*task.waited(wait, inf))  # type: ignore[arg-type]

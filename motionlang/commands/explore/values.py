@@ -62,7 +62,7 @@ def _margins(trial: Trial) -> dict[int, list[float]]:
             for left, right in sides
             if isinstance(left, (int, float)) and isinstance(right, (int, float))
         ]
-        for at, sides in trial.recorder.comparisons.items()
+        for at, sides in trial.comparisons.items()
     }
 
 

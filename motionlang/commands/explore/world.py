@@ -95,14 +95,14 @@ def _due(found: list[Rest], policy: Mapping[RestState | None, Causes], at: float
 def world_of(explorer: Explorer, cycle: Cycle) -> World:
     """Return the simplest world in which a cycle runs as it was played."""
     trial = played(explorer, cycle)
-    wanted = _moves(trial.run)
+    wanted = [(each.axis, each.line) for each in trial.moves]
     flips: dict[int, list[tuple[float, float]]] = defaultdict(list)
     for time, change in trial.timeline:
         if change.table == "input":
             flips[change.number].append((time, float(change.value)))
     others = tables_of(tuple(each for each in trial.timeline if each[1].table != "input"))
     chosen: dict[int, list[Entry]] = {number: _one_by_one(number, each) for number, each in flips.items()}
-    until = LONGER * trial.run.time
+    until = LONGER * trial.time
     switched = _steady_outputs(trial)
     for number, changes in sorted(flips.items(), key=lambda each: (len(each[1]), each[0])):
         for entry in _rules(number, changes, switched):
@@ -126,9 +126,9 @@ def _one_by_one(number: int, changes: list[tuple[float, float]]) -> list[Entry]:
 def _steady_outputs(trial: Trial) -> dict[int, list[tuple[float, int]]]:
     """Return the changes of the outputs of a trial, but for those that blink while the program is at rest."""
     switched: dict[int, list[tuple[float, int]]] = defaultdict(list)
-    for each in trial.run.machine.log.outputs:
+    for each in trial.outputs:
         switched[each.channel].append((each.time, int(bool(each.value))))
-    stays = [(rest.begin + MOMENT, min(rest.end, trial.run.time) - MOMENT) for rest in rests(trial)]
+    stays = [(rest.begin + MOMENT, min(rest.end, trial.time) - MOMENT) for rest in rests(trial)]
     return {
         output: changes
         for output, changes in switched.items()

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.log.records import GRAVE as GRAVE
     from motionlang.kernel.log.records import Changed as Changed
     from motionlang.kernel.log.records import Event as Event
+    from motionlang.kernel.log.records import Printed as Printed
     from motionlang.kernel.log.records import Switched as Switched
     from motionlang.kernel.log.records import Waited as Waited
     from motionlang.kernel.log.stream import Store as Store
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 PUBLIC = {
     "log": "Log",
     "move": "Move CONTINUED MAX_PIECES",
-    "records": "Event Waited Switched Changed GRAVE",
+    "records": "Event Waited Switched Changed Printed GRAVE",
     "stream": "Stream Store",
 }
 
