@@ -147,7 +147,7 @@ def run(
 def run_on(
     source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
 ) -> Run:
-    """Continue a run from the state of its machine, which a debugger has put back; return another result."""
+    """Continue a run from the state of its machine, which may have been put back; return another result."""
     result = Run(source, language, machine)
     result.program = program
     _perform(result, program, until, None, None, None, None, False)

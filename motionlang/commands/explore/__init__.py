@@ -19,7 +19,8 @@ follow are solved for it (`values.py`).
 
 Without a choice are the switches of an axis that homes for ever, and the answer to a question.
 
-Cost. A run from power-up for each trial, at most `MAX_TRIALS`. The same program gives the same result.
+Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
+(`trials.py`). The same program gives the same result.
 
 The world of the likeliest cycle is then described by simple rules (`world.py`).
 

@@ -158,7 +158,7 @@ class Explorer:
             return False
         given = self.guesses.settings(inf)
         tables = {key: value for key, value in given.items() if key == "answer" or key.startswith("axis.")}
-        self.trials.base |= tables
+        self.trials.give(tables)
         return True
 
     # ----------------------------------------------------------------------------------------------- searching

@@ -1,4 +1,8 @@
-"""Runs of one program in a changing world: each has a timeline of changes, and records what its tasks did."""
+"""Runs of one program in a changing world: each has a timeline of changes, and records what its tasks did.
+
+Most trials change something at the same moment. The run is brought there once, a snapshot is taken shortly before it,
+and each of these trials puts it back, adds its changes to the world, and goes on. Only the last such start is stored.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +11,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
-from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, run
+from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
+from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import Printed, Switched, Waited
 
 # A trial lasts until so long after its last change, s, and longer while an axis is on its way to an end.
 HORIZON, MAX_HORIZON, LONGER = 12.0, 200.0, 3.0
 # An axis that was on its way so short before the end of a trial still moves, s.
 GAP = 0.25
+# A snapshot is taken so long before the changes of its trials, s: longer than a time slice and a few statements.
+LEAD = 0.002
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
 MAX_STATEMENTS, MAX_REPEATED = 300_000, 20_000
 # The changes of the world, by the table of the machine file: the key of the number, and that of the value.
@@ -62,17 +69,25 @@ class Begun(NamedTuple):
 class Recorder(Hook):
     """A record of the tasks of a run from a time on: their statements, the inputs that they read, comparisons."""
 
-    def __init__(self, since: float) -> None:
-        super().__init__(lambda task, time, offset: None)
-        self.since = since
+    def __init__(self, since: float, snapshot_at: float = inf) -> None:
+        super().__init__(lambda task, time, offset: None, between=self._between)
+        self.since, self._snapshot_at = since, snapshot_at
+        # The state of the run at `snapshot_at`, and the statement that had begun last.
+        self.snapshot: Snapshot | None = None
+        self._snapshot_after = -1
+        self._machine: Machine | None = None
+        self._begin(-1)
+
+    def _begin(self, at: int) -> None:
+        """Begin an empty record; the statement at an offset has begun last."""
+        self.count = 0
         self.statements: dict[str, list[Begun]] = defaultdict(list)
         # By source offset: left and right side of each comparison, in order.
         self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
         # By source offset: the inputs that the statement there has read.
         self.readings: dict[int, dict[int, None]] = defaultdict(dict)
         self.seen: set[int] = set()
-        self._machine: Machine | None = None
-        self._at = -1
+        self._at = at
         self._is_recorded = False
         # The places since `since`, the moves so far, and the number of the last statement with something new.
         self._places: set[int] = set()
@@ -84,6 +99,18 @@ class Recorder(Hook):
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
         machine.controller.inputs.observer = self._reads
+        if self._snapshot_at < inf:
+            machine.clock.at(self.since, _nothing)  # no wait before the changes is hopeless
+
+    def _between(self) -> None:
+        assert self._machine is not None
+        if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
+            self.snapshot, self._snapshot_after = Snapshot(self._machine.scheduler), self._at
+
+    def go_back(self, to: Snapshot) -> None:
+        """Put the snapshot back and begin another record."""
+        to.restore()
+        self._begin(self._snapshot_after)
 
     def _reads(self, channel: int) -> None:
         if self._at >= 0:
@@ -180,6 +207,15 @@ class Trial(NamedTuple):
         return self.status == "until" and any(each.end > self.time - GAP for each in self.motions)
 
 
+class Start(NamedTuple):
+    """A moment shortly before changes, from which trials start: earlier changes, its time, and the run up to it."""
+
+    before: Timeline
+    since: float
+    recorder: Recorder
+    run: Run
+
+
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces."""
 
@@ -190,46 +226,75 @@ class Trials:
         self.last: Run
         # The source offsets of all statements that any trial has begun.
         self.seen: set[int] = set()
+        # Where the last trial started, if not at power-up.
+        self._start: Start | None = None
 
     @property
     def is_over(self) -> bool:
         """True if the budget is used up."""
         return self.count >= self.most
 
+    def give(self, settings: Mapping[str, object]) -> None:
+        """Add settings for all later trials."""
+        self.base |= settings
+        self._start = None
+
     def play(self, timeline: Timeline, since: float) -> Trial:
         """Run the program with a timeline, until nothing is on its way to an end any more."""
-        horizon, last = HORIZON, max((at for at, _ in timeline), default=since)
-        while True:
-            self.count += 1
+        self.count += 1
+        end = max((since, *(at for at, _ in timeline)))
+        if since > 0.0:
+            recorder = self._continue(timeline, since, end + HORIZON)
+        else:  # what is on at power-up changes no input
             recorder = Recorder(since)
-            self.last = run(
-                self.program,
-                machine=Checked({**self.base, **tables_of(timeline)}),
-                until=max(since, last) + horizon,
-                hook=recorder,
-                begun=recorder.attach,
-            )
-            self.seen |= recorder.seen
-            trial = _trial(timeline, since, self.last, recorder)
-            if horizon >= MAX_HORIZON or not trial.is_busy:
-                return trial
+            self.last = self._run(tables_of(timeline), end + HORIZON, recorder)
+        trial, horizon = _trial(timeline, since, self.last, recorder), HORIZON
+        while trial.is_busy and horizon < MAX_HORIZON:
             horizon *= LONGER
+            self.last = self._run_on(self.last.machine, end + horizon)
+            trial = _trial(timeline, since, self.last, recorder)
+        self.seen |= recorder.seen
+        return trial
+
+    def _continue(self, timeline: Timeline, since: float, until: float) -> Recorder:
+        """Play on from shortly before the changes; bring the run there first if it is not the last start."""
+        before = tuple(each for each in timeline if each[0] < since)
+        start = self._start
+        if start is None or (start.before, start.since) != (before, since):
+            at = max(since - LEAD, 0.0)
+            recorder = Recorder(since, at)
+            start = self._start = Start(before, since, recorder, self._run(tables_of(before), at, recorder))
+            self.seen |= recorder.seen
+        recorder, self.last = start.recorder, start.run
+        if recorder.snapshot is not None:  # the program has not ended before
+            recorder.go_back(recorder.snapshot)
+            machine = start.run.machine
+            changes = tuple(each for each in timeline if each[0] >= since)
+            machine.add_entries(tables_of(changes, machine.clock.now))
+            self.last = self._run_on(machine, until)
+        return recorder
+
+    def _run(self, tables: Mapping[str, object], until: float, recorder: Recorder) -> Run:
+        settings = Checked({**self.base, **tables})
+        return run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+
+    def _run_on(self, machine: Machine, until: float) -> Run:
+        program = self.program
+        return run_on(program.source, dialect(program.language), program, machine, until)
 
     def run_in(self, tables: Mapping[str, object], until: float) -> Run:
         """Run the program with some tables of the machine file up to a time."""
         self.count += 1
-        recorder = Recorder(inf)
-        settings = Checked({**self.base, **tables})
-        return run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+        return self._run(tables, until, Recorder(inf))
 
 
-def tables_of(timeline: Timeline) -> dict[str, object]:
-    """Return the tables of a machine file with the changes of a timeline."""
+def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
+    """Return the tables of a machine file with the changes of a timeline; their times count from `since`."""
     tables: dict[str, list[dict[str, object]]] = defaultdict(list)
     for time, change in timeline:
         number, value = TABLES[change.table]
         entry: dict[str, object] = {number: change.number} if number else {}
-        tables[change.table].append(entry | {"at": time, value: change.value})
+        tables[change.table].append(entry | {"at": time - since, value: change.value})
     return dict(tables)
 
 
@@ -240,6 +305,10 @@ def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
         for at, change in timeline
         if change.table == "input" and at <= time + 1e-9
     }
+
+
+def _nothing() -> None:
+    """Do nothing; an event at which something may change."""
 
 
 # The shapes of profiles without an end of their own.

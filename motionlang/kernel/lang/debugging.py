@@ -52,8 +52,8 @@ class Hook:
 
     `stop` is called before each statement whose number is at least `limit`, and before those at the source
     offsets in `offsets`. `advancing` is called with each time to which the clock is about to advance. `between` is
-    called between two rounds of the scheduler, when the whole state of the run is in its objects. A task that is
-    alone seldom makes a round; from statement `round_at` on it makes one after each statement.
+    called between two rounds of the scheduler and when time is up, since the whole state of the run is in its objects
+    then. A task that is alone seldom makes a round; from statement `round_at` on it makes one after each statement.
     """
 
     def __init__(

@@ -214,10 +214,11 @@ class Scheduler:
         self.until, self._end = until, 0.0
         while not parent.done:
             now = clock.now
-            if now >= self.until:
-                return False
-            if self._hook is not None and not self._end:
+            is_over = now >= self.until
+            if self._hook is not None and (is_over or not self._end):
                 self._hook.between()
+            if is_over:
+                return False
             task = self.current if self._end else self._runnable()
             if task is None:
                 self._jump(until)

@@ -15,8 +15,8 @@ Invariants.
 - A run changes only attributes, elements and cells of objects that its scheduler reaches. None of them is a generator,
   an iterator, a file or a socket; a snapshot refuses these.
 - An object keeps its identity. A cache compares what it was read from, by identity, before it answers.
-- Steps have no memory, and objects of modules in `CONSTANT` never change. Those in `OUTSIDE` are not of the run and do
-  not go back.
+- Steps have no memory, a program only caches what its text says, and objects of modules in `CONSTANT` never change.
+  Those in `OUTSIDE` are not of the run and do not go back.
 - A snapshot is taken between two rounds of the scheduler. It is valid until the run goes back behind it: the lengths
   that it stores are then those of another log.
 """
@@ -49,6 +49,7 @@ from types import (
 from typing import Any
 
 from motionlang.kernel.lang.debugging import Hook
+from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.log.stream import Store
 
@@ -77,7 +78,7 @@ class Snapshot:
     """
 
     # Types of objects that the run does not change, nor anything that only they reach.
-    constant: tuple[type, ...] = (Steps,)
+    constant: tuple[type, ...] = (Steps, Program)
 
     def __init__(self, root: object) -> None:
         # In this order, since a packed move is read from the track of its axis.

@@ -166,6 +166,16 @@ def test_inputs_that_are_wired_later_count_their_times_from_then() -> None:
     assert c.analogue_inputs[1] == 0.0
 
 
+def test_a_host_that_is_added_later_writes_at_times_from_then() -> None:
+    made = Machine({"controller.axes": 1})
+    made.controller.clock.advance(2.0)
+    made.add_entries({"comms": [{"element": 5, "value": 7.5, "at": 1.0}]})
+    made.controller.clock.advance(2.5)
+    assert made.host.real("comms", 5) == 0.0
+    made.controller.clock.advance(3.0)
+    assert made.host.real("comms", 5) == 7.5
+
+
 def test_below_a_position() -> None:
     c = machine(input=[{"channel": 3, "axis": 0, "below": 6.0}, {"channel": 4, "axis": 1, "above": -1.0}])
     c.move_to(0, 12.0)

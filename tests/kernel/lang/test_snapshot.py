@@ -111,6 +111,24 @@ def test_a_program_of_the_gallery_ends_the_same_after_going_back(path: Path) -> 
     check(Source.read(str(path)), settings_next_to(str(path)))
 
 
+def test_a_run_goes_on_from_the_snapshot_at_which_its_time_was_up() -> None:
+    """The task makes no round of the scheduler in a wait, but one at the end of the run."""
+    source, settings = Source("dwell.mcl", "1MN,1MR1000,1WS,WA5,1MR-1000,1WS\n"), {"controller.axes": 1}
+    expected, run = Observed(source, settings, []).finish(), Observed(source, settings, [])
+    taken: list[Snapshot] = []
+
+    def between() -> None:
+        if run.machine.clock.now >= 3.0 and not taken:
+            taken.append(Snapshot(run.scheduler))
+
+    run.hook.between = between
+    assert run.scheduler.run(3.0) == "until"
+    for _ in range(2):
+        taken[0].restore()
+        assert run.machine.clock.now == 3.0
+        assert run.finish() == expected
+
+
 PULSES = {"input": [{"channel": 1, "value": 1, "every": 0.01, "for": 0.004}]}
 PROGRAMS_OF_STATE = {
     # Arguments of events: each pulse of an input schedules the next one.

@@ -87,11 +87,11 @@ class HostMemory:
         low, high = AREAS[area]
         return 2 * low <= first and first + count <= 2 * high + 2
 
-    def schedule(self, clock: Clock, area: str, entry: Mapping[str, object]) -> None:
-        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file."""
+    def schedule(self, clock: Clock, area: str, entry: Mapping[str, object], since: float = 0.0) -> None:
+        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file; its time counts from `since`."""
         words = _words(area, entry)
         time, element = float(entry.get("at", 0.0)), int(entry["address" if area == "dpr" else "element"])  # type: ignore[arg-type,call-overload]
-        clock.at(max(time, clock.now), lambda: self.write(area, element, words))
+        clock.at(max(since + time, clock.now), lambda: self.write(area, element, words))
 
 
 def product(model: str) -> str:

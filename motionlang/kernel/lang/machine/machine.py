@@ -110,9 +110,12 @@ class Machine:
         self.world = _world(self.controller, self.settings)
 
     def add_entries(self, settings: Mapping[str, object]) -> None:
-        """Add inputs, answers and keys to the world; their times count from now."""
+        """Add inputs, answers, keys and writes of a host to the world; their times count from now."""
         if "answer" in settings or "key" in settings:
             self.operator.add(settings, self.clock.now)
+        for area in AREAS:
+            for entry in settings.get(area, ()):  # type: ignore[attr-defined]
+                self.host.schedule(self.clock, area, entry, self.clock.now)
         if "input" not in settings and "analogue" not in settings:
             return
         if self.world is None:
