@@ -64,7 +64,7 @@ _PLAIN = frozenset({int, float, str, bytes, bool, type(None), CodeType, ModuleTy
 # Modules of motion profiles, texts and trees, whose objects never change.
 CONSTANT = (
     "motionlang.kernel.planners.", "motionlang.kernel.source", "motionlang.kernel.lang.keyword",
-    "motionlang.kernel.mccl.resolve.", "lark.",
+    "motionlang.kernel.mint.syntax.", "motionlang.kernel.mccl.resolve.", "lark.",
 )  # fmt: skip
 # The debugger, which is not part of the run. A store has the chunks of streams, which drop them in `cut`.
 OUTSIDE = ("motionlang.ide.debug.",)
