@@ -179,7 +179,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--max-cpu",
         type=float,
         metavar="S",
-        help="fail a test that takes more processor time, as on a usual machine, and is not slow",
+        help="fail a test that takes more processor time and is not slow",
     )
 
 
@@ -188,28 +188,13 @@ def _processor_time() -> float:
     return sum(os.times()[:4])
 
 
-# Processor time, s, of `_slowness` on the machine whose seconds the limit counts.
-REFERENCE = 0.045
-
-
-def _slowness() -> float:
-    """Return how many times slower this machine is at the moment than that of the limit, at least 1."""
-    begun, table = _processor_time(), dict[int, int]()
-    for number in range(400_000):
-        table[number & 1023] = number % 7
-    return max((_processor_time() - begun) / REFERENCE, 1.0)
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, None, None]:
     """Limit the processor time of a test that is not marked slow."""
     begun, most = _processor_time(), item.config.option.max_cpu
     yield
     taken = _processor_time() - begun
-    if most is None or taken <= most or any(map(item.get_closest_marker, ("slow", "long"))):
-        return
-    taken /= _slowness()  # a slow or loaded machine takes longer for the same work
-    if taken > most:
+    if most is not None and taken > most and not any(map(item.get_closest_marker, ("slow", "long"))):
         pytest.fail(f"it took {taken:.1f} s of processor time; make it faster, or mark it slow")
 
 

@@ -20,7 +20,8 @@ follow are solved for it (`values.py`).
 Without a choice are the switches of an axis that homes for ever, and the answer to a question.
 
 Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
-(`trials.py`). The same program gives the same result.
+(`trials.py`), and end soon after the program has come to states that are known to last. The same program gives the same
+result.
 
 The world of the likeliest cycle is then described by simple rules (`world.py`).
 
@@ -33,19 +34,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from motionlang.commands.explore.cycles import Cycle, cycles, working
-from motionlang.commands.explore.rests import RestState
+from motionlang.commands.explore.cycles import Cycle, cycles
+from motionlang.commands.explore.rests import RestState, TaskRest
 from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition
 from motionlang.commands.explore.world import World, world_of
 from motionlang.kernel import Program
 
-__all__ = ["Cycle", "Exploration", "Node", "RestState", "Transition", "World", "explore"]
+__all__ = ["Cycle", "Exploration", "Node", "RestState", "TaskRest", "Transition", "World", "explore"]
 
 
 class Exploration(NamedTuple):
     """The states of a machine with their transitions, power-up first; its cycles, the likeliest first; the trials.
 
-    `world` is that of the first cycle, None without one.
+    `world` is that of the first cycle that repeats when it is played, None without a cycle.
     """
 
     nodes: Sequence[Node]
@@ -60,7 +61,6 @@ def explore(
     """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials."""
     explorer = Explorer(program, machine or {}, trials)
     explorer.explore()
-    work = [found for trial, node in explorer.working if (found := working(trial, node)) is not None]
-    likeliest, count = cycles(explorer.nodes, work), explorer.trials.count
-    world = world_of(explorer, likeliest[0]) if likeliest else None
+    likeliest, count = cycles(explorer.nodes, explorer.working), explorer.trials.count
+    world = world_of(explorer, likeliest)
     return Exploration(list(explorer.nodes.values()), likeliest, count, world)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
+from itertools import chain, pairwise
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.trials import GAP, HANDLERS, Begun, Motion, Trial
+from motionlang.commands.explore.trials import HANDLERS, Begun, Motion, Trial
 
-# What begins so soon after the first statement of a loop belongs to it, s.
+# What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1
-# A statement of a loop repeats more often than this.
-MIN_REPEATS = 1
+# The shortest rest, s.
+SHORTEST = 0.15
 
 
-class RestState(NamedTuple):
+class TaskRest(NamedTuple):
     """The place where a task rests: the statements that it repeats or waits at, and the calls that lead there."""
 
     task: str
@@ -23,83 +26,175 @@ class RestState(NamedTuple):
     callers: tuple[int, ...] = ()
 
 
+# The state of a machine at rest: that of each task that works, in the order of their names.
+RestState = tuple[TaskRest, ...]
+
+
 class Rest(NamedTuple):
-    """A stay in a rest state: its times, s; `end` is infinite if only a change of the world ends it."""
+    """A stay in a rest state: its times, s; `end` is infinite if only a change of the world ends it.
+
+    `question` is that of an INPUT that has no answer.
+    """
 
     begin: float
     end: float
     state: RestState
+    question: str | None = None
 
 
-def rests(trial: Trial) -> list[Rest]:
-    """Return the rests of all tasks from `trial.since` on, in the order of their begin."""
+class _Stay(NamedTuple):
+    """A stay of one task."""
+
+    begin: float
+    end: float
+    place: TaskRest
+    question: str | None = None
+
+
+def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
+    """Return the rests of a machine from `trial.since` on: the times at which each task rests that works.
+
+    The statements `beside` are those of tasks that do not count. A task that never rests does not count either.
+    """
     moves = trial.motions
-    found = [*_waits(trial, moves), *_loops(trial, moves)]
-    return sorted(
-        found, key=lambda rest: (rest.begin, rest.end, rest.state.task, sorted(rest.state.statements))
-    )
+    stays: dict[str, list[_Stay]] = defaultdict(list)
+    for stay in (*_waits(trial, moves), *_loops(trial, moves)):
+        if not stay.place.statements <= beside:
+            stays[stay.place.task].append(stay)
+    active = {task: _activity(task, trial) for task in stays}
+    times = sorted({time for each in chain.from_iterable(stays.values()) for time in (each.begin, each.end)})
+    found: list[Rest] = []
+    for begin, end in pairwise(times):
+        at_rest = [
+            next((each for each in stays[task] if each.begin <= begin and end <= each.end), None)
+            for task in sorted(stays)
+            if active[task][0] < end and begin < active[task][1]
+        ]
+        known = [each for each in at_rest if each is not None]
+        if not known or len(known) < len(at_rest):
+            continue
+        question = next((each.question for each in known if each.question is not None), None)
+        rest = Rest(begin, end, tuple(each.place for each in known), question)
+        if found and found[-1].state == rest.state and found[-1].end == begin:
+            found[-1] = found[-1]._replace(end=end, question=question)
+        else:
+            found.append(rest)
+    return [each for each in found if each.end - each.begin > SHORTEST]
 
 
-def _waits(trial: Trial, moves: Sequence[Motion]) -> Iterator[Rest]:
+def _activity(task: str, trial: Trial) -> tuple[float, float]:
+    """Return when a task is known to run first and last; the last is infinite if it waits then or loops."""
+    begun = [each.time for each in trial.statements.get(task, ())]
+    waits = [each for each in trial.waits if each.task == task]
+    first = min([*begun[:1], *(each.since for each in waits)])
+    last = max([*begun[-1:], *(each.until for each in waits)])
+    return first, last if trial.has_ended or last < trial.time - BODY else inf
+
+
+def _waits(trial: Trial, moves: Sequence[Motion]) -> Iterator[_Stay]:
     """Yield the waits for anything but a time that last, without the motion that goes on meanwhile."""
     for wait in trial.waits:
         end = wait.until
-        if end <= trial.since or (wait.cause == "time" and end < inf):
+        if end <= trial.since or (wait.cause == "time" and end < inf) or (end == inf and trial.has_ended):
             continue
         known = max(trial.time, wait.since + 1.0) if trial.is_stuck and end == inf else min(end, trial.time)
         begin = _at_rest(max(wait.since, trial.since), known, moves)
-        if known - begin > GAP:
-            yield Rest(begin, end, RestState(wait.task, frozenset((wait.at,)), wait.callers))
+        if known - begin > SHORTEST:
+            question = trial.question if end == inf and wait.cause == "operator" else None
+            yield _Stay(begin, end, TaskRest(wait.task, frozenset((wait.at,)), wait.callers), question)
 
 
 class _Stretch:
-    """Statements of a task that may be a loop: those that begin within `BODY` of the first one, and repeat."""
+    """Statements of a task that may be a loop: from one statement on until it comes again, and as long as these repeat.
+
+    A loop that is shorter than `BODY` has all statements of that time, since each pass may take another branch.
+    """
 
     def __init__(self, first: Begun) -> None:
         self.begin = first.time
         self.callers = first.callers
+        # Each statement as it began last, and how often it did.
+        self.body = {first.at: first}
         self.counts = Counter((first.at,))
-        # When each statement began last.
-        self.body = {first.at: first.time}
         self.is_known = False
+        self._pass = inf  # the shortest time from a statement to the same one
+        self._last_pass = inf  # when the last statement began before
 
-    def take(self, begun: Begun) -> bool:
-        """Take a statement that belongs to the loop; False if it does not."""
-        if not self.is_known and begun.time - self.begin >= BODY:
-            self.is_known, self.callers = True, begun.callers
-            middle = self.begin + BODY / 3.0  # what began only before it led to the loop
-            self.body = {at: time for at, time in self.body.items() if time >= middle} or self.body
-        if self.is_known and begun.at not in self.body:
+    def take(self, begun: Begun, is_behind_skip: bool) -> bool:
+        """Take a statement that belongs to the loop; False if it does not.
+
+        Behind a skip of passes that only repeat, what began more than once just before it is the loop.
+        """
+        if is_behind_skip and not self.is_known:
+            self._know(self._last_pass)
+        before = self.body.get(begun.at)
+        self._last_pass = inf if before is None else before.time
+        if self.is_known and before is None:
             return False
-        self.body[begun.at] = begun.time
+        if before is not None:
+            self._pass = min(self._pass, begun.time - before.time)
+            if not self.is_known and begun.time - self.begin >= SHORTEST:
+                self._know(min(before.time, begun.time - BODY))
+        self.body[begun.at] = begun
         self.counts[begun.at] += 1
-        # Calls of the loop come and go; those that all of its statements have in common lead to it.
-        self.callers = _common(self.callers, begun.callers)
+        if self.is_known:
+            # Calls of the loop come and go; those that all of its statements have in common lead to it.
+            self.callers = _common(self.callers, begun.callers)
         return True
 
+    def _know(self, since: float) -> None:
+        """Take what began since a time for the loop, if any of it repeats."""
+        again = [each for at, each in self.body.items() if each.time >= since and self.counts[at] > 1]
+        if not again:
+            return
+        self.begin = max((each.time for each in self.body.values() if each.time < since), default=self.begin)
+        self.body = {at: each for at, each in self.body.items() if each.time >= since}
+        self.callers = reduce(_common, (each.callers for each in again))
+        self.is_known = True
 
-def _loops(trial: Trial, moves: Sequence[Motion]) -> Iterator[Rest]:
+    def loop(self, end: float) -> frozenset[int]:
+        """Return the statements that repeat, none if they do not for another pass until a time."""
+        if not self.is_known or end - self.begin < 1.5 * self._pass:
+            return frozenset()
+        return frozenset(at for at in self.body if self.counts[at] > 1)
+
+
+def _loops(trial: Trial, moves: Sequence[Motion]) -> Iterator[_Stay]:
     """Yield the loops that repeat the same statements while nothing moves to an end."""
     for name, statements in trial.statements.items():
         if name == HANDLERS:
             continue
-        stretches = list(_stretches(statements))
+        waits = [each for each in trial.waits if each.task == name and each.until - each.since > SHORTEST]
+        starts = sorted(each.begin for each in moves)
+        stretches = list(_stretches(statements, starts, sorted(each.since for each in waits)))
         ends = [*(each.begin for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
-            repeated = frozenset(at for at in stretch.body if stretch.counts[at] > MIN_REPEATS)
             known = min(end, trial.time)
             begin = _at_rest(stretch.begin, known, moves)
-            if repeated and stretch.is_known and known - begin >= GAP:
-                yield Rest(begin, end, RestState(name, repeated, stretch.callers))
+            loop = stretch.loop(known)
+            if loop and known - begin >= SHORTEST:
+                yield _Stay(begin, end, TaskRest(name, loop, stretch.callers))
 
 
-def _stretches(statements: Iterable[Begun]) -> Iterator[_Stretch]:
+def _stretches(
+    statements: Iterable[Begun], starts: Sequence[float], waits: Sequence[float]
+) -> Iterator[_Stretch]:
+    """Yield the stretches of statements; where a move begins, the work goes on, and another one begins.
+
+    Where no statement begins for long, and no wait, the interpreter has skipped passes of a loop.
+    """
     stretch: _Stretch | None = None
+    time = 0.0
     for begun in statements:
-        if stretch is None or not stretch.take(begun):
+        has_moved = bisect_right(starts, begun.time) > bisect_right(starts, time)
+        is_behind_skip = begun.time - time > SHORTEST and bisect_left(waits, time) == bisect_left(
+            waits, begun.time
+        )
+        if stretch is None or has_moved or not stretch.take(begun, is_behind_skip):
             if stretch is not None:
                 yield stretch
             stretch = _Stretch(begun)
+        time = begun.time
     if stretch is not None:
         yield stretch
 
@@ -117,11 +212,3 @@ def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
 def _at_rest(begin: float, end: float, moves: Sequence[Motion]) -> float:
     """Return when the motion between two times that goes on last has ended, at most `end`."""
     return max([begin, *(min(each.end, end) for each in moves if each.begin < end and each.end > begin)])
-
-
-def by_task(found: Iterable[Rest]) -> dict[str, list[Rest]]:
-    """Return rests by the name of their task."""
-    made: dict[str, list[Rest]] = defaultdict(list)
-    for rest in found:
-        made[rest.state.task].append(rest)
-    return made

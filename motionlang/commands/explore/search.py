@@ -2,27 +2,56 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from math import inf
+from typing import NamedTuple
 
-from motionlang.commands.explore.rests import Rest, RestState, rests
+from motionlang.commands.explore.rests import BODY, SHORTEST, Rest, RestState, rests
 from motionlang.commands.explore.trials import HANDLERS, Change, Timeline, Trial, Trials, levels_at
-from motionlang.commands.explore.values import probes, solved
+from motionlang.commands.explore.values import ANSWERS, printed_for, probes, solved, usual_answers
 from motionlang.commands.init import Guesses
-from motionlang.commands.init.ending import asks, plain
 from motionlang.commands.worlds import TABLES as GIVEN
 from motionlang.kernel import Program, Run, dialect
 
 MAX_TRIALS = 500
 # A change comes so long after the program is at rest, s.
 DELAY = 0.3
-# So many changes at once are tried.
-MAX_TOGETHER = 5
+# A state that is known to last has lasted for so long when a trial ends, s.
+QUIET = 1.0
 
 Causes = tuple[Change, ...]
+
+
+class Visit(NamedTuple):
+    """A way to a state: the timeline that leads there, and when the stay begins and ends, at infinity if it lasts.
+
+    `moved` are the lines that moved an axis on the way. `question` is that of an INPUT.
+    """
+
+    timeline: Timeline
+    time: float
+    end: float = inf
+    moved: frozenset[int] = frozenset()
+    question: str | None = None
+
+    @property
+    def lasts(self) -> bool:
+        """True if only a change of the world ends the stay."""
+        return self.end == inf
+
+    @property
+    def change_time(self) -> float:
+        """When a change comes; an answer is taken when the program asks."""
+        if self.question is not None:
+            return self.time
+        return round(max(self.time + delay(self.time, self.end), 0.0), 4)
+
+
+def delay(begin: float, end: float) -> float:
+    """Return the time from the begin of a rest to a change: it comes before the rest ends by itself."""
+    return min(DELAY, (end - begin) / 2.0)
 
 
 @dataclass
@@ -30,8 +59,10 @@ class Transition:
     """A way from a state to the next one.
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
-    those that move an axis, in order, `acts` what the program does: moves, outputs and printed lines. `is_cut` is True
-    if a handler ran, or a fault cut off a move.
+    those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts` is
+    what the program does: moves, outputs and printed lines. `is_cut` is True
+    if a handler ran, or a fault cut off a move. `visit` is that of the source from which it was found, `is_later` if
+    that is no shortest one. `is_by_itself` is True if the stay ends without the changes at that time.
     """
 
     source: RestState | None
@@ -39,29 +70,63 @@ class Transition:
     target: RestState | None
     seconds: float
     lines: tuple[int, ...]
+    work: frozenset[int]
+    outputs: frozenset[int]
     acts: tuple[str, ...]
-    is_cut: bool = False
+    is_cut: bool
+    visit: Visit
+    is_later: bool
+    is_by_itself: bool
+
+
+@dataclass(eq=False)
+class Departure:
+    """Changes that are still to be tried from a visit, so many at once; None for each change by itself.
+
+    `tried` are those that have been tried from the visit.
+    """
+
+    visit: Visit
+    changes: Iterator[Causes] | None = None
+    depth: int = 1
+    tried: set[Causes] = field(default_factory=set)
 
 
 @dataclass
 class Node:
-    """A state, the shortest timeline that leads there and when; `lasts` if only a change of the world ends it."""
+    """A state: the shortest way there, and a later one with further moves, since these may decide what follows.
+
+    `printed` is what the program prints before it asks the question of the state.
+    """
 
     state: RestState | None
-    timeline: Timeline
-    time: float
-    lasts: bool = False
-    is_open: bool = True
-    # The lines that moved an axis on the way there.
-    moved: frozenset[int] = frozenset()
+    first: Visit
+    later: Visit | None = None
+    printed: str = ""
+    # What is still to be tried.
+    left: list[Departure] = field(default_factory=list)
     transitions: list[Transition] = field(default_factory=list)
 
+    @property
+    def moved(self) -> frozenset[int]:
+        """The lines that moved an axis on the shortest way there."""
+        return self.first.moved
+
     def knows(self, causes: Causes, target: RestState | None, lines: tuple[int, ...]) -> bool:
-        """True if the same happens by these causes, or by some of them."""
+        """True if the same happens by these causes, by some of them, or by other values of their channels."""
+        known = {each.kind for each in causes}
         return any(
-            each.target == target and each.lines == lines and set(each.causes) <= set(causes)
+            each.target == target and each.lines == lines and {one.kind for one in each.causes} <= known
             for each in self.transitions
         )
+
+
+class Work(NamedTuple):
+    """Work that a program repeats without a rest: the lines that move an axis, and the outputs that it switches on."""
+
+    timeline: Timeline
+    lines: frozenset[int]
+    outputs: frozenset[int]
 
 
 class Explorer:
@@ -99,11 +164,24 @@ class Explorer:
         # The handlers of a program but for those of a timer, as statements.
         graph, units = program.structure.graph, program.structure.units
         entered = (unit.entry for unit in units if unit.kind == "event" and "timer" not in unit.name.lower())
-        self._handlers = {
+        self.handlers = {
             program.structure.points[point].at for entry in entered for point in graph.reached(entry)
         } - {-1}
-        # The trials that go on with work without a rest, each with the node from which it began.
-        self.working: list[tuple[Trial, Node]] = []
+        self._beside = _beside(program)
+        # The inputs whose changes start a handler.
+        self.triggers = {
+            int(each.number)
+            for unit in units
+            if unit.kind == "event"
+            for each in unit.triggers
+            if each.channel == "input" and each.number.isdecimal()
+        }
+        # The lines that move an axis in any transition.
+        self._moved: set[int] = set()
+        # Two unusual values of each channel that has more than two, and the lines that read it.
+        self.probes = probes(program)
+        # Work that goes on without a rest.
+        self.working: list[Work] = []
 
     # ------------------------------------------------------------------------------------------------- playing
 
@@ -113,13 +191,25 @@ class Explorer:
             self._lines[at] = dialect(self.program.language).locate(self.program.source, at)[0]
         return self._lines[at]
 
-    def play(self, timeline: Timeline, since: float) -> Trial:
-        """Run the program with a timeline, and with what leaves no choice."""
+    def play(
+        self, timeline: Timeline, since: float, is_settled: Callable[[Trial], bool] = lambda trial: False
+    ) -> Trial:
+        """Run the program with a timeline, and with what leaves no choice; see `Trials.play`."""
         while True:
-            trial = self.trials.play(timeline, since)
+            trial = self.trials.play(timeline, since, is_settled)
             self._note_readings(trial)
             if self.trials.is_over or not self._forced(self.trials.last):
                 return trial
+
+    def _is_settled(self, trial: Trial) -> bool:
+        """True if the machine came to rest in a state that is known to last."""
+        last = next((rest for rest in self.rests(trial) if rest.end == inf), None)
+        return (
+            last is not None
+            and last.begin < trial.time - QUIET
+            and last.state in self.nodes
+            and self.nodes[last.state].first.lasts
+        )
 
     def _note_readings(self, trial: Trial) -> None:
         """Take note of the inputs that statements read whose numbers only a run can know."""
@@ -150,53 +240,61 @@ class Explorer:
                 if key.startswith("axis."):
                     _, axis, setting = key.split(".")
                     done.append(self.guesses.home(int(axis), result, (setting,)))
-        if not any(done) and asks(result) and result.time:
-            question = plain(result.machine.operator.question).strip(" ?:")
-            if question not in self.guesses.exhausted:
-                done.append(self.guesses.answer(question, [], result))
         if not any(done):
             return False
         given = self.guesses.settings(inf)
-        tables = {key: value for key, value in given.items() if key == "answer" or key.startswith("axis.")}
-        self.trials.give(tables)
+        self.trials.give({key: value for key, value in given.items() if key.startswith("axis.")})
         return True
 
     # ----------------------------------------------------------------------------------------------- searching
 
     def explore(self) -> None:
         """Find the states and the transitions."""
-        start = self.nodes[None] = Node(None, (), -DELAY)
-        self._arrive(start, (), self.play((), 0.0))
+        start = self.nodes[None] = Node(None, Visit((), -DELAY))
+        trial = self.play((), 0.0)
+        behind = self._behind(trial, self._arrive(start, start.first, (), trial)[1])
+        read_first = dict.fromkeys(channel for line in behind for channel in self._read_in.get(line, ()))
+        start.left = [Departure(start.first, ((Change("input", each, 1.0),) for each in read_first))]
         while not self.trials.is_over:
-            left = [each for each in self.nodes.values() if each.is_open]
+            left = [(node, departure) for node in self.nodes.values() for departure in node.left]
             if not left:
                 return
-            node = min(left, key=lambda each: (each.state is not None, len(each.timeline), -len(each.moved)))
-            node.is_open = False
-            self._leave(node)
+            node, departure = min(left, key=_urgency)
+            node.left.remove(departure)
+            self._leave(node, departure)
 
-    def _leave(self, node: Node) -> None:
-        """Try each change from a state."""
-        time = round(max(node.time + DELAY, 0.0), 4)
-        levels = levels_at(node.timeline, time)
-        single = ((Change("input", channel, 1 - levels.get(channel, 0.0)),) for channel in self.channels)
-        tried: set[Causes] = set()
-        for first in chain(single, self._read_together(node, levels), self._values(node, time)):
-            waiting = deque((first,))
-            while waiting and not self.trials.is_over:
-                causes = waiting.popleft()
-                if causes in tried:
-                    continue
-                tried.add(causes)
-                before = len(self.trials.seen), len(self.nodes)
-                trial = self._changed(node, time, causes)
-                news = self._arrive(node, causes, trial) or (len(self.trials.seen), len(self.nodes)) != before
-                if news and len(causes) < MAX_TOGETHER:
-                    waiting += self._together(trial, causes, levels)
+    def _leave(self, node: Node, departure: Departure) -> None:
+        """Try the changes of a departure; what leads to something new is tried again with one more change."""
+        visit, tried = departure.visit, departure.tried
+        for causes in departure.changes or self._single(node, visit):
+            if self.trials.is_over:
+                return
+            if causes in tried:
+                continue
+            tried.add(causes)
+            before = len(self.trials.seen), len(self.nodes)
+            trial = self._changed(visit, causes)
+            news, rest = self._arrive(node, visit, causes, trial)
+            if news or (len(self.trials.seen), len(self.nodes)) != before:
+                behind = self._behind(trial, rest)
+                levels = levels_at(visit.timeline, visit.change_time)
+                more = chain(
+                    self._together(behind, causes, levels), self._values_behind(node, visit, behind, causes)
+                )
+                node.left.append(Departure(visit, more, departure.depth + 1, tried))
+
+    def _single(self, node: Node, visit: Visit) -> Iterator[Causes]:
+        """Yield each change once, and those of several inputs that one line reads."""
+        levels = levels_at(visit.timeline, visit.change_time)
+        for channel in self.channels:
+            yield (Change("input", channel, 1 - levels.get(channel, 0.0)),)
+        yield from self._read_together(node, levels)
+        yield from self._values(node, visit) if visit.question is None else self._answers(node, visit)
 
     def _read_together(self, node: Node, levels: Mapping[int, float]) -> Iterator[Causes]:
         """Yield the changes of several inputs that a line of a state reads."""
-        lines = dict.fromkeys(map(self.line, sorted(node.state.statements))) if node.state is not None else ()
+        places = [at for each in node.state or () for at in sorted(each.statements)]
+        lines = dict.fromkeys(map(self.line, places))
         for line in lines:
             wanted = self._read_in.get(line, {})
             for levels_of_line in (wanted, {channel: 1.0 - level for channel, level in wanted.items()}):
@@ -208,14 +306,33 @@ class Explorer:
                 if len(changes) > 1:
                     yield tuple(changes)
 
-    def _changed(self, node: Node, time: float, causes: Causes) -> Trial:
-        timeline = tuple(each for each in node.timeline if each[0] <= time)
-        return self.play((*timeline, *((time, each) for each in causes)), time)
+    def _answers(self, node: Node, visit: Visit) -> Iterator[Causes]:
+        """Yield answers to the question of a state: usual ones, and those that comparisons tell apart."""
+        assert visit.question is not None
+        first, second = (Change("answer", 0, each, visit.question) for each in ANSWERS)
+        given: set[str] = set()
+        # A rejected answer may print the range of the right ones.
+        while left := [each for each in usual_answers(node.printed) if each not in given]:
+            given.add(left[0])
+            yield (first._replace(value=left[0]),)
+        yield from self._compared(node, visit, (), first, second)
 
-    def _together(self, trial: Trial, causes: Causes, levels: Mapping[int, float]) -> list[Causes]:
-        """Return the changes with one more of the inputs that are read behind them."""
-        ran = {self.line(begun.at) for begun in chain.from_iterable(trial.statements.values())}
-        read = (channel for line in sorted(ran) for channel in self._read_in.get(line, ()))
+    def _changed(self, visit: Visit, causes: Causes) -> Trial:
+        """Play the changes from a visit on."""
+        time = visit.change_time
+        timeline = tuple(each for each in visit.timeline if each[0] <= time)
+        return self.play((*timeline, *((time, each) for each in causes)), time, self._is_settled)
+
+    def _behind(self, trial: Trial, rest: Rest | None) -> list[int]:
+        """Return the lines that run behind a change until the next rest, without those of the rest."""
+        until = inf if rest is None else rest.begin + BODY
+        places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))
+        begun = chain.from_iterable(trial.statements.values())
+        return sorted({self.line(each.at) for each in begun if each.time <= until and each.at not in places})
+
+    def _together(self, behind: Sequence[int], causes: Causes, levels: Mapping[int, float]) -> list[Causes]:
+        """Return the changes with one more of the inputs that the lines behind them read."""
+        read = (channel for line in behind for channel in self._read_in.get(line, ()))
         changed = {each.number for each in causes if each.table == "input"}
         return [
             tuple(sorted((*causes, Change("input", channel, 1 - levels.get(channel, 0.0)))))
@@ -223,85 +340,191 @@ class Explorer:
             if channel not in changed
         ]
 
-    def _values(self, node: Node, time: float) -> Iterator[Causes]:
+    def _values_behind(
+        self, node: Node, visit: Visit, behind: Sequence[int], causes: Causes
+    ) -> Iterator[Causes]:
+        """Yield the changes with a value of one more channel that the lines behind them read."""
+        changed = {(each.table, each.number) for each in causes}
+        for first, second, read_in in self.probes:
+            if (first.table, first.number) not in changed and first.table != "key" and read_in & set(behind):
+                yield from self._compared(node, visit, causes, first, second)
+
+    def _values(self, node: Node, visit: Visit) -> Iterator[Causes]:
         """Yield the changes of what has more than two levels, by the comparisons that follow."""
-        for first, second in probes(self.program):
-            if self.trials.is_over:
-                return
-            trials = [self._changed(node, time, (each,)) for each in (first, second)]
-            for trial, cause in zip(trials, (first, second), strict=True):
-                self._arrive(node, (cause,), trial)
-            yield from ((each,) for each in solved(first, second, *trials))
+        for first, second, _ in self.probes if node.state is not None else ():
+            yield from self._compared(node, visit, (), first, second)
+
+    def _compared(
+        self, node: Node, visit: Visit, others: Causes, first: Change, second: Change
+    ) -> Iterator[Causes]:
+        """Yield the changes to values at which the comparisons behind two of a channel turn."""
+        if self.trials.is_over:
+            return
+        both = [tuple(sorted((*others, probe))) for probe in (first, second)]
+        trials = [self._changed(visit, causes) for causes in both]
+        yield from (tuple(sorted((*others, each))) for each in solved(first, second, *trials))
+        for causes, trial in zip(
+            both, trials, strict=True
+        ):  # what a value does that a person would give is known
+            self._arrive(node, visit, causes, trial)
 
     # ------------------------------------------------------------------------------------------------ arriving
 
-    def _arrive(self, node: Node, causes: Causes, trial: Trial) -> bool:
-        """Take the rests of a trial behind a change; True if it leads this state elsewhere for the first time."""
-        news = False
-        handled = {begun.at for begun in trial.statements.get(HANDLERS, ())}
-        is_cut = bool(handled & self._handlers) or _fails(trial)
-        last: dict[str, tuple[Node, Causes, float]] = {}
-        if node.state is not None:
-            last[node.state.task] = node, causes, trial.since
-        found_rests = rests(trial)
-        if not any(rest.end == inf for rest in found_rests):
-            self.working.append((trial, node))
-        for rest in found_rests:
-            found = self._reached(rest, trial)
-            before = last.get(rest.state.task)
-            source, how, since = before or (
-                self.nodes[None],
-                causes if node.state is None else (),
-                trial.since,
-            )
-            if before is not None or node.state is None:
-                news |= self._link(source, how, found.state, trial, since, rest.begin, is_cut)
-            last[rest.state.task] = found, (), rest.end if rest.end < inf else trial.time
-        if trial.has_ended and node.state is not None:
-            news |= self._link(*last[node.state.task][:2], None, trial, trial.since, trial.time, is_cut)
-        return news
+    def _arrive(self, node: Node, visit: Visit, causes: Causes, trial: Trial) -> tuple[bool, Rest | None]:
+        """Take the rests of a trial behind a change, and return the first one.
 
-    def _reached(self, rest: Rest, trial: Trial) -> Node:
-        """Return the node of a rest, with the shorter timeline that leads there."""
-        lasts = rest.end == inf
+        The first result is True if it leads this state elsewhere for the first time.
+        """
+        news, known = False, {*self.nodes, None}
+        first: Rest | None = None
+        is_over = False  # the stay has ended by itself all the same
+        source, back, how, since = node, visit, causes, trial.since
+        found = self.rests(trial)
+        if trial.status == "until" and not any(rest.end == inf for rest in found):
+            self._note_work(trial)
+        for rest in found:
+            if source.state == rest.state and not _moves_between(trial, since, rest):
+                if rest.question is not None:
+                    source.printed += printed_for(trial, rest.question)
+                is_over |= rest.end < inf and rest.end > back.end - SHORTEST
+                continue  # the same stay
+            reached, way = self._reached(rest, trial)
+            first = first or rest
+            news |= self._link(source, back, how, reached.state, trial, since, rest.begin, known, is_over)
+            is_over = False
+            source, back, how, since = reached, way, (), rest.end if rest.end < inf else trial.time
+        if trial.has_ended and node.state is not None:
+            news |= self._link(source, back, how, None, trial, since, trial.time, known, is_over)
+        return news, first
+
+    def _note_work(self, trial: Trial) -> None:
+        """Take note of what the last trial repeats without a rest."""
+        cycle = self.trials.last.cycle
+        if cycle is None:
+            return
+        work = {each.line for each in trial.moves if not each.is_homing}.intersection(cycle.lines)
+        lines = {each.at: self.line(each.at) for each in trial.outputs}
+        outputs = {each.channel for each in trial.outputs if each.value and lines[each.at] in cycle.lines}
+        if work:
+            self.working.append(Work(trial.timeline, frozenset(work), frozenset(outputs)))
+
+    def rests(self, trial: Trial) -> list[Rest]:
+        """Return the rests of the machine in a trial."""
+        return rests(trial, self._beside)
+
+    def _reached(self, rest: Rest, trial: Trial) -> tuple[Node, Visit]:
+        """Return the node of a rest, and this visit; the shortest one is that of the node, and a later one is kept."""
+        moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
+        visit = Visit(trial.timeline, rest.begin, rest.end, moved, rest.question)
         node = self.nodes.get(rest.state)
-        if (
-            node is None
-            or (lasts and not node.lasts)
-            or (lasts == node.lasts and len(trial.timeline) < len(node.timeline))
-        ):
-            moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
-            made = Node(rest.state, trial.timeline, rest.begin, lasts, moved=moved)
-            if node is not None:
-                made.transitions = node.transitions
-                made.is_open = node.is_open or (lasts and not node.lasts)
-            node = self.nodes[rest.state] = made
-        return node
+        if node is None:
+            node = self.nodes[rest.state] = Node(rest.state, visit, left=[Departure(visit)])
+        elif visit.lasts > node.first.lasts:
+            node.left = [Departure(visit)]
+            node.first = visit
+        elif visit.lasts == node.first.lasts and len(visit.timeline) < len(node.first.timeline):
+            for each in node.left:
+                if each.visit is node.first and each.changes is None:
+                    each.visit = visit
+            node.first = visit
+        elif node.later is None and visit.lasts and not moved <= node.first.moved:
+            node.later = visit
+            node.left.append(Departure(visit))
+        if rest.question is not None:
+            node.printed += printed_for(trial, rest.question)
+        return node, visit
 
     def _link(
         self,
         source: Node,
+        visit: Visit,
         causes: Causes,
         target: RestState | None,
         trial: Trial,
         since: float,
         until: float,
-        is_cut: bool,
+        known: Collection[RestState | None],
+        is_over: bool,
     ) -> bool:
         """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
         lines = tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9)
         if source.knows(causes, target, lines) or (target == source.state and not lines):
             return False
+        is_later = visit is source.later
+        if is_later and target in known and self._moved.issuperset(lines):
+            return False  # only its levels differ
+        self._moved.update(lines)
+        work = frozenset(
+            each.line
+            for each in trial.moves
+            if since - 1e-9 <= each.begin < until + 1e-9 and not each.is_homing
+        )
+        outputs = frozenset(
+            each.channel for each in trial.outputs if since <= each.time <= until and each.value
+        )
         acts = _acts(trial, since, until)
+        handled = {each.at for each in trial.statements.get(HANDLERS, ()) if since <= each.time <= until}
+        is_cut = bool(handled & self.handlers) or _fails(trial, since, until)
         source.transitions.append(
-            Transition(source.state, causes, target, until - since, lines, acts, is_cut)
+            Transition(
+                source.state,
+                causes,
+                target,
+                until - (since if causes else max(visit.time, 0.0)),
+                lines,
+                work,
+                outputs,
+                acts,
+                is_cut,
+                visit,
+                is_later,
+                is_over or not causes,
+            )
         )
         return True
 
 
-def _fails(trial: Trial) -> bool:
+def _beside(program: Program) -> frozenset[int]:
+    """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
+
+    They blink, regulate or watch.
+    """
+    structure = program.structure
+    reached = {
+        unit.entry: {structure.points[point].at for point in structure.graph.reached(unit.entry)}
+        for unit in structure.units
+        if unit.kind != "event"
+    }
+    work = {
+        at
+        for at, each in structure.statements.items()
+        if each.waits not in ("", "time") or any(use.row.topic == "move" for use in each.axes)
+    }
+    beside = [found for found in reached.values() if not found & work]
+    others = [found for found in reached.values() if found & work]
+    return frozenset().union(*beside).difference(*others)
+
+
+def _urgency(left: tuple[Node, Departure]) -> tuple[bool, int, bool, int, int]:
+    """Return the order in which states are left: by the fewest changes at once and before, and later visits last."""
+    node, departure = left
+    visit = departure.visit
+    return (
+        visit is node.later,
+        departure.depth,
+        node.state is not None,
+        len(visit.timeline),
+        -len(visit.moved),
+    )
+
+
+def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
+    return any(since <= move.begin < rest.begin for move in trial.moves)
+
+
+def _fails(trial: Trial, since: float, until: float) -> bool:
     """True if a fault cut off a move."""
-    return any(move.begin >= trial.since and move.ended == "fault" for move in trial.moves)
+    return any(since <= move.begin <= until and move.ended == "fault" for move in trial.moves)
 
 
 def _acts(trial: Trial, since: float, until: float) -> tuple[str, ...]:

@@ -1,22 +1,28 @@
 """Runs of one program in a changing world: each has a timeline of changes, and records what its tasks did.
 
 Most trials change something at the same moment. The run is brought there once, a snapshot is taken shortly before it,
-and each of these trials puts it back, adds its changes to the world, and goes on. Only the last such start is stored.
+and each of these trials puts it back, adds its changes to the world, and goes on. Only the last such start is stored; a
+later one with the same changes before it is reached from there.
+
+A trial is split at the times of `HORIZONS`, where it ends if its caller has seen enough.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
+from motionlang.commands.init.ending import asks, plain
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
 from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import Printed, Switched, Waited
 
-# A trial lasts until so long after its last change, s, and longer while an axis is on its way to an end.
-HORIZON, MAX_HORIZON, LONGER = 12.0, 200.0, 3.0
+# A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
+# while an axis is on its way to an end.
+HORIZON = 12.0
+HORIZONS = (1.5, 3.0, 6.0, HORIZON, 36.0, 108.0, 324.0)
 # An axis that was on its way so short before the end of a trial still moves, s.
 GAP = 0.25
 # A snapshot is taken so long before the changes of its trials, s: longer than a time slice and a few statements.
@@ -29,26 +35,35 @@ TABLES = {
     "analogue": ("channel", "value"),
     "comms": ("element", "value"),
     "key": ("", "text"),
+    "answer": ("", "text"),
 }
 # Where the name of a task would be, in a record of what handlers do.
 HANDLERS = "!"
 
 
 class Change(NamedTuple):
-    """A change of the world: an input, an analogue input, an element of the comms array, or a key.
+    """A change of the world: an input, an analogue input, an element of the comms array, a key, or an answer.
 
-    A key has the number 0, and its text as the value.
+    A key and an answer have the number 0, and their text as the value; `prompt` is the question.
     """
 
     table: str
     number: int
     value: float | str
+    prompt: str = ""
+
+    @property
+    def kind(self) -> Hashable:
+        """What is changed: an input to a level, or another channel to any value."""
+        return self if self.table == "input" else (self.table, self.number, self.prompt)
 
     def __str__(self) -> str:
         if self.table == "input":
             return f"input {self.number} {'on' if self.value else 'off'}"
         if self.table == "key":
             return "key Enter" if self.value == "\r" else f"key {self.value}"
+        if self.table == "answer":
+            return f"{self.prompt!r} {self.value}"
         assert isinstance(self.value, (int, float))
         name = "analogue input" if self.table == "analogue" else self.table
         return f"{name} {self.number} = {self.value:.10g}"
@@ -71,23 +86,27 @@ class Recorder(Hook):
 
     def __init__(self, since: float, snapshot_at: float = inf) -> None:
         super().__init__(lambda task, time, offset: None, between=self._between)
+        self._machine: Machine | None = None
+        self._at = -1
+        self.begin(since, snapshot_at)
+
+    def begin(self, since: float, snapshot_at: float) -> None:
+        """Begin an empty record from a time on, s, and take a snapshot at another one."""
         self.since, self._snapshot_at = since, snapshot_at
         # The state of the run at `snapshot_at`, and the statement that had begun last.
-        self.snapshot: Snapshot | None = None
-        self._snapshot_after = -1
-        self._machine: Machine | None = None
-        self._begin(-1)
+        self.snapshot: tuple[Snapshot, int] | None = None
+        self._clear()
 
-    def _begin(self, at: int) -> None:
-        """Begin an empty record; the statement at an offset has begun last."""
+    def _clear(self) -> None:
         self.count = 0
         self.statements: dict[str, list[Begun]] = defaultdict(list)
         # By source offset: left and right side of each comparison, in order.
         self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
         # By source offset: the inputs that the statement there has read.
         self.readings: dict[int, dict[int, None]] = defaultdict(dict)
-        self.seen: set[int] = set()
-        self._at = at
+        # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
+        self.seen: set[int | tuple[int, int, int]] = set()
+        self._comparisons = 0  # of the present statement
         self._is_recorded = False
         # The places since `since`, the moves so far, and the number of the last statement with something new.
         self._places: set[int] = set()
@@ -99,18 +118,26 @@ class Recorder(Hook):
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
         machine.controller.inputs.observer = self._reads
-        if self._snapshot_at < inf:
-            machine.clock.at(self.since, _nothing)  # no wait before the changes is hopeless
+        self.expect_changes()
+
+    def expect_changes(self) -> None:
+        """Let no wait before the changes be hopeless."""
+        if self._snapshot_at < inf and self._machine is not None:
+            self._machine.clock.at(self.since, _nothing)
 
     def _between(self) -> None:
         assert self._machine is not None
         if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
-            self.snapshot, self._snapshot_after = Snapshot(self._machine.scheduler), self._at
+            self.snapshot = Snapshot(self._machine.scheduler), self._at
 
-    def go_back(self, to: Snapshot) -> None:
-        """Put the snapshot back and begin another record."""
-        to.restore()
-        self._begin(self._snapshot_after)
+    def go_back(self) -> bool:
+        """Put the snapshot back and begin another record; False if the program ended before."""
+        if self.snapshot is None:
+            return False
+        snapshot, self._at = self.snapshot
+        snapshot.restore()
+        self._clear()
+        return True
 
     def _reads(self, channel: int) -> None:
         if self._at >= 0:
@@ -119,7 +146,7 @@ class Recorder(Hook):
     def begins(self, task: Task, time: float, offset: int) -> bool:
         """Record a statement, and end the run if it only repeats."""
         self.count += 1
-        self._at, self._is_recorded = offset, time >= self.since
+        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         assert self._machine is not None
         scheduler = self._machine.scheduler
         if not self._is_recorded:
@@ -153,6 +180,9 @@ class Recorder(Hook):
         assert self._machine is not None
         if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
             self.comparisons[self._at].append((left, right))
+            if isinstance(left, (int, float)) and isinstance(right, (int, float)):
+                self._comparisons += 1
+                self.seen.add((self._at, self._comparisons, (left > right) - (left < right)))
 
 
 class Motion(NamedTuple):
@@ -168,12 +198,14 @@ class Motion(NamedTuple):
     line: int
     act: str
     ended: str
+    is_homing: bool
 
 
 class Trial(NamedTuple):
     """What a run with a timeline did: nothing in it changes when another one begins.
 
-    `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more.
+    `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
+    `question` is that of an INPUT for which it has no answer.
     `waits` are in the order of their ends; those that go on end at infinity. `statements`, `comparisons` and
     `readings` are those of the `Recorder`, from `since` on.
     """
@@ -183,6 +215,7 @@ class Trial(NamedTuple):
     time: float
     status: str
     is_stuck: bool
+    question: str | None
     moves: Sequence[Motion]
     outputs: Sequence[Switched]
     prints: Sequence[Printed]
@@ -215,6 +248,10 @@ class Start(NamedTuple):
     recorder: Recorder
     run: Run
 
+    def leads_to(self, before: Timeline, since: float) -> bool:
+        """True if a later moment with these changes before it can be reached from here."""
+        return self.since < since and self.before == tuple(each for each in before if each[0] < self.since)
+
 
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces."""
@@ -224,8 +261,8 @@ class Trials:
         self.count = 0
         # The run of the last trial, as it is until the next one.
         self.last: Run
-        # The source offsets of all statements that any trial has begun.
-        self.seen: set[int] = set()
+        # What any trial has seen.
+        self.seen: set[int | tuple[int, int, int]] = set()
         # Where the last trial started, if not at power-up.
         self._start: Start | None = None
 
@@ -239,40 +276,65 @@ class Trials:
         self.base |= settings
         self._start = None
 
-    def play(self, timeline: Timeline, since: float) -> Trial:
-        """Run the program with a timeline, until nothing is on its way to an end any more."""
+    def play(
+        self, timeline: Timeline, since: float, is_settled: Callable[[Trial], bool] = lambda trial: False
+    ) -> Trial:
+        """Run the program with a timeline, until nothing is on its way to an end any more.
+
+        It ends earlier if `is_settled` is true of what it has done so far.
+        """
         self.count += 1
-        end = max((since, *(at for at, _ in timeline)))
+        last = max((since, *(at for at, _ in timeline)))
+        horizons = iter(HORIZONS)
+        until = last + next(horizons)
         if since > 0.0:
-            recorder = self._continue(timeline, since, end + HORIZON)
+            recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
             recorder = Recorder(since)
-            self.last = self._run(tables_of(timeline), end + HORIZON, recorder)
-        trial, horizon = _trial(timeline, since, self.last, recorder), HORIZON
-        while trial.is_busy and horizon < MAX_HORIZON:
-            horizon *= LONGER
-            self.last = self._run_on(self.last.machine, end + horizon)
+            self.last = self._run(tables_of(timeline), until, recorder)
+        trial = _trial(timeline, since, self.last, recorder)
+        for horizon in horizons:
+            is_enough = is_settled(trial) if horizon <= HORIZON else not trial.is_busy
+            if trial.status != "until" or trial.time < until or is_enough:
+                break
+            until = last + horizon
+            self.last = self._run_on(self.last.machine, until)
             trial = _trial(timeline, since, self.last, recorder)
         self.seen |= recorder.seen
         return trial
 
     def _continue(self, timeline: Timeline, since: float, until: float) -> Recorder:
         """Play on from shortly before the changes; bring the run there first if it is not the last start."""
-        before = tuple(each for each in timeline if each[0] < since)
-        start = self._start
-        if start is None or (start.before, start.since) != (before, since):
-            at = max(since - LEAD, 0.0)
+        start = self._start = self._start_before(timeline, since)
+        self.last = start.run
+        if start.recorder.go_back():
+            self._change(start, timeline)
+            self.last = self._run_on(start.run.machine, until)
+        return start.recorder
+
+    def _start_before(self, timeline: Timeline, since: float) -> Start:
+        """Return the moment before the changes at a time: the last one, one reached from there, or from power-up."""
+        before, start = tuple(each for each in timeline if each[0] < since), self._start
+        if start is not None and (start.before, start.since) == (before, since):
+            return start
+        at = max(since - LEAD, 0.0)
+        if start is not None and start.leads_to(before, since) and start.recorder.go_back():
+            recorder = start.recorder
+            recorder.begin(since, at)
+            recorder.expect_changes()
+            self._change(start, before)
+            result = self._run_on(start.run.machine, at)
+        else:
             recorder = Recorder(since, at)
-            start = self._start = Start(before, since, recorder, self._run(tables_of(before), at, recorder))
-            self.seen |= recorder.seen
-        recorder, self.last = start.recorder, start.run
-        if recorder.snapshot is not None:  # the program has not ended before
-            recorder.go_back(recorder.snapshot)
-            machine = start.run.machine
-            changes = tuple(each for each in timeline if each[0] >= since)
-            machine.add_entries(tables_of(changes, machine.clock.now))
-            self.last = self._run_on(machine, until)
-        return recorder
+            result = self._run(tables_of(before), at, recorder)
+        self.seen |= recorder.seen
+        return Start(before, since, recorder, result)
+
+    def _change(self, start: Start, timeline: Timeline) -> None:
+        """Add the changes of a timeline to the world of a start that has been put back."""
+        machine = start.run.machine
+        changes = tuple(each for each in timeline if each[0] >= start.since)
+        machine.add_entries(tables_of(changes, machine.clock.now))
 
     def _run(self, tables: Mapping[str, object], until: float, recorder: Recorder) -> Run:
         settings = Checked({**self.base, **tables})
@@ -282,10 +344,12 @@ class Trials:
         program = self.program
         return run_on(program.source, dialect(program.language), program, machine, until)
 
-    def run_in(self, tables: Mapping[str, object], until: float) -> Run:
-        """Run the program with some tables of the machine file up to a time."""
+    def run_in(self, tables: Mapping[str, object], until: float) -> tuple[Run, set[int]]:
+        """Run the program with some tables of the machine file up to a time, and return what has begun, too."""
         self.count += 1
-        return self._run(tables, until, Recorder(inf))
+        recorder = Recorder(inf)
+        result = self._run(tables, until, recorder)
+        return result, {each for each in recorder.seen if isinstance(each, int)}
 
 
 def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
@@ -294,7 +358,11 @@ def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
     for time, change in timeline:
         number, value = TABLES[change.table]
         entry: dict[str, object] = {number: change.number} if number else {}
-        tables[change.table].append(entry | {"at": time - since, value: change.value})
+        if change.table != "answer":
+            entry["at"] = time - since
+        elif change.prompt:
+            entry["prompt"] = change.prompt
+        tables[change.table].append(entry | {value: change.value})
     return dict(tables)
 
 
@@ -323,7 +391,8 @@ def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) ->
         since,
         result.time,
         result.status,
-        any(each.code == "never" for each in result.diagnostics),
+        _is_stuck(result),
+        plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
         list(_moves(result)),
         list(log.outputs),
         list(log.prints),
@@ -332,6 +401,15 @@ def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) ->
         recorder.comparisons,
         recorder.readings,
     )
+
+
+def _is_stuck(result: Run) -> bool:
+    """True if a run ended for lack of a change of the world; a motion that never comes is no such lack."""
+    scheduler = result.machine.scheduler
+    waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+    if all(wait is not None and wait.cause == "axis" for wait in waits):
+        return False
+    return asks(result) or any(each.code == "never" for each in result.diagnostics)
 
 
 def _moves(result: Run) -> Iterator[Motion]:
@@ -344,13 +422,13 @@ def _moves(result: Run) -> Iterator[Motion]:
                 act = f"axis {move.axis} to {(profile.end - move.zero) / (move.scale or 1.0):.4g}"
                 if profile.shape not in ENDLESS or homes(move.command):
                     end = move.start_time + profile.duration
-        yield Motion(move.start_time, end, move.axis, move.line, act, move.ended)
+        yield Motion(move.start_time, end, move.axis, move.line, act, move.ended, homes(move.command))
 
 
 def _open_waits(result: Run) -> Iterator[Waited]:
-    """Yield the waits that no time ends."""
+    """Yield the waits that go on, but for those that a time ends."""
     scheduler = result.machine.scheduler
     for task in scheduler.tasks if scheduler is not None else ():
         wait = task.wait
-        if not task.done and wait is not None and wait.due() == inf:
+        if not task.done and wait is not None and (wait.cause != "time" or wait.due() == inf):
             yield Waited(*task.waited(wait, inf))  # type: ignore[arg-type]

@@ -7,32 +7,52 @@ linear in the value, so the value at which the sides are equal follows from the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from math import isfinite
+import re
+from collections.abc import Sequence
+from math import inf, isfinite
 
 from motionlang.commands.explore.trials import Change, Trial
 from motionlang.kernel import Program
 
-# Two unusual keys, levels and numbers.
-KEYS, LEVELS, NUMBERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0)
+# Two unusual keys, levels, numbers and answers.
+KEYS, LEVELS, NUMBERS, ANSWERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0), ("7771", "7773")
+# Answers that a person tries, and how many times the last number of a wide range is the first one.
+USUAL_ANSWERS, WIDE = ("10", "1", "100", "0.5"), 100.0
+_RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
 ENTER = "\r"
-# Digits and Enter are keys that a person tries.
-USUAL = (*"1234567890", ENTER)
+# What a person tries.
+USUAL: dict[str, Sequence[float | str]] = {
+    "key": (*"1234567890", ENTER),
+    "analogue": (50.0,),
+    "comms": (10.0,),
+}
 # So many values are tried of one channel.
 MAX_VALUES = 24
 
 
-def probes(program: Program) -> Iterator[tuple[Change, Change]]:
-    """Yield two unusual changes of each channel with more than two levels that a program reads."""
-    found: dict[tuple[str, int], None] = {}
+def probes(program: Program) -> list[tuple[Change, Change, frozenset[int]]]:
+    """Return two unusual changes of each channel with more than two levels that a program reads, and where."""
+    found: dict[tuple[str, int], set[int]] = {}
     for statement in program.structure.statements.values():
         for use in statement.channels:
             if use.access == "read" and use.channel in _TABLES:
-                number = int(use.number) if use.number.isdecimal() else 0
-                found[_TABLES[use.channel], number if use.channel != "key" else 0] = None
-    for table, number in found:
+                number = int(use.number) if use.number.isdecimal() and use.channel != "key" else 0
+                found.setdefault((_TABLES[use.channel], number), set()).add(statement.line)
+    made = []
+    for (table, number), lines in found.items():
         first, second = KEYS if table == "key" else LEVELS if table == "analogue" else NUMBERS
-        yield Change(table, number, first), Change(table, number, second)
+        made.append((Change(table, number, first), Change(table, number, second), frozenset(lines)))
+    return made
+
+
+def written(program: Program) -> set[tuple[str, int]]:
+    """Return the channels with more than two levels that a program writes, as table and number."""
+    uses = (use for each in program.structure.statements.values() for use in each.channels)
+    return {
+        (_TABLES[use.channel], int(use.number))
+        for use in uses
+        if use.access != "read" and use.channel in _TABLES and use.number.isdecimal()
+    }
 
 
 _TABLES = {"key": "key", "analogue input": "analogue", "comms element": "comms"}
@@ -49,8 +69,9 @@ def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Chan
                 root = a - m / slope
                 found |= dict.fromkeys(value for value in _near(first, root))
     changes = [change for value in found if (change := _change(first, value)) is not None]
-    if first.table == "key":
-        changes += [first._replace(value=each) for each in USUAL]
+    changes += [first._replace(value=text) for text in _words(first, one)]
+    if found or first.table == "key":
+        changes += [first._replace(value=each) for each in USUAL.get(first.table, ())]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
 
 
@@ -66,7 +87,45 @@ def _margins(trial: Trial) -> dict[int, list[float]]:
     }
 
 
+def _words(change: Change, trial: Trial) -> dict[str, None]:
+    """Return the texts with which the text of a change was compared."""
+    sides = [pair for pairs in trial.comparisons.values() for pair in pairs]
+    found = (
+        right if left == change.value else left for left, right in sides if change.value in (left, right)
+    )
+    return dict.fromkeys(each for each in found if isinstance(each, str) and each)
+
+
+def usual_answers(printed: str) -> list[str]:
+    """Return the answers that a person tries: within the ranges that the program prints, and usual ones."""
+    ranges = [_within(float(low), float(high)) for low, high in _RANGE.findall(printed)]
+    return list(dict.fromkeys((*ranges, *USUAL_ANSWERS)))
+
+
+def _within(low: float, high: float) -> str:
+    """Return the middle of a range, an integer if one is in it; of a wide one a usual answer."""
+    if high > WIDE * max(low, 1.0):
+        return next((each for each in USUAL_ANSWERS if low <= float(each) <= high), f"{low:.10g}")
+    middle = (low + high) / 2
+    return f"{int(middle) if int(middle) >= low else middle:.10g}"
+
+
+def printed_for(trial: Trial, question: str) -> str:
+    """Return what a program has printed since its last answer, but for the echo of answers to the same question.
+
+    The digits of an echo would continue a range such as `3 to 8`.
+    """
+    answered = max(
+        (each.until for each in trial.waits if each.cause == "operator" and each.until < inf), default=0.0
+    )
+    lines = [each.text for each in trial.prints if each.time >= answered]
+    kept = [line for line in lines if not (question and line.startswith(question) and line != question)]
+    return "\n".join((*kept, question))
+
+
 def _number(change: Change) -> float:
+    if change.table == "answer":
+        return float(change.value)
     return float(ord(change.value)) if isinstance(change.value, str) else change.value
 
 
@@ -76,11 +135,13 @@ def _near(change: Change, root: float) -> tuple[float, ...]:
         return round(root + 2.0, 1), round(root - 2.0, 1)
     if not float(root).is_integer():
         return round(root + 0.5), round(root - 0.5)
-    return (root,) if change.table == "key" else (root, root + 1.0)
+    return (root,) if change.table in ("key", "answer") else (root, root + 1.0)
 
 
 def _change(change: Change, value: float) -> Change | None:
     """Return a change to a value, None if there is no such key or level."""
+    if change.table == "answer":
+        return change._replace(value=f"{value:.10g}")
     if change.table == "key":
         known = value == ord(ENTER) or 32 <= value < 127
         return change._replace(value=chr(int(value))) if known and value == int(value) else None

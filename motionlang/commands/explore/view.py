@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 
-from motionlang.commands.explore import Cycle, Exploration, Node, RestState, Transition, World
+from motionlang.commands.explore import Cycle, Exploration, Node, RestState, TaskRest, Transition, World
 from motionlang.kernel import Program, dialect
 from motionlang.kernel.tools import count_of
 
@@ -32,7 +32,7 @@ def _world(world: World) -> Iterator[str]:
     """Yield the entries of a world in the form of a machine file, and how often lines then move an axis."""
     lines = Counter(each.line for each in world.run.machine.log.moves)
     counts = ", ".join(f"line {line} {count_of(count, 'move')}" for line, count in sorted(lines.items()))
-    yield f"the world of the first cycle: {counts} in {world.run.time:.2f} s"
+    yield f"its world, played {count_of(world.times, 'time')}: {counts} in {world.run.time:.2f} s"
     for table, entries in world.settings.items():
         assert isinstance(entries, list)
         yield from (
@@ -51,15 +51,18 @@ class _Names:
         """Return the lines of a state, with those of the calls that lead there."""
         if state is None:
             return "power-up"
-        lines = ", ".join(map(str, sorted({self._line(at) for at in state.statements})))
-        calls = ", ".join(str(self._line(at)) for at in state.callers)
+        return " and ".join(map(self._place, state))
+
+    def _place(self, place: TaskRest) -> str:
+        lines = ", ".join(map(str, sorted({self._line(at) for at in place.statements})))
+        calls = ", ".join(str(self._line(at)) for at in place.callers)
         return f"{lines} called in {calls}" if calls else lines
 
     def head(self, node: Node, text: Callable[[int], str]) -> str:
         if node.state is None:
             return "power-up"
-        first = min(self._line(at) for at in node.state.statements)
-        return f"waits in {self.of(node.state)}: {text(first).strip()}"
+        heads = (text(min(map(self._line, place.statements))).strip() for place in node.state)
+        return f"waits in {self.of(node.state)}: {' | '.join(heads)}"
 
     def rows(self, node: Node) -> Iterator[str]:
         for each in node.transitions:

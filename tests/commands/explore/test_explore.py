@@ -46,4 +46,4 @@ def test_a_packer_of_the_gallery_runs_in_the_world_that_is_found() -> None:
         {"channel": 1, "output": 0, "delay": 0.3},
         *({"channel": channel, "at": 0.0} for channel in (2, 3, 4)),
     ]
-    assert len([line for line in world.run.output if line.startswith("carton")]) == 11
+    assert len([line for line in world.run.output if line.startswith("carton")]) == 17

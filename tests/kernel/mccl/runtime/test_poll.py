@@ -127,7 +127,7 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
     text = f"1US10000,1MN,1SV0.0001,1SA1,1DS1,1MR3\n{POLL},1TP"
     begin = time.process_time()
     result = mccl(text, until=8 * 3600.0)
-    assert time.process_time() - begin < 1.0
+    assert time.process_time() - begin < 20.0  # some milliseconds; poll by poll it takes minutes
     assert result.time >= 8 * 3600.0
     finished = mccl(text, until=1e6)
     assert finished.output == ["01 3.000000"]

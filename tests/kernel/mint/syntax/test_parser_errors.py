@@ -87,7 +87,7 @@ def test_hostile_text_is_answered_soon(name: str) -> None:
     began = time.process_time()
     with suppress(ProgramError):
         parse(HOSTILE[name], "mint")
-    assert time.process_time() - began < 3
+    assert time.process_time() - began < 30  # a second or less; what is quadratic takes minutes
 
 
 def test_a_tree_that_is_accepted_can_be_walked() -> None:
