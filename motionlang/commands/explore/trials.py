@@ -9,9 +9,11 @@ A trial is split at the times of `HORIZONS`, where it ends if its caller has see
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from math import inf
+from operator import attrgetter
 from typing import NamedTuple
 
 from motionlang.commands.init.ending import asks, plain
@@ -206,8 +208,8 @@ class Trial(NamedTuple):
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `question` is that of an INPUT for which it has no answer.
-    `waits` are in the order of their ends; those that go on end at infinity. `statements`, `comparisons` and
-    `readings` are those of the `Recorder`, from `since` on.
+    `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `Recorder` has them,
+    `statements`, `comparisons` and `readings` are those from `since` on.
     """
 
     timeline: Timeline
@@ -394,7 +396,7 @@ def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) ->
         _is_stuck(result),
         plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
         list(_moves(result)),
-        list(log.outputs),
+        log.outputs[bisect_left(log.outputs, since, key=attrgetter("time")) :],
         list(log.prints),
         [*log.waits.written(), *_open_waits(result)],
         recorder.statements,
