@@ -150,7 +150,7 @@ class MacroFile(Program):
 
         return step_list(self.source, self.whole, self.settings)
 
-    @property
+    @cached_property
     def remarks(self) -> list[str]:
         from motionlang.kernel.mccl.resolve.chosen_rates import chosen_rates
         from motionlang.kernel.mccl.resolve.errors import model_of
