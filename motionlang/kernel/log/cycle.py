@@ -33,7 +33,6 @@ from __future__ import annotations
 
 import re
 from array import array
-from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -108,16 +107,11 @@ class _Events:
 
     def merged(self, other: _Events) -> _Events:
         """Return these events and others; of simultaneous ones these are first."""
-        made, begin = _Events(), 0
-        for time, number in zip(other.times, other.numbers, strict=True):
-            end = bisect_right(self.times, time, begin)
-            made.times += self.times[begin:end]
-            made.numbers += self.numbers[begin:end]
-            made.times.append(time)
-            made.numbers.append(number)
-            begin = end
-        made.times += self.times[begin:]
-        made.numbers += self.numbers[begin:]
+        times, numbers = self.times + other.times, self.numbers + other.numbers
+        order = sorted(range(len(times)), key=times.__getitem__)  # linear, since both are in order
+        made = _Events()
+        made.times = array("d", map(times.__getitem__, order))
+        made.numbers = array("q", map(numbers.__getitem__, order))
         return made
 
 
@@ -229,7 +223,9 @@ class _Seen:
                 what = command, axis, line
                 key = _Key(MOVE, (what,), (line,), moved, ((what, direction),))
                 part = parts[fields] = self._number(key)
-            events = made.setdefault(task, _Events())
+            events = made.get(task)
+            if events is None:
+                events = made[task] = _Events()
             if events.times and events.times[-1] == time:
                 events.numbers[-1] = self._joined(events.numbers[-1], part)
             else:
