@@ -113,7 +113,7 @@ def overloads(schema: dict[str, Any]) -> str:
             ignored = "" if any("def get" in line for line in lines) else "  # type: ignore[override]"
             lines.append(
                 f'@overload{ignored}\ndef get(self, name: Literal["{field}"], default: None = ..., /) '
-                f"-> {found} | None: ..."
+                f"-> {found.removesuffix(' | None')} | None: ..."
             )
     lines.append("@overload\ndef get(self, name: str, default: object = ..., /) -> object: ...")
     lines.append("def get(self, name: str, default: object = ..., /) -> object: ...")

@@ -49,13 +49,14 @@ def build(run: Run) -> Report:
     from motionlang.kernel.report_types import Report
 
     fields = _head(run) | {"moves": list(moves(run)), "events": list(events(run))} | _tail(run)
-    return Report(fields | {"assumptions": assumptions(run)}, run)
+    return Report(fields | _concluded(run), run)
 
 
 def text(run: Run, *, whole: bool = True) -> str:
     """Return the report as one JSON document in ASCII, one line per move.
 
-    If `whole` is False, the assumptions that the results depend on are omitted.
+    If `whole` is False, what follows from the rest is omitted: the cycle, and the assumptions that the results depend
+    on.
     """
     return "".join(pieces(run, whole=whole))
 
@@ -64,7 +65,7 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     """Yield the document in chunks, so that a million moves need not be in memory."""
     tail = _tail(run)
     if whole:
-        tail["assumptions"] = assumptions(run)
+        tail |= _concluded(run)
     return _document(_head(run), {"moves": _move_lines(run), "events": map(_encoder(), events(run))}, tail)
 
 
@@ -88,7 +89,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": status}
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "notes": []}
-    tail["assumptions"] = []
+    tail |= {"cycle": None, "assumptions": []}
     return "".join(_document(head, {"moves": iter(()), "events": iter(())}, tail))
 
 
@@ -382,6 +383,12 @@ def _tail(run: Run) -> Row:
     if writes := device_writes(run):
         tail["device_writes"] = writes
     return tail
+
+
+def _concluded(run: Run) -> Row:
+    """Return what follows from a run and its program, and is in no golden file."""
+    cycle = run.cycle
+    return {"cycle": cycle and cycle.as_dict(), "assumptions": assumptions(run)}
 
 
 def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator[str]:

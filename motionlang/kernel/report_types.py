@@ -35,6 +35,15 @@ class ReportBound(TypedDict):
     share: float
 
 
+class ReportCycle(TypedDict):
+    """The object `cycle` of the schema."""
+
+    name: str
+    period: float
+    count: int
+    lines: list[int]
+
+
 class ReportDeviceWrite(TypedDict):
     """The object `device_write` of the schema."""
 
@@ -256,6 +265,8 @@ class Report(dict[str, object]):
         @overload
         def __getitem__(self, name: Literal["device_writes"], /) -> list[ReportDeviceWrite]: ...
         @overload
+        def __getitem__(self, name: Literal["cycle"], /) -> ReportCycle | None: ...
+        @overload
         def __getitem__(self, name: Literal["assumptions"], /) -> list[str]: ...
         @overload
         def __getitem__(self, name: str, /) -> object: ...
@@ -275,6 +286,8 @@ class Report(dict[str, object]):
         def get(
             self, name: Literal["device_writes"], default: None = ..., /
         ) -> list[ReportDeviceWrite] | None: ...
+        @overload
+        def get(self, name: Literal["cycle"], default: None = ..., /) -> ReportCycle | None: ...
         @overload
         def get(self, name: Literal["assumptions"], default: None = ..., /) -> list[str] | None: ...
         @overload

@@ -60,6 +60,8 @@ def render(
         sections.append(_moves(moves, width, colour, everything))
     if moves.count > MAX_ROWS:
         sections.append(_totals(moves, run.time, width, colour, everything))
+    if moves.count and (cycle := run.cycle) is not None:
+        sections.append([f"cycle: {cycle}"])
     events = _Events(events_of(run), everything)
     if events.count:
         sections.append(_happened(events, width, colour))

@@ -56,6 +56,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
         ],
         "diagnostics": [],
         "notes": [],
+        "cycle": None,
         "assumptions": ["mint.statement-time"],
     }
 

@@ -27,7 +27,18 @@ Pair = tuple[int | None, int | None, int | None]
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
 # The fields that are compared separately, and those for positions instead of contents.
-OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "assumptions")
+OWN = (
+    "schema",
+    "program",
+    "time",
+    "status",
+    "moves",
+    "output",
+    "events",
+    "diagnostics",
+    "cycle",
+    "assumptions",
+)
 LOCATION_FIELDS = ("line", "column")
 # Fields of a move for its command: if no other one differs, the motion does not.
 COMMANDED = frozenset(("commanded_speed",))

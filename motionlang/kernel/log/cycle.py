@@ -72,10 +72,14 @@ class Cycle:
     count: int
     lines: tuple[int, ...]
 
+    def as_dict(self) -> dict[str, object]:
+        return {"name": self.name, "period": self.period, "count": self.count, "lines": list(self.lines)}
+
     def __str__(self) -> str:
         first, last = self.lines[0], self.lines[-1]
         lines = f"line {first}" if first == last else f"lines {first} to {last}"
-        return f"{self.period:.5g} s, {self.count} times ({lines})" + (f", {self.name}" if self.name else "")
+        count = f"{self.count:,}".replace(",", " ")
+        return f"{self.period:.5g} s, {count} times ({lines})" + (f", {self.name}" if self.name else "")
 
 
 class _Key(NamedTuple):
