@@ -2,23 +2,40 @@
 
 A row of the table has a name, its unit, and a function that reads it from a run. `N` is an axis, numbered as
 in the language; `K` is a line that the program printed, counted from 1.
+
+`cycle` is the period of the cycle of the run (`kernel/log/cycle.py`). With a name it is the time between occurrences of
+something else that the run repeats:
+
+    cycle(12)            a move that line 12 starts; without one, a wait, an output or a printed line of line 12;
+                         axes that start together start once
+    cycle(output 3)      output 3 is switched on
+    cycle(print placed)  a line with this text is printed
+
+It is the median of these times; `.least`, `.most` and `.count` are the others.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
+from statistics import median
 
 from motionlang.commands.certify import certificate, least_margin
 from motionlang.commands.certify.extremes import extremes, motor_peak, peak_speed
-from motionlang.commands.profile.periods import FORM, HELP, cycle_of
 from motionlang.kernel import Run
 from motionlang.kernel.tools import nearest
 
 ResultValue = float | str | bool | None
 Reader = Callable[[Run, int], ResultValue]
 
+CYCLE = re.compile(
+    r"cycle(?:\((?:(\d{1,9})|output +(\d{1,4})|print +([^()]+))\)(?:\.(median|least|most|count))?)?"
+)
+CYCLES = "cycle, cycle(LINE), cycle(output N) or cycle(print TEXT); after a bracket .least, .most or .count"
+# What a line can do twice, by the stream of the log, the most telling first.
+_STATEMENTS = ("moves", "waits", "outputs", "analogue_outputs", "prints")
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
@@ -68,6 +85,33 @@ def _margin(run: Run, number: int) -> float | None:
     return least_margin(certificate(run.controller, run.machine.settings, run.time))
 
 
+def cycle_of(run: Run, name: str) -> float | int | None:
+    """Return a cycle of a run by its name; None if nothing occurs twice. Raise ValueError for another form."""
+    form = CYCLE.fullmatch(name)
+    if form is None:
+        raise ValueError(f"{name} is no cycle; write {CYCLES}")
+    line, output, text, figure = form.groups()
+    if not (line or output or text):
+        found = run.cycle
+        return None if found is None else found.period
+    periods = [after - before for before, after in pairwise(_times(run, line, output, text))]
+    if figure == "count":
+        return len(periods)
+    if not periods:
+        return None
+    return {"least": min, "most": max}.get(figure, median)(periods)
+
+
+def no_cycle_notes(run: Run, values: Mapping[str, object]) -> list[str]:
+    """Return a note for the cycles among some quantities that have no value, with the cycle of the run."""
+    lacking = [name for name, value in values.items() if value is None and CYCLE.fullmatch(name)]
+    if not lacking:
+        return []
+    found = run.cycle
+    there = f"the cycle of the run is {found}" if found else "the run repeats no work"
+    return [f"{' and '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value; {there}"]
+
+
 def _motor(column: str, rms: bool = False) -> Reader:
     def read(run: Run, axis: int) -> float | None:
         found = motor_peak(run.controller.axes[axis], run.time, column, rms=rms)
@@ -94,6 +138,7 @@ ROWS = (
     Quantity("torque.N", "N m", "largest torque of that motor", _motor("torque")),
     Quantity("rms_torque.N", "N m", "RMS torque over the run", _motor("torque", True)),
     Quantity("output.N", "V", "largest output to that motor", _motor("output")),
+    Quantity("cycle", "s", "period of the cycle that run names", lambda run, n: cycle_of(run, "cycle")),
     Quantity("cycle(…)", "s", "median time between moves, waits, outputs or prints of a line: cycle(12); between an "
              "output's being switched on: cycle(output 3); between lines with a text: cycle(print placed); or .least, "
              ".most, .count",
@@ -134,10 +179,42 @@ def values_of(run: Run, names: Iterable[str]) -> dict[str, ResultValue]:
 
 
 def _cycle(name: str) -> Quantity:
-    if FORM.fullmatch(name) is None:
-        raise ValueError(f"{name} is no cycle; write {HELP}")
+    if CYCLE.fullmatch(name) is None:
+        raise ValueError(f"{name} is no cycle; write {CYCLES}")
     unit = "" if name.endswith(".count") else "s"
     return Quantity(name, unit, "", lambda run, n: cycle_of(run, name))
+
+
+def _times(run: Run, line: str | None, output: str | None, text: str | None) -> list[float]:
+    log = run.machine.log
+    if output is not None:
+        return [each.time for each in log.outputs if each.channel == int(output) and each.value]
+    if text is not None:
+        return [each.time for each in log.prints if text.strip() in each.text]
+    number = int(line or 0)
+    found = (
+        list(dict.fromkeys(time for at, time in _occurrences(run, name) if at == number))
+        for name in _STATEMENTS
+    )
+    return next((times for times in found if times), [])
+
+
+def _occurrences(run: Run, name: str) -> Iterator[tuple[int, float]]:
+    """Yield line and time of each record of a stream of the log."""
+    log = run.machine.log
+    if name == "moves":
+        yield from ((move.line, move.start_time) for move in log.moves)
+        return
+    records: Iterable[tuple[int, float]]
+    if name == "waits":
+        records = ((wait.at, wait.since) for wait in log.waits.written())
+    else:
+        records = ((each.at, each.time) for each in getattr(log, name))
+    lines = {-1: 0}
+    for at, time in records:
+        if at not in lines:
+            lines[at] = run.dialect.locate(run.source, at)[0]
+        yield lines[at], time
 
 
 def unit_of(name: str) -> str:

@@ -11,8 +11,7 @@ from collections.abc import Mapping
 from math import inf
 
 from motionlang.commands.profile.budget import within_budget
-from motionlang.commands.profile.periods import no_cycle_notes
-from motionlang.commands.quantities import unit_of, values_of
+from motionlang.commands.quantities import no_cycle_notes, unit_of, values_of
 from motionlang.kernel import Run, Source, machine_of, read_machine, run
 from motionlang.kernel.lang import layered
 

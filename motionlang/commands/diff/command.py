@@ -25,8 +25,7 @@ from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
-from motionlang.commands.profile.periods import no_cycle_notes
-from motionlang.commands.quantities import quantity_names, values_of
+from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep

@@ -32,8 +32,8 @@ from typing import Any
 from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour, lines_beside
 from motionlang.commands.profile.motions import MOVING
-from motionlang.commands.profile.periods import MAX_NAMES, cycle_of, cycles_of
 from motionlang.commands.profile.profile import TimeProfile
+from motionlang.commands.quantities import cycle_of, no_cycle_notes
 from motionlang.commands.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.commands.sweep.job import Job, Worker
 from motionlang.kernel import (
@@ -90,6 +90,8 @@ class Edit:
 class Improvement:
     """The edits, the source with them, and its run; `before` and `after` are the cycles, s.
 
+    `cycle` says what repeats, "" if it is the whole run.
+
     `skipped` are the remarks about what could not be changed, `waits` those about waits that could go, `refused` has
     why each other literal stays. `edits` is empty if nothing can be gained; `sets` then says what sets the cycle.
     `trials` is the number of runs.
@@ -97,6 +99,7 @@ class Improvement:
 
     source: Source
     patched: Source
+    cycle: str
     before: float
     after: float
     edits: list[Edit]
@@ -129,8 +132,8 @@ class NotPossible(ValueError):
 class Improver:
     """Improves the cycle of a program in its own `world`.
 
-    `others` are its scenarios. `cycle` is the name of the cycle (`periods.py`); without one it is the whole run, or the
-    longest cycle of a line if the run ends at the time limit. `progress` is called with the number of runs so far.
+    `others` are its scenarios. `cycle` is the name of the cycle as a quantity; without one it is the cycle of the run,
+    or the whole run if that ends and repeats nothing. `progress` is called with the number of runs so far.
     `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that are
     meant, in addition to those of the machine file and of comments.
     """
@@ -164,7 +167,9 @@ class Improver:
         self._axes: dict[str, set[int]] = {}
         self._rates: set[str] = set()
         self._base = self._run(world)
-        self.cycle = cycle or ("" if self._base.status == "ended" else _longest(self._base))
+        found = None if cycle else self._base.cycle
+        self.cycle = cycle if found is None else found.name or "cycle"
+        self._repeats = cycle if found is None else f"cycle of {found.where}"
         self.before = self._cost(self._base)
         fails = self._base.status == "fault"
         if fails and self._base.diagnostics:
@@ -172,7 +177,7 @@ class Improver:
         if fails or (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
             raise NotPossible(
                 f"the program has no cycle to improve: {'it ends with an error' if fails else 'nothing repeats'}",
-                _cycles(self._base),
+                "; ".join(["motionlang run shows what it does", *no_cycle_notes(self._base, {cycle: None})]),
                 "option",
             )
         if not self.cycle and not _works(self._base):
@@ -210,8 +215,8 @@ class Improver:
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
         return Improvement(
-            self.source, patched, self.before, after, chosen, result, limits, self.skipped, waits, refused, sets,
-            self._runs,
+            self.source, patched, self._repeats, self.before, after, chosen, result, limits, self.skipped, waits,
+            refused, sets, self._runs,
         )  # fmt: skip
 
     def _all(self) -> list[Edit]:
@@ -478,14 +483,6 @@ def _quantity(row: Keyword) -> str:
     return "speed" if row.unit == "uu/s" else "acceleration"
 
 
-def _longest(run: Run) -> str:
-    """Return the name of the longest cycle of a line with moves; "" if no line has one."""
-    lines = dict.fromkeys(move.line for move in run.machine.log.moves)
-    periods = {line: cycle_of(run, f"cycle({line})") for line in lines}
-    found = {line: period for line, period in periods.items() if period}
-    return f"cycle({max(found, key=lambda line: (found[line], -line))})" if found else ""
-
-
 def _on_in_motion(run: Run, axes: set[int], speed: float) -> Iterator[int]:
     """Yield the outputs that are on for some of a run, and then mostly while one of some axes moves at a speed."""
     spans = [
@@ -503,13 +500,6 @@ def _on_in_motion(run: Run, axes: set[int], speed: float) -> Iterator[int]:
         moved = fsum(max(0.0, min(end, b) - max(begin, a)) for begin, end in on for a, b in spans)
         if 0.0 < length < USUAL * run.time and moved > USUAL * length:
             yield channel
-
-
-def _cycles(run: Run) -> str:
-    """Return a hint with the cycles that a run has."""
-    found = cycles_of(run)
-    named = f"--cycle names what repeats: {', '.join(found[:MAX_NAMES])}"
-    return f"motionlang run shows what it does; {named if found else 'no line, output or text repeats'}"
 
 
 def _works(run: Run) -> bool:

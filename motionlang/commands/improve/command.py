@@ -14,7 +14,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
 from motionlang.commands.improve import Improver, NotPossible, World
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
-from motionlang.commands.profile.periods import FORM, HELP
+from motionlang.commands.quantities import CYCLE, CYCLES
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.kernel import STDIN, Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
@@ -39,8 +39,8 @@ def percent(text: str) -> float:
 
 def cycle(text: str) -> str:
     """Return the name of a cycle."""
-    if FORM.fullmatch(text) is None:
-        raise ValueError(f"{text!r} is no cycle; write {HELP}")
+    if CYCLE.fullmatch(text) is None:
+        raise ValueError(f"{text!r} is no cycle; write {CYCLES}")
     return text
 
 
@@ -67,7 +67,7 @@ examples:
     edits: int | None = option("N", "the best edits, at most N", read=whole("a number from 1 to 8", 1, 8))
     cycle: str | None = option(
         "NAME",
-        "what repeats: cycle(12), cycle(output 3) …; default: the run, or the longest cycle of a line",
+        "what repeats: cycle(12), cycle(output 3) …; default: the cycle that run names, or the whole run",
         read=cycle,
     )
     hold: tuple[str, ...] = option(

@@ -17,6 +17,7 @@ def improvement_document(found: Improvement, file: str) -> Document:
     texts = (*found.skipped, *found.refused, *([found.sets] if found.sets else []), *found.waits)
     remarks = Table("remarks", (Column("text"),), [{"text": each} for each in texts])
     values = {
+        "cycle": found.cycle,
         "before": found.before,
         "after": found.after,
         "trials": found.trials,
@@ -57,7 +58,8 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
     """Return an improvement as lines of text."""
     share = 100.0 * (found.after / found.before - 1.0)
     edits = count_of(len(found.edits), "edit")
-    head = f"{file}: {found.before:.6g} s → {found.after:.6g} s, {share:.1f} % with {edits}"
+    repeats = f"{found.cycle}, " if found.cycle else ""
+    head = f"{file}: {repeats}{found.before:.6g} s → {found.after:.6g} s, {share:.1f} % with {edits}"
     lines = [styled(head, "bold", colour), "", *edits_table(found).lines(width, colour=colour)]
     note = styled("note:", "note", colour)
     sets = [found.sets] if found.sets else []

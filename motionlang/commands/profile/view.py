@@ -26,8 +26,10 @@ def render_profile(
     `everything` adds all lines and the program listing.
     """
     whole = made.seconds
+    cycle = made.run.cycle
+    head = f"time profile of {clock_time(whole)}" + (f", cycle {cycle}" if cycle else "")
     sections = [
-        [styled(f"time profile of {clock_time(whole)}", "bold", colour)],
+        [styled(head, "bold", colour)],
         kinds_table(made).lines(width, colour=colour),
     ]
     slacks = made.slacks()
@@ -64,7 +66,9 @@ def profile_document(made: TimeProfile) -> Document:
         Table("slack", slack, made.slacks()),
         Table("critical_path", path, list(map(_link, made.spans()))),
     )
-    return Document(tables, {"program": made.run.source.name, "time": made.run.time})
+    cycle = made.run.cycle
+    values = {"program": made.run.source.name, "time": made.run.time, "cycle": cycle and cycle.as_dict()}
+    return Document(tables, values)
 
 
 def _link(span: tuple[float, float, About]) -> dict[str, object]:

@@ -70,8 +70,7 @@ examples:
 
             within_budget(result)
         if self.keep:
-            from motionlang.commands.profile.periods import no_cycle_notes
-            from motionlang.commands.quantities import values_of
+            from motionlang.commands.quantities import no_cycle_notes, values_of
 
             result.quantities = values_of(result, self.keep)
             result.notes += no_cycle_notes(result, result.quantities)

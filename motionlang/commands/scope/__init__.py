@@ -134,15 +134,16 @@ def _data(
     controller = run.controller
     end, axes = controller.clock.now, axes_of(controller)
     rows: list[Row] = list(moves_of(run))
-    cycle, happened = TimeProfile(run), [_event(row) for row in events_of(run)]
+    cycle, profile, happened = run.cycle, TimeProfile(run), [_event(row) for row in events_of(run)]
     lines = sorted(
         {row["line"] for row in rows}
-        | {link.position.line for link in cycle.links}
+        | {link.position.line for link in profile.links}
         | {event["line"] for event in happened} - {0}
     )
     return {
         "program": printable(run.source.name),
-        "outcome": f"{dialect_name(run.dialect.name)} · {outcome(run)}",
+        "outcome": f"{dialect_name(run.dialect.name)} · {outcome(run)}"
+        + (f" · cycle {cycle}" if cycle else ""),
         "end": end,
         "quantities": list(UNITS.items()),
         "phases": list(PHASES),
@@ -150,8 +151,8 @@ def _data(
         "first": _first(window, axes, end),
         "against": None if against is None else _against(against),
         "events": happened,
-        "bands": _bands(run, cycle),
-        "lines": _by_line(cycle),
+        "bands": _bands(run, profile),
+        "lines": _by_line(profile),
         "axes": [_axis(run, axis, rows, servos.get(axis)) for axis in axes],
         "measured": [
             {
@@ -190,16 +191,16 @@ def _event(row: Row) -> Row:
     }
 
 
-def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
+def _bands(run: Run, profile: TimeProfile) -> list[Row]:
     """Return lanes of blocks: the critical path of a run and the waits of each task."""
     chain = [
         [link.begin, link.end, _stretch(link), link.position.line]
-        for link in cycle.links
+        for link in profile.links
         if link.duration > SHORTEST
     ]
     bands: list[Row] = [{"name": "critical path", "spans": chain}]
     positions = SourcePositions(run)
-    for task, waits in cycle.waits().items():
+    for task, waits in profile.waits().items():
         spans = [
             [since, until, why or f"for {until - since:.6g} s", positions.of(at, callers).line]
             for _, at, since, until, _, _, why, callers in waits
@@ -212,14 +213,14 @@ def _stretch(link: Link) -> str:
     return f"{link.cause}, axis {', '.join(map(str, link.axes))}" if link.axes else link.cause
 
 
-def _by_line(cycle: TimeProfile) -> list[Row]:
+def _by_line(profile: TimeProfile) -> list[Row]:
     """Return the lines by their total time, longest first, each with its first start."""
     first: dict[int, float] = {}
-    for link in cycle.links:
+    for link in profile.links:
         first.setdefault(link.position.line, link.begin)
     return [
         {"line": share.line, "seconds": share.seconds, "time": first[share.line]}
-        for share in cycle.lines()
+        for share in profile.lines()
         if share.line and share.seconds
     ]
 

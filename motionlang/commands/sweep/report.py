@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.commands import sweep as sweeps
-from motionlang.commands.profile.periods import FORM, no_cycle_notes
-from motionlang.commands.quantities import unit_of
+from motionlang.commands.quantities import CYCLE, no_cycle_notes, unit_of
 from motionlang.commands.sweep.expression import Expression, pareto
 from motionlang.commands.sweep.job import Problem, Result, worker_of
 from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
@@ -77,17 +76,16 @@ class SweepReport:
     def _note_limit(self, sweep: sweeps.Sweep, good: Good) -> None:
         """Say that every variant ran to the time limit, so that its time compares nothing."""
         limit = sweep.job.until if sweep.job.until is not None else end_of(sweep.job.settings)
-        has_cycle = any(name.startswith("cycle(") for name in self.keep)
+        has_cycle = any(CYCLE.fullmatch(name) for name in self.keep)
         if not has_cycle and len(good) > 1 and all(values.get("time") == limit for values in good.values()):
             sys.stderr.write(
-                f"note: every variant ran to the time limit of {limit:.10g} s; compare a cycle instead: "
-                'cycle(LINE), "cycle(output N)" or "cycle(print TEXT)"\n'
+                f"note: every variant ran to the time limit of {limit:.10g} s; compare the cycle: --keep cycle\n"
             )
 
     def _note_cycles(self, sweep: sweeps.Sweep, good: Good) -> None:
-        """Name the cycles that the first variant has, if no variant has one of those that are kept."""
+        """Name the cycle of the first variant, if no variant has one of those that are kept."""
         lacking = {name: None for name in self.keep if all(values[name] is None for values in good.values())}
-        if good and any(FORM.fullmatch(name) for name in lacking):
+        if good and any(CYCLE.fullmatch(name) for name in lacking):
             found = worker_of(sweep.job).run(sweep.space[next(iter(good))])
             for note in no_cycle_notes(found, lacking):
                 sys.stderr.write(f"note: {note}\n")

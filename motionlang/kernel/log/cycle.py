@@ -72,14 +72,18 @@ class Cycle:
     count: int
     lines: tuple[int, ...]
 
+    @property
+    def where(self) -> str:
+        """Its lines, in words."""
+        first, last = self.lines[0], self.lines[-1]
+        return f"line {first}" if first == last else f"lines {first} to {last}"
+
     def as_dict(self) -> dict[str, object]:
         return {"name": self.name, "period": self.period, "count": self.count, "lines": list(self.lines)}
 
     def __str__(self) -> str:
-        first, last = self.lines[0], self.lines[-1]
-        lines = f"line {first}" if first == last else f"lines {first} to {last}"
         count = f"{self.count:,}".replace(",", " ")
-        return f"{self.period:.5g} s, {count} times ({lines})" + (f", {self.name}" if self.name else "")
+        return f"{self.period:.5g} s, {count} times ({self.where})" + (f", {self.name}" if self.name else "")
 
 
 class _Key(NamedTuple):
@@ -302,7 +306,7 @@ class _Seen:
             is_named = is_digital and value and self.channels[channel] == count
             return f"cycle(output {channel})" if is_named else ""
         words = str(key.detail[0]) if key.detail else ""
-        is_typed = len(words) > 1 and words.isprintable() and not set("()") & set(words)
+        is_typed = len(words) > 1 and words.isprintable() and not set("(),") & set(words)
         times = sum(each for text, each in self.texts.items() if words in text) if is_typed else 0
         return f"cycle(print {words})" if times == count else ""
 

@@ -259,6 +259,8 @@ class MintProgram(Program):
     def structure(self) -> Structure:
         from motionlang.kernel.mint.steps.structure import structure
 
+        if self.given:  # the steps need a value, and the text has one
+            return self.with_values(self.values).structure
         return structure(self._facts, self._steps, self.graph, self.polls)
 
     @cached_property

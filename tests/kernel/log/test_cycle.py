@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import pytest
 
-from motionlang.commands.profile.periods import cycle_of
+from motionlang.commands.quantities import cycle_of
 from motionlang.kernel import Run, Source, read_machine, run
 
 TEXT = Path(__file__).with_name("cycles.txt")
