@@ -174,7 +174,8 @@ examples:
 
             diverged = divergence(old_run, new_run, tolerance.size("position"))
             ran = old_run.program is not None and new_run.program is not None
-            charges = charged(old_run, new_run) if ran and found.time is not None else []
+            if ran and (found.time or found.cycle):
+                charges = charged(old_run, new_run, None if found.time else found.cycle)
             changed = changed_literals(old_run, new_run)
             values = values_of(new_run, self.keep)
             kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]

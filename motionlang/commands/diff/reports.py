@@ -3,6 +3,9 @@
 Moves are aligned by their axis, command and distance; the line of a move may differ. Prints are aligned by
 their words, regardless of the numbers in them. A shift caused by a longer earlier move is not a difference:
 only the time between two moves is compared.
+
+Endless programs are compared by their cycle. Their runs end somewhere in it: a move that is cut off there, what only
+one of the runs still reached, and where the axes are then is no difference.
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from typing import Any
 from motionlang.commands.diff.align import aligned, common
 from motionlang.commands.diff.timeline import Timeline
 from motionlang.commands.diff.tolerance import EXACT, Tolerance
-from motionlang.kernel.report import SCHEMA
+from motionlang.kernel.report import END_OF_RUN, SCHEMA
 
 Report = Mapping[str, Any]
 Move = dict[str, Any]
@@ -40,6 +43,8 @@ OWN = (
     "assumptions",
 )
 LOCATION_FIELDS = ("line", "column")
+# The fields of an axis that say where a run has ended.
+POSITIONS = ("position", "wrapped_position", "counts", "motor")
 # Fields of a move for its command: if no other one differs, the motion does not.
 COMMANDED = frozenset(("commanded_speed",))
 # Events whose figures are positions; those of the others are speeds.
@@ -78,6 +83,7 @@ class Difference:
 
     def __init__(self) -> None:
         self.time: tuple[float, float] | None = None
+        self.cycle: tuple[float, float] | None = None  # the periods, s
         self.status: tuple[str, str] | None = None
         self.moves = (0, 0)
         self.lines: list[LineChange] = []
@@ -112,6 +118,7 @@ class Difference:
         """True if there is no difference."""
         return not (
             self.time
+            or self.cycle
             or self.status
             or self.lines
             or self.removed
@@ -181,17 +188,51 @@ def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Differ
     if old.get("status") != new.get("status"):
         found.status = str(old.get("status")), str(new.get("status"))
     line = Timeline()
-    _moves(found, old.get("moves", []), new.get("moves", []), tolerance, line)
+    cycles: list[Any] = [each.get("cycle") for each in (old, new)]
+    is_cut = all(cycles) and "ended" not in (old.get("status"), new.get("status"))
+    was, is_ = (
+        _whole(each.get("moves", []), cycle if is_cut else None)
+        for each, cycle in zip((old, new), cycles, strict=True)
+    )
+    _moves(found, was, is_, tolerance, line, is_cut)
+    if all(cycles) and (found.lines or found.removed or found.new):
+        one, other = (each["period"] for each in cycles)
+        found.cycle = None if tolerance.same(one, other, "time") else (one, other)
     tail, _ = line.pair(end_of(old), end_of(new))
     if found.time is not None and not tolerance.same(found.time[0] + tail, found.time[0], "time"):
         found.tail = tail
-    _prints(found, old.get("output", []), new.get("output", []))
-    _events(found, old.get("events", []), new.get("events", []), tolerance)
+    _prints(found, old.get("output", []), new.get("output", []), is_cut)
+    _events(found, old.get("events", []), new.get("events", []), tolerance, is_cut)
     _errors(found, old.get("diagnostics", []), new.get("diagnostics", []))
     for name in sorted(old.keys() | new.keys()):
-        if name not in OWN and (lines := list(_others(name, old.get(name), new.get(name), tolerance))):
+        values = [each.get(name) for each in (old, new)]
+        if is_cut and name == "axes":
+            values = [_at_any_time(each) for each in values]
+        if name not in OWN and (lines := list(_others(name, values[0], values[1], tolerance))):
             found.fields[name] = lines
     return found
+
+
+def _whole(moves: list[Move], cycle: Mapping[str, Any] | None) -> list[Move]:
+    """Return moves without those of a cycle that the end of the run cuts off."""
+    if cycle is None:
+        return moves
+    return [each for each in moves if each.get("ended") != END_OF_RUN or each["line"] not in cycle["lines"]]
+
+
+def _at_any_time(axes: Any) -> Any:
+    """Return the axes at the end of a run without their positions."""
+    return [{name: value for name, value in each.items() if name not in POSITIONS} for each in axes or ()]
+
+
+def _both_reach(
+    pairs: list[tuple[int | None, int | None]], is_cut: bool
+) -> list[tuple[int | None, int | None]]:
+    """Return aligned entries, of runs that are cut off without what only one of them has at its end."""
+    end = len(pairs)
+    while is_cut and end and None in pairs[end - 1]:
+        end -= 1
+    return pairs[:end]
 
 
 # ------------------------------------------------------------------------------------------------------ moves
@@ -240,13 +281,15 @@ def _rounded(value: object) -> object:
     return round(value, 6) + 0.0 if isinstance(value, float) else value
 
 
-def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, line: Timeline) -> None:
+def _moves(
+    found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, line: Timeline, is_cut: bool
+) -> None:
     found.moves = len(old), len(new)
     changes: dict[tuple[int, int, int, str], LineChange] = {}
     lines: dict[int, set[int]] = {}
     hunk, last = 0, True
     exact = _at_lines(old, new, _by_figures)
-    for i, j in aligned(old, new, exact, _by_figures, _by_content, _by_kind):
+    for i, j in _both_reach(aligned(old, new, exact, _by_figures, _by_content, _by_kind), is_cut):
         if i is None or j is None:
             hunk += last
             last = False
@@ -323,8 +366,8 @@ def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterato
 # ----------------------------------------------------------------------------------------------- other fields
 
 
-def _prints(found: Difference, old: list[str], new: list[str]) -> None:
-    for i, j in aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))):
+def _prints(found: Difference, old: list[str], new: list[str], is_cut: bool) -> None:
+    for i, j in _both_reach(aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))), is_cut):
         was, is_ = "" if i is None else old[i], "" if j is None else new[j]
         differs = i is None or j is None or was != is_
         found.printed.append((i, j, len(found.prints) if differs else None))
@@ -332,10 +375,10 @@ def _prints(found: Difference, old: list[str], new: list[str]) -> None:
             found.prints.append((None if i is None else i + 1, None if j is None else j + 1, was, is_))
 
 
-def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
+def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, is_cut: bool) -> None:
     """Compare events by content and line; shifts along with the motion do not count."""
     shifts = sorted(found.later)
-    for i, j in aligned(old, new, _by_happening, _by_axis):
+    for i, j in _both_reach(aligned(old, new, _by_happening, _by_axis), is_cut):
         was, is_ = None if i is None else old[i], None if j is None else new[j]
         later = 0.0
         differs = was is None or is_ is None

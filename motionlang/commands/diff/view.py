@@ -14,7 +14,7 @@ from motionlang.commands.diff.charged import Charge
 from motionlang.commands.diff.literals import ChangedLiteral
 from motionlang.commands.diff.reports import Difference, LineChange
 from motionlang.commands.diff.tolerance import FIELDS
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import clipped, count_of
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 
@@ -37,7 +37,8 @@ def diff_document(
     kept: Sequence[tuple[str, object, object]],
 ) -> Document:
     """Return the difference of two runs as data; a value that changed is `old` and `new`."""
-    pairs = {"status": found.status or (None, None), "time": found.time or (None, None)}
+    none = None, None
+    pairs = {"status": found.status or none, "time": found.time or none, "cycle": found.cycle or none}
     values = {
         f"{side}_{name}": pair[k] for name, pair in pairs.items() for k, side in enumerate(("old", "new"))
     }
@@ -121,6 +122,8 @@ def diff_lines(
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{percent})", "bold", colour))
         if charges:
             out.append(f"by line: {_charged(charges, MAX_CHARGED if most == MAX_LINES else most)}")
+    if found.cycle is not None:
+        out.append(styled(_cycle(*found.cycle, charges), "bold", colour))
     out += _first([_line(*each) for each in _together(found.lines)], most, "lines")
     out += _first([f"missing: {_move(each)}" for each in found.removed], most, "missing moves")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
@@ -139,6 +142,13 @@ def diff_lines(
     elif found.is_commanded:
         out.append("only the commanded speed differs, the motion does not")
     return out
+
+
+def _cycle(was: float, is_: float, charges: Sequence[Charge]) -> str:
+    """Return the periods of two cycles, with the line that takes most of what one is longer or shorter."""
+    explains = next((each for each in charges if each.text and each.seconds * (is_ - was) > 0.0), None)
+    line = f": {_location(explains)} {printable(clipped(explains.text))}" if explains else ""
+    return f"cycle {was:.5g} → {is_:.5g} s, {is_ - was:+.4f} s{line}"
 
 
 def _percent(value: float) -> str:
