@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from time import monotonic, sleep
 from typing import ClassVar
@@ -31,6 +31,7 @@ from motionlang.kernel import (
     Source,
     Terminated,
     WrongEntry,
+    end_of,
     entries,
     missing_axes,
     name_of,
@@ -176,13 +177,20 @@ class Simulated(Output, World, ProgramOptions):
         def line_of(at: int) -> int:
             return self.known_language().locate(program.source, at)[0]
 
-        return reported(simulate, warn, line_of if pace is None and self._is_endless(settings) else None)
+        return reported(
+            simulate,
+            warn,
+            line_of if pace is None and self._is_endless(settings) else None,
+            program=program,
+            homes=self.known_language().table().homes,
+            until=end_of(settings) if self.until is None else self.until,
+        )
 
     def listener(self, controller: Controller) -> MotionListener:
         """Return what listens to the motion of the run."""
         return MotionListener()
 
-    def _is_endless(self, settings: Checked) -> bool:
+    def _is_endless(self, settings: Mapping[str, object]) -> bool:
         """True if no time of the user's ends the run, only a limit of processor time."""
         return self.until is None and "run.until" not in settings
 
@@ -242,6 +250,10 @@ class Simulated(Output, World, ProgramOptions):
             if self.format in ("none", "csv"):
                 sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.idle)
             _note_axes_in_motion(result)
+            if self._is_endless(result.machine.settings):
+                sys.stderr.write(
+                    "note: nothing but the length of a shift ends it; --until 60 runs a minute\n"
+                )
         sys.stdout.flush()
         if result.crash is not None:
             return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED

@@ -7,21 +7,28 @@ from collections.abc import Callable
 from threading import Timer
 from time import monotonic
 
-from motionlang.kernel import Diagnostic, Machine, Run
+from motionlang.kernel import Diagnostic, Machine, Program, Run
+from motionlang.kernel.log import cycle_so_far
 from motionlang.views.formatting import clock_time
 from motionlang.views.progress import Watcher, is_shown, run_line
 from motionlang.views.terminal import shower
 
-# Seconds of real time after which the note is written.
-PATIENCE = 10.0
+# Seconds of real time after which the note is written, and after which the progress line names the cycle.
+PATIENCE, CYCLE_PATIENCE = 10.0, 1.0
 
 
 def reported(
     run: Callable[[Callable[[str], object], Callable[[Machine], None]], Run],
     warn: Callable[[Diagnostic], object],
     line_of: Callable[[int], int] | None = None,
+    *,
+    program: Program,
+    homes: Callable[[str], bool],
+    until: float,
 ) -> Run:
-    """Return the result of `run(show, begun)`, with a progress line on a terminal until it ends.
+    """Return the result of `run(show, begun)`, with a progress line on a terminal until it ends at `until`.
+
+    `homes` is true for the commands that home an axis.
 
     Warnings of the machine during the run go to `warn`, above the progress line. With `line_of`, which returns the line
     of an offset, a long run gets a note on standard error.
@@ -39,7 +46,7 @@ def reported(
     def begun(machine: Machine) -> None:
         nonlocal watcher, timer
         if is_shown(sys.stderr):
-            watcher = Watcher(sys.stderr, _describer(machine))
+            watcher = Watcher(sys.stderr, _describer(machine, program, homes, until, line_of is not None))
             watcher.start()
         machine.warn = lambda diagnostic: above(lambda _: warn(diagnostic), "\n")
         if line_of is not None:
@@ -70,17 +77,24 @@ def _write_note(text: str) -> None:
     sys.stderr.flush()
 
 
-def _describer(machine: Machine) -> Callable[[], str]:
+def _describer(
+    machine: Machine, program: Program, homes: Callable[[str], bool], until: float, is_endless: bool
+) -> Callable[[], str]:
     """Return the function that makes the progress line.
 
     The clock does not advance while the program computes without a wait; the line then says so.
     """
     began, before = monotonic(), -1.0
+    period: str | None = None
+    owner = program.structure.owners().get
 
     def describe() -> str:
-        nonlocal before
+        nonlocal before, period
         now = machine.clock.now
-        line = run_line(now, monotonic() - began, machine.moves_made, is_computing=now == before)
+        if period is None and monotonic() - began >= CYCLE_PATIENCE:
+            found = cycle_so_far(machine.log, now, owner, homes)
+            period = f"{found.period:.5g} s" if found else ""
+        line = run_line(now, until, period or "", is_endless=is_endless, is_computing=now == before)
         before = now
         return line
 

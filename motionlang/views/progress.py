@@ -167,14 +167,19 @@ def is_shown(stream: TextIO) -> bool:
     return is_terminal(stream) and os.environ.get("TERM") != "dumb"
 
 
-def run_line(time: float, elapsed: float, moves: int, *, is_computing: bool = False) -> str:
-    """Return the progress of a run: machine time, speed relative to real time, moves.
+def run_line(
+    time: float, end: float, cycle: str = "", *, is_endless: bool = False, is_computing: bool = False
+) -> str:
+    """Return the progress of a run: its cycle if known, the machine time, its end, and how to get a result.
 
-    `is_computing` means that the machine time has not changed since the last line, because a loop advances the clock
-    only when it waits.
+    `is_endless` means that only the length of a shift ends the run. `is_computing` means that the machine time has not
+    changed since the last line, because a loop advances the clock only when it waits.
     """
-    factor = time / elapsed if elapsed > 0.0 else 0.0
-    pace = f"{factor:,.0f}".replace(",", " ") if factor >= 10.0 else f"{factor:.1f}"
-    count = f"{moves:,} moves".replace(",", " ") if moves != 1 else "1 move"
-    what = "computing" if is_computing else f"{pace} × real time"
-    return f"{clock_time(round(time, 1))} of machine time · {what} · {count} · Ctrl-C ends it"
+    now = time - time % 60.0 if time >= 3600.0 else round(time, 1)
+    far = f"{_short(now)} of {_short(end)}" + (", computing" if is_computing else "")
+    less = ", --until 60 a minute" if is_endless else ""
+    return f"{f'cycle {cycle}, ' if cycle else ''}{far}; Ctrl-C shows the result so far{less}"
+
+
+def _short(seconds: float) -> str:
+    return clock_time(seconds).removesuffix(" 0 s").removesuffix(" 00 min")

@@ -138,16 +138,17 @@ def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
 @pytest.mark.parametrize(
     ("arguments", "line"),
     [
-        ((11_501.0, 2.0, 12_345), "3 h 11 min 41 s of machine time · 5 750 × real time · 12 345 moves"),
-        ((0.5123, 0.25, 1), "0.5 s of machine time · 2.0 × real time · 1 move"),
-        ((10.0, 1.0, 2), "10 s of machine time · 10 × real time · 2 moves"),
-        ((9.96, 1.0, 2), "10 s of machine time · 10.0 × real time · 2 moves"),
-        ((0.0, 0.0, 0), "0 s of machine time · 0.0 × real time · 0 moves"),
+        ((7815.0, 28_800.0, "3.6333 s"), "cycle 3.6333 s, 2 h 10 min of 8 h"),
+        ((3599.96, 28_800.0), "1 h of 8 h"),
+        ((119.96, 300.0), "2 min of 5 min"),
+        ((9.96, 75.5), "10 s of 1 min 15.5 s"),
+        ((0.0, 0.5), "0 s of 0.5 s"),
     ],
 )
-def test_how_far_a_run_has_come(arguments: tuple[float, float, int], line: str) -> None:
-    assert run_line(*arguments) == f"{line} · Ctrl-C ends it"
-    assert "machine time · computing · " in run_line(*arguments, is_computing=True)
+def test_how_far_a_run_has_come(arguments: tuple[float, float], line: str) -> None:
+    assert run_line(*arguments) == f"{line}; Ctrl-C shows the result so far"
+    assert run_line(*arguments, is_computing=True).startswith(f"{line}, computing; ")
+    assert run_line(*arguments, is_endless=True).endswith("the result so far, --until 60 a minute")
 
 
 def test_a_bar_appears_after_half_a_second_and_changes_ten_times_a_second(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
+    from motionlang.kernel.log.cycle import cycle_so_far as cycle_so_far
     from motionlang.kernel.log.log import Log as Log
     from motionlang.kernel.log.move import CONTINUED as CONTINUED
     from motionlang.kernel.log.move import MAX_PIECES as MAX_PIECES
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.log.stream import Stream as Stream
 
 PUBLIC = {
+    "cycle": "cycle_so_far",
     "log": "Log",
     "move": "Move CONTINUED MAX_PIECES",
     "records": "Event Waited Switched Changed Printed GRAVE",

@@ -54,6 +54,8 @@ MIN_TIME, MIN_AXES = 0.9, 0.5
 REGULAR, IRREGULAR = (4, 0.67), (1, 0.5)
 # The keys that are tried, those first that take the most time together with what alternates with them.
 MAX_TRIED = 32
+# The newest moves of a run in progress that are searched.
+MAX_NEWEST = 4_000
 _FIGURE = re.compile(r"[-+]?\d")
 MOVE, OUTPUT, PRINT = "move", "output", "print"
 
@@ -168,6 +170,19 @@ def cycle(
         if other is not None and (found is None or sequence.share(found) < MIN_TIME * coarse.share(other)):
             sequence, found = coarse, other
     return None if found is None else sequence.described(found, seen, has_ended)
+
+
+def cycle_so_far(
+    log: Log, now: float, owner: Callable[[int], str | None], homes: Callable[[str], bool]
+) -> Cycle | None:
+    """Return the cycle of the newest moves of a run in progress, which another thread may go on with.
+
+    Without outputs and prints, which that thread may be writing, it can be a longer one than in the end.
+    """
+    newest = Log()
+    for move in log.moves.newest(MAX_NEWEST):
+        newest.moves.add(move)
+    return cycle(newest, now, False, lambda at: 0, owner, homes)
 
 
 class _Seen:

@@ -143,6 +143,10 @@ class Moves(Records[Move]):
             yield self._late.get(number, row)
         yield from self._tail
 
+    def newest(self, most: int) -> list[Move]:
+        """Return the newest moves that are objects, at most so many; another thread may call it during a run."""
+        return self._tail[-most:]
+
     def number(self, move: Move) -> int:
         """Return the number of a move in progress."""
         for index in range(len(self._tail) - 1, -1, -1):

@@ -7,7 +7,7 @@ from collections import Counter
 import pytest
 
 from motionlang.kernel import Run, Source, run
-from motionlang.kernel.log import Stream
+from motionlang.kernel.log import Stream, cycle_so_far
 from motionlang.kernel.log.stream import Chunk
 from tests.counted_calls import all_calls
 from tests.kernel.log.small import shrink
@@ -46,6 +46,17 @@ def test_each_chunk_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert made.cycle == whole
     assert len(read) > 100
     assert set(read.values()) == {1}
+
+
+def test_the_newest_moves_of_a_run_in_progress_have_its_cycle() -> None:
+    text = "Loop\n  MOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\nEnd Loop\n"
+    made = run(Source("endless.mnt", text), until=30.0)
+    assert made.cycle is not None
+    homes = made.dialect.table().homes
+    found = cycle_so_far(made.machine.log, made.time, lambda line: "program", homes)
+    assert found is not None
+    assert found.period == pytest.approx(made.cycle.period, rel=1e-3)
+    assert cycle_so_far(shuttle(0).machine.log, 0.0, lambda line: "program", homes) is None
 
 
 def test_twice_the_log_is_twice_the_work() -> None:
