@@ -7,6 +7,7 @@ from collections.abc import Callable
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, Event
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
+from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Rejected
@@ -26,6 +27,8 @@ class ControllerState:
         self.outputs = Channels(clock, log.outputs, log.here)
         self.analogue_inputs = AnalogueInputs(clock, log)
         self.analogue_outputs = Channels(clock, log.analogue_outputs, log.here)
+        # The entries of the machine file that take effect by time or after an output.
+        self.stimuli = Stimuli(clock, self.outputs)
         # The events at which pulses of outputs end.
         self._pulses: dict[int, Event] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.

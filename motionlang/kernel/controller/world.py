@@ -82,15 +82,10 @@ class World:
         Their times count from now.
         """
         for entry in _entries(settings, "input"):
-            if "output" in entry:
-                self._wire_output(entry)
-            elif "every" in entry and "times" not in entry:
-                self._wire_pulses(entry)
-            else:
-                for each in _again(entry) if "every" in entry else (entry,):
-                    self._wire_channel(each, self._controller.inputs.__setitem__)
+            for each in _along(entry) if "every" in entry and "between" in entry else (entry,):
+                self._wire_channel("input", each, self._controller.inputs.__setitem__)
         for entry in _entries(settings, "analogue"):
-            self._wire_channel(entry, self._controller.analogue_inputs.__setitem__)
+            self._wire_channel("analogue", entry, self._controller.analogue_inputs.__setitem__)
 
     def _wire_axis(self, axis: int) -> None:
         """Wire the travel limits and the home switch, with their input channels, if any."""
@@ -167,67 +162,46 @@ class World:
 
         return change
 
-    def _wire_channel(self, entry: Entry, put: Callable[[int, float], None]) -> None:
-        """Wire one `[[input]]` or `[[analogue]]`: by time and duration, or by position."""
-        channel, value = _number(entry, "channel"), entry.get("value", 1)
-        self.driven.add(int(channel))
-
-        def change(active: bool) -> None:
-            put(int(channel), value if active else 0)  # type: ignore[arg-type]
-
-        if "axis" in entry:
-            axis, (low, high) = int(_number(entry, "axis")), _span(entry)
-            if "per_unit" in entry:
-                origin = (low if low > -INFINITY else high) - self._start(axis)
-                rise = _number(entry, "per_unit")
-                sensor = Sensor(self._controller.axes[axis], origin, float(value), rise, int(channel))  # type: ignore[arg-type]
-                self._sensors.append(sensor)
-                change = sensor.switch
-            self._wire_region(axis, low, high, change)
-            return
-        at = self._controller.clock.now + _number(entry, "at", 0.0)
-        self._at(at, lambda: change(True))
-        if "for" in entry:
-            self._at(at + _number(entry, "for"), lambda: change(False))
-
-    def _wire_pulses(self, entry: Entry) -> None:
-        """Wire an `[[input]]` that repeats until the end of the run.
-
-        Each pulse schedules the next one.
-        """
-        channel, value = int(_number(entry, "channel")), entry.get("value", 1)
-        every, length, first = _number(entry, "every"), _number(entry, "for"), _number(entry, "at", 0.0)
-        inputs = self._controller.inputs
+    def _wire_channel(self, table: str, entry: Entry, put: Callable[[int, float], None]) -> None:
+        """Wire one `[[input]]` or `[[analogue]]`: by time, by position, or by an output."""
+        channel, value = int(_number(entry, "channel")), _number(entry, "value", 1)
         self.driven.add(channel)
-        begin = self._controller.clock.now + first
+        if "axis" in entry:
+            self._wire_position(entry, channel, value, put)
+        elif "output" in entry:
+            self._wire_output(entry, partial(put, channel), int(value))
+        else:
+            stimuli, now = self._controller.stimuli, self._controller.clock.now
+            stimuli.add_pulse(table, entry, partial(put, channel), value, since=now, at_once=True)
 
-        def rise(count: int) -> None:
-            inputs[channel] = value  # type: ignore[assignment]
-            self._at(begin + count * every + length, lambda: inputs.__setitem__(channel, 0))
-            self._at(begin + (count + 1) * every, partial(rise, count + 1))
+    def _wire_position(
+        self, entry: Entry, channel: int, value: float, put: Callable[[int, float], None]
+    ) -> None:
+        def change(active: bool) -> None:
+            put(channel, value if active else 0)
 
-        self._at(begin, partial(rise, 0))
+        axis, (low, high) = int(_number(entry, "axis")), _span(entry)
+        if "per_unit" in entry:
+            origin = (low if low > -INFINITY else high) - self._start(axis)
+            rise = _number(entry, "per_unit")
+            sensor = Sensor(self._controller.axes[axis], origin, float(value), rise, channel)
+            self._sensors.append(sensor)
+            change = sensor.switch
+        self._wire_region(axis, low, high, change)
 
-    def _wire_output(self, entry: Entry) -> None:
-        """Wire an `[[input]]` that follows an output after a delay.
+    def _wire_output(self, entry: Entry, put: Callable[[float], None], on: int) -> None:
+        """Wire an `[[input]]` that follows an output after a delay, or is active for some time after it changes.
 
         An example is a valve and the sensor that sees it.
         """
-        controller = self._controller
-        channel, output = int(_number(entry, "channel")), int(_number(entry, "output"))
-        delay, on = _number(entry, "delay", 0.0), int(_number(entry, "value", 1))
-        self.driven.add(channel)
-
-        def follow(level: bool) -> None:
-            controller.inputs[channel] = on if level else 1 - on
-
-        def changed(number: int, _: float) -> None:
-            if number == output:
-                level = controller.outputs.inverted(output)
-                self._at(controller.clock.now + delay, lambda: follow(level))
-
-        controller.outputs.listeners.append(changed)
-        follow(controller.outputs.inverted(output))
+        stimuli, off = self._controller.stimuli, int(not on)
+        if "for" in entry:
+            put(off)
+            stimuli.add_pulse("input", entry, put, on, off)
+            return
+        put(on if self._controller.outputs.inverted(int(_number(entry, "output"))) else off)
+        for level, value in ((1, on), (0, off)):
+            stimuli.add("input", {**entry, "level": level}, partial(put, value))
 
     def _wire_encoder(self, entry: Entry) -> None:
         """Wire an `[[encoder]]`, which runs at a velocity, counts/s, from a given time."""
@@ -319,14 +293,10 @@ def _entries(settings: Settings, name: str) -> Sequence[Entry]:
     return settings.get(name, ())  # type: ignore[return-value]
 
 
-def _again(entry: Entry) -> Iterator[Entry]:
-    """Yield an entry for each repetition, in time or along the travel."""
+def _along(entry: Entry) -> Iterator[Entry]:
+    """Yield an entry for each repetition along the travel."""
     for n in range(int(_number(entry, "times"))):
-        later = n * _number(entry, "every")
-        if "between" in entry:
-            yield {**entry, "between": [bound + later for bound in _span(entry)]}
-        else:
-            yield {**entry, "at": _number(entry, "at", 0.0) + later}
+        yield {**entry, "between": [bound + n * _number(entry, "every") for bound in _span(entry)]}
 
 
 def _number(entry: Entry, key: str, default: float | None = None) -> float:

@@ -176,6 +176,79 @@ def test_a_host_that_is_added_later_writes_at_times_from_then() -> None:
     assert made.host.real("comms", 5) == 7.5
 
 
+def test_a_host_that_is_added_later_repeats_or_answers_an_output_from_then() -> None:
+    made = Machine({"controller.axes": 1})
+    c, written = made.controller, []
+    made.host.listeners.append(lambda area, element, _: written.append((c.clock.now, area, element)))
+    c.outputs[2] = 1
+    c.clock.advance(2.0)
+    made.add_entries(
+        {
+            "comms": [{"element": 5, "value": 7.5, "at": 1.0, "every": 2.0, "times": 2}],
+            "netdata": [{"element": 6, "value": 1, "output": 2, "delay": 0.5}],
+        }
+    )
+    c.clock.advance(4.0)
+    c.outputs[2] = 0
+    c.outputs[2] = 1
+    c.clock.advance(20.0)
+    assert written == [(3.0, "comms", 5), (4.5, "netdata", 6), (5.0, "comms", 5)]
+
+
+@pytest.mark.parametrize(
+    ("entry", "expected"),
+    [
+        ({"at": 0.0}, [2.5]),
+        ({"at": 3.0, "every": 1.0}, [3.0, 4.0]),
+        ({"at": 0.5, "every": 1.0}, [2.5, 3.5, 4.5]),
+        ({"every": 1.0}, [2.5, 3.0, 4.0]),
+        ({"every": 1.0, "times": 4}, [2.5, 3.0]),
+        ({"every": 1.0, "times": 2}, [2.5]),
+        ({"every": 4.0}, [2.5, 4.0]),
+    ],
+)
+def test_times_that_are_past_count_as_one(entry: dict[str, object], expected: list[float]) -> None:
+    """The next ones are those that they would have been."""
+    c = machine()
+    acted: list[float] = []
+    c.clock.advance(2.5)
+    c.stimuli.add("comms", entry, lambda: acted.append(c.clock.now))
+    c.clock.advance(4.5)
+    assert acted == expected
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ({}, [(1.25, 3, 1), (1.75, 3, 0)]),
+        ({"level": 0}, [(2.25, 3, 1), (2.75, 3, 0)]),
+        ({"value": 0}, [(0.0, 3, 1), (1.25, 3, 0), (1.75, 3, 1)]),
+        ({"value": 0, "level": 0}, [(0.0, 3, 1), (2.25, 3, 0), (2.75, 3, 1)]),
+        ({"level": 0, "for": 2.0}, [(2.25, 3, 1), (4.25, 3, 0)]),
+    ],
+)
+def test_an_input_is_active_for_some_time_after_an_output(
+    keys: dict[str, object], expected: list[tuple[float, int, float]]
+) -> None:
+    c = machine(input=[{"channel": 3, "output": 1, "delay": 0.25, "for": 0.5, **keys}])
+    c.clock.advance(1.0)
+    c.outputs[1] = 1
+    c.clock.advance(2.0)
+    c.outputs[1] = 0
+    c.clock.advance(9.0)
+    assert changes(c) == expected
+
+
+def test_a_further_change_prolongs_the_pulse_of_an_input() -> None:
+    c = machine(input=[{"channel": 3, "output": 1, "for": 1.0}])
+    for time in (0.5, 1.0, 4.0):
+        c.clock.advance(time)
+        c.outputs[1] = 1
+        c.outputs[1] = 0
+    c.clock.advance(9.0)
+    assert changes(c) == [(0.5, 3, 1), (2.0, 3, 0), (4.0, 3, 1), (5.0, 3, 0)]
+
+
 def test_below_a_position() -> None:
     c = machine(input=[{"channel": 3, "axis": 0, "below": 6.0}, {"channel": 4, "axis": 1, "above": -1.0}])
     c.move_to(0, 12.0)

@@ -129,6 +129,55 @@ def test_a_run_goes_on_from_the_snapshot_at_which_its_time_was_up() -> None:
         assert run.finish() == expected
 
 
+HANDSHAKE = """\
+Dim n As Integer
+For n = 1 To 20
+  OUTX(1) = _ON
+  PAUSE COMMS(1) = 5
+  COMMS(1) = 0
+  PAUSE INX(3)
+  PAUSE Not INX(3)
+  PAUSE INKEY = 82
+  OUTX(1) = _OFF
+  PAUSE MODBUSTCP16(4, 8) = n Mod 2
+  PAUSE COIL(2)
+  PRINT n, " ", TIME
+Next
+"""
+
+
+def test_what_answers_an_output_or_repeats_goes_back() -> None:
+    settings = {
+        "comms": [{"element": 1, "value": 5, "output": 1, "delay": 0.1}],
+        "input": [{"channel": 3, "output": 1, "delay": 0.15, "for": 0.2}],
+        "key": [{"text": "R", "at": 0.3, "every": 0.7}],
+        "modbus.register": [
+            {"server": 4, "register": 8, "value": value, "at": value, "every": 2.0} for value in (0, 1)
+        ],
+        "coil": [{"coil": 2, "output": 1, "level": 0, "delay": 0.05, "for": 1.0}],
+    }
+    assert check(Source("handshake.mnt", HANDSHAKE), settings)
+
+
+def test_an_entry_that_is_added_after_a_snapshot_goes_with_it() -> None:
+    """Coils and registers belong to components of the program, which take entries like the machine's own."""
+    program = "PAUSE COIL(2)\nPAUSE MODBUSTCP16(4, 8) = 3\nPAUSE INX(3)\nPRINT TIME\nWAIT(9000)\n"
+    run, ends = Observed(Source("waits.mnt", program), {}, [0]), []
+    run.finish()
+    for delay in (0.5, 1.0):
+        run.taken[0][1].restore()
+        run.machine.add_entries(
+            {
+                "coil": [{"coil": 2, "at": delay}],
+                "modbus.register": [{"server": 4, "register": 8, "value": 3, "at": 2 * delay}],
+                "input": [{"channel": 3, "at": 3 * delay}],
+            }
+        )
+        run.finish()
+        ends.append(run.machine.terminal.lines)
+    assert ends == [["1500"], ["3000"]]
+
+
 PULSES = {"input": [{"channel": 1, "value": 1, "every": 0.01, "for": 0.004}]}
 PROGRAMS_OF_STATE = {
     # Arguments of events: each pulse of an input schedules the next one.

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from math import inf
 
-from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.io.bits import signed
+from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.errors import Rejected
 
 Listener = Callable[[str, int, bool], None]
@@ -87,11 +87,10 @@ class HostMemory:
         low, high = AREAS[area]
         return 2 * low <= first and first + count <= 2 * high + 2
 
-    def schedule(self, clock: Clock, area: str, entry: Mapping[str, object], since: float = 0.0) -> None:
-        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file; its time counts from `since`."""
-        words = _words(area, entry)
-        time, element = float(entry.get("at", 0.0)), int(entry["address" if area == "dpr" else "element"])  # type: ignore[arg-type,call-overload]
-        clock.at(max(since + time, clock.now), lambda: self.write(area, element, words))
+    def schedule(self, stimuli: Stimuli, area: str, entry: Mapping[str, object], since: float = 0.0) -> None:
+        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file; its times count from `since`."""
+        words, element = _words(area, entry), int(entry["address" if area == "dpr" else "element"])  # type: ignore[call-overload]
+        stimuli.add(area, entry, lambda: self.write(area, element, words), since)
 
 
 def product(model: str) -> str:

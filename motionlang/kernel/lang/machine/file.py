@@ -224,8 +224,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     yield from _when_problems(table, entry)
     if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
         yield "[[fault]] needs axis", as_hint(rows["axis"][1]), "[[fault]]"
-    if table == "input" and ("every" in entry or "times" in entry):
-        yield from _again_problems(entry)
+    if "every" in rows:
+        yield from _again_problems(table, entry)
     if table == "remote":
         yield from _remote_problems(entry)
     first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
@@ -243,47 +243,65 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
 
 def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
     """Check that an entry has one trigger: a time, a position, a line or an output."""
-    where = [name for name in ("above", "below", "between", "line", "output") if name in entry]
+    rows = TABLES[table]
+    where = [
+        name for name in ("above", "below", "between", "line", "output") if name in entry and name in rows
+    ]
     if len(where) > 1 or (where and "at" in entry):
-        triggers = (
-            "line, or one of above, below" if table == "fault" else "output, or one of above, below, between"
-        )
-        what = "occurs" if table == "fault" else "is active"
-        yield f"[[{table}]] {what} by one trigger only", f"give at, {triggers}", where[0]
+        regions = ", ".join(name for name in ("above", "below", "between") if name in rows)
+        others = [name for name in ("line", "output") if name in rows]
+        triggers = f"{', '.join(['at', *others])}, or one of {regions}" if regions else "at or output"
+        what = "is active" if table in NAMED else "occurs"
+        yield f"[[{table}]] {what} by one trigger only", f"give {triggers}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs an axis", "add axis = N", where[0]
     if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
         hint = "add above, below or between, or remove axis"
         yield f"axis of [[{table}]] has no effect without a position", hint, "axis"
+    is_repeated = "every" in entry and "between" not in entry  # reported by itself
+    if "for" in entry and where and where[0] in ("above", "below", "between") and not is_repeated:
+        hint = f"it is active where {where[0]} says: remove for"
+        yield f"for of [[{table}]] has no effect with a position", hint, "for"
+    for name in ("delay", "level"):
+        if name in entry and name in rows and "output" in rows and "output" not in entry:
+            hint = "output = 1 is the output after whose change it happens"
+            yield f"{name} of [[{table}]] has no effect without an output", hint, name
+    if table == "input" and "level" in entry and "output" in entry and "for" not in entry:
+        hint = "add for, or write value = 0 for an input that is off while the output is on"
+        yield "level of [[input]] has no effect without for", hint, "level"
 
 
-def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+def _again_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
     """Check that a repeated entry ends before it begins again."""
     every, between, length = entry.get("every"), entry.get("between"), entry.get("for")
+    again = [name for name in ("every", "times") if name in entry]
+    if again and "output" in entry:
+        hint = f"remove {' and '.join(again)}: it happens after each change of the output"
+        yield f"{again[0]} of [[{table}]] has no effect with an output", hint, again[0]
+        return
     if every is None:
-        yield "[[input]] has times without every", "every = 0.5 is the period", "times"
+        if again:
+            yield f"[[{table}]] has times without every", "every = 0.5 is the period", "times"
         return
     if between is not None and "times" not in entry:
-        yield "[[input]] with between needs times", "times = 50 is how many there are", "every"
+        yield f"[[{table}]] with between needs times", "times = 50 is how many there are", "every"
         return
-    if between is None and (
-        length is None or any(trigger in entry for trigger in ("above", "below", "output"))
-    ):
+    if table == "input" and between is None and (length is None or "above" in entry or "below" in entry):
         words = "give for (a duration) or between (two positions of an axis)"
-        yield "[[input]] needs a duration to repeat", words, "every"
+        yield f"[[{table}]] needs a duration to repeat", words, "every"
+        return
+    if _kind_problem("number", every):
         return
     spans = isinstance(between, list) and _is_pair(between)
     last = between[1] - between[0] if spans else length  # type: ignore[index]
-    if _kind_problem("number", every) or _kind_problem("number", last):
-        return
     if "times" not in entry and every < SHORTEST_PERIOD:  # type: ignore[operator]
         yield (
-            f"every of [[input]] must be at least {SHORTEST_PERIOD:.10g} s without times, not {shown(every)}",
+            f"every of [[{table}]] must be at least {SHORTEST_PERIOD:.10g} s without times, not {shown(every)}",
             "times = 1000 says how often it happens",
             "every",
         )
-    elif every <= last:  # type: ignore[operator]
-        yield "[[input]] repeats before it ends", f"every must be more than {last:.10g}", "every"
+    elif not _kind_problem("number", last) and every <= last:  # type: ignore[operator]
+        yield f"[[{table}]] repeats before it ends", f"every must be more than {last:.10g}", "every"
 
 
 def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:

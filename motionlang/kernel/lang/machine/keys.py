@@ -123,6 +123,18 @@ _WHEN = {
     "below": ("number", "Active from this position downwards, in user units."),
     "between": ("pair", "Active between these two positions, in user units."),
 }
+# When a key is pressed or another device writes.
+_ACTS = {
+    "at": _WHEN["at"],
+    "every": ("positive", "The period of repetition, in seconds; at is the first time."),
+    "times": (
+        "times",
+        "Number of times that it happens in total, 1 to 10000. Default: until the end of the run.",
+    ),
+    "output": ("channel", "Instead: the digital output after whose change it happens, each time."),
+    "level": ("bit", "The level to which that output changes. Default 1."),
+    "delay": ("time", "The delay after the output, in seconds. Default 0."),
+}
 _GUESS = ("flag", "true: `motionlang init` has guessed this entry, and a result that depends on it says so.")
 _TERMINAL = ("terminal", "The terminal of the operator: 1, 2, 4 and so on up to 128. Default 1.")
 _WRITTEN = {
@@ -146,7 +158,11 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "Number of times that it happens in total, 1 to 10000. Default: until the end of the run; "
             "with between it is required.",
         ),
-        "output": ("channel", "The digital output whose level the input follows."),
+        "output": (
+            "channel",
+            "The digital output whose level the input follows; with for, whose change activates it.",
+        ),
+        "level": ("bit", "With output and for: the level to which the output changes. Default 1."),
         "delay": ("time", "The delay after the output, in seconds. Default 0."),
         **_WHEN,
         "guess": _GUESS,
@@ -212,12 +228,12 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "width",
             "word (one register), integer or float (two). Default: word for a whole number, float for any other.",
         ),
-        "at": _WHEN["at"],
+        **_ACTS,
     },
     "coil": {
         "coil": ("register", "The coil of the controller that a Modbus client writes."),
         "value": ("number", "The value. Default 1."),
-        "at": _WHEN["at"],
+        **_ACTS,
         "for": ("positive", "Duration in seconds. Default: forever."),
     },
     "fault": {
@@ -234,7 +250,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         **{key: _WHEN[key] for key in ("at", "above", "below")},
     },
     "key": {
-        "at": _WHEN["at"],
+        **_ACTS,
         "text": ("text", "The keys that the operator presses, for INKEY; {Enter} is one of them."),
         "for": ("positive", "Time that the last key is held, in seconds, for READKEY. Default 0.1."),
         "terminal": _TERMINAL,
@@ -266,17 +282,17 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "at": _WHEN["at"],
     },
     "comms": {
-        "at": _WHEN["at"],
+        **_ACTS,
         "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
         **_WRITTEN,
     },
     "dpr": {
-        "at": _WHEN["at"],
+        **_ACTS,
         "address": ("dpr", "The address of the dual-port RAM that the host writes, 0 to 4095."),
         **_WRITTEN,
     },
     "netdata": {
-        "at": _WHEN["at"],
+        **_ACTS,
         "element": ("channel", "The NetData location that the host writes, 0 to 999."),
         **_WRITTEN,
     },

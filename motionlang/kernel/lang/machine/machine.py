@@ -71,7 +71,6 @@ class Machine:
         }
         self.clock = Clock() if hook is None else WatchedClock(hook.advancing)
         self.statements = StatementTime(self.instruction_time)
-        self._host: HostMemory | None = None
         self._operators: dict[int, Operator] = {}
         self.log = Log()
         self.log.hurried = self._hurried
@@ -92,6 +91,8 @@ class Machine:
         self.notes: dict[str, None] = {}
         # Each returns, as rows of the report, the data that the program wrote into other devices.
         self.written: list[Callable[[], list[dict[str, object]]]] = []
+        # Each schedules an entry of a table, such as a coil, with the time from which its times count.
+        self.receivers: dict[str, Callable[[Mapping[str, object], float], None]] = {}
         # Data that outlives the run, if a file for it is given.
         self.nv: NonVolatile | None = None
         # Mistakes of the program that did not end it: MCCL answers with a code and continues.
@@ -108,14 +109,18 @@ class Machine:
             _check_axes(self.settings, axes, first_axis)
         self.controller = Controller(axes, first_axis, self.clock, self.log)
         self.world = _world(self.controller, self.settings)
+        self._host = self._new_host() if any(area in self.settings for area in AREAS) else None
 
     def add_entries(self, settings: Mapping[str, object]) -> None:
-        """Add inputs, answers, keys and writes of a host to the world; their times count from now."""
+        """Add inputs, answers, keys and writes of other devices to the world; their times count from now."""
         if "answer" in settings or "key" in settings:
             self.operator.add(settings, self.clock.now)
         for area in AREAS:
             for entry in settings.get(area, ()):  # type: ignore[attr-defined]
-                self.host.schedule(self.clock, area, entry, self.clock.now)
+                self.host.schedule(self.controller.stimuli, area, entry, self.clock.now)
+        for table, schedule in self.receivers.items():
+            for entry in settings.get(table, ()):  # type: ignore[attr-defined]
+                schedule(entry, self.clock.now)
         if "input" not in settings and "analogue" not in settings:
             return
         if self.world is None:
@@ -189,16 +194,17 @@ class Machine:
 
     @property
     def host(self) -> HostMemory:
-        """The memory shared with a host, created on first use.
-
-        It includes the writes that the machine file schedules for the host.
-        """
+        """The memory shared with a host; without writes in the machine file, it is created on first use."""
         if self._host is None:
-            self._host = HostMemory(PRODUCTS[product(self.model)])
-            for area in AREAS:
-                for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
-                    self._host.schedule(self.clock, area, entry)
+            self._host = self._new_host()
         return self._host
+
+    def _new_host(self) -> HostMemory:
+        host = HostMemory(PRODUCTS[product(self.model)])
+        for area in AREAS:
+            for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
+                host.schedule(self.controller.stimuli, area, entry)
+        return host
 
     @property
     def nonvolatile(self) -> NonVolatile:
@@ -221,9 +227,8 @@ class Machine:
         """Return the operator at terminal `number`, created on first use."""
         found = self._operators.get(number)
         if found is None:
-            found = self._operators[number] = Operator(
-                self.clock, self.terminal_at(number), self.settings, number
-            )
+            terminal, stimuli = self.terminal_at(number), self.controller.stimuli
+            found = self._operators[number] = Operator(self.clock, stimuli, terminal, self.settings, number)
         return found
 
     def unasked(self) -> list[str]:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.lang.machine.terminal import Terminal
 
 Entry = Mapping[str, object]
@@ -31,9 +32,14 @@ class Operator:
     """
 
     def __init__(
-        self, clock: Clock, terminal: Terminal, settings: Mapping[str, object], number: int = 1
+        self,
+        clock: Clock,
+        stimuli: Stimuli,
+        terminal: Terminal,
+        settings: Mapping[str, object],
+        number: int = 1,
     ) -> None:
-        self._clock, self._terminal = clock, terminal
+        self._clock, self._stimuli, self._terminal = clock, stimuli, terminal
         self.keys: list[int] = []
         self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
         self.asking = False
@@ -59,10 +65,8 @@ class Operator:
         for entry in presses:
             if entry.get("terminal", 1) != self._number:
                 continue
-            time: float = entry.get("at", 0.0)  # type: ignore[assignment]
             duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
-            moment = max(since + time, self._clock.now)
-            self._clock.at(moment, partial(self.press, str(entry["text"]), duration))
+            self._stimuli.add("key", entry, partial(self.press, str(entry["text"]), duration), since)
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""

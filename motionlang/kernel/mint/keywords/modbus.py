@@ -39,6 +39,7 @@ class Servers:
 
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
+        self._stimuli = environment.controller.stimuli
         self._servers: dict[int, Server] = {}
         for entry in self._entries("modbus.server"):
             self._declare(entry)
@@ -46,6 +47,7 @@ class Servers:
             self._schedule(entry)
         self._named = bool(self._servers)
         self._machine.written.append(self.written)
+        self._machine.receivers["modbus.register"] = self._schedule
 
     def _entries(self, table: str) -> Sequence[Entry]:
         return self._machine.settings.get(table, ())  # type: ignore[return-value]
@@ -62,8 +64,8 @@ class Servers:
             if self._clock.now < time < inf:
                 self._clock.at(time, _nothing)  # tasks that wait for the server check again
 
-    def _schedule(self, entry: Entry) -> None:
-        """Schedule a change of registers from the machine file.
+    def _schedule(self, entry: Entry, since: float = 0.0) -> None:
+        """Schedule a change of registers from the machine file; its times count from `since`.
 
         It is not made by a client, so it may also change registers that clients cannot write.
         """
@@ -72,11 +74,7 @@ class Servers:
         width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
         register: int = entry["register"]  # type: ignore[assignment]
         change = partial(_put, server, register, words_of(value, width))
-        time: float = entry.get("at", 0.0)  # type: ignore[assignment]
-        if time <= self._clock.now:
-            change()
-        else:
-            self._clock.at(time, change)
+        self._stimuli.add("modbus.register", entry, change, since, at_once=True)
 
     # ------------------------------------------------------------------------------------------ the client's side
 
@@ -202,15 +200,17 @@ class Coils:
     """
 
     def __init__(self, environment: Environment) -> None:
-        clock = environment.clock
-        self.values = Channels(clock)
-        entries: Sequence[Mapping[str, float]] = environment.machine.settings.get("coil", ())  # type: ignore[assignment]
-        for entry in entries:
-            put = partial(self.values.__setitem__, int(entry["coil"]))
-            at = max(entry.get("at", 0.0), clock.now)
-            clock.at(at, partial(put, int(entry.get("value", 1) != 0)))
-            if "for" in entry:
-                clock.at(at + entry["for"], partial(put, 0))
+        self._stimuli = environment.controller.stimuli
+        self.values = Channels(environment.clock)
+        for entry in environment.machine.settings.get("coil", ()):  # type: ignore[attr-defined]
+            self._schedule(entry)
+        environment.machine.receivers["coil"] = self._schedule
+
+    def _schedule(self, entry: Entry, since: float = 0.0) -> None:
+        """Schedule a `[[coil]]` of the machine file; its times count from `since`."""
+        coil: int = entry["coil"]  # type: ignore[assignment]
+        put, on = partial(self.values.__setitem__, coil), int(entry.get("value", 1) != 0)
+        self._stimuli.add_pulse("coil", entry, put, on, since=since)
 
     def checked(self, coil: int) -> int:
         if not 0 <= coil <= LAST:

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel import Rejected
-from motionlang.kernel.controller import Clock, HostMemory, product
+from motionlang.kernel import Controller, Rejected
+from motionlang.kernel.controller import HostMemory, product
 from tests.cases import cases
 
 words = st.integers(-(2**31), 2**31 - 1)
@@ -73,11 +73,12 @@ def test_listeners_are_notified_of_host_writes_and_of_changes() -> None:
 
 
 def test_the_machine_file_writes_at_its_time() -> None:
-    clock, memory = Clock(), HostMemory()
-    memory.schedule(clock, "comms", {"element": 1, "value": 3, "at": 1.0})
-    memory.schedule(clock, "netdata", {"element": 2, "value": 3, "at": 1.0})
-    memory.schedule(clock, "netdata", {"element": 3, "value": 3, "as": "float"})
-    memory.schedule(clock, "comms", {"element": 8, "text": "ABCDE"})
+    controller, memory = Controller(1), HostMemory()
+    clock, stimuli = controller.clock, controller.stimuli
+    memory.schedule(stimuli, "comms", {"element": 1, "value": 3, "at": 1.0})
+    memory.schedule(stimuli, "netdata", {"element": 2, "value": 3, "at": 1.0})
+    memory.schedule(stimuli, "netdata", {"element": 3, "value": 3, "as": "float"})
+    memory.schedule(stimuli, "comms", {"element": 8, "text": "ABCDE"})
     clock.advance(0.5)
     assert (memory.real("comms", 1), memory.real("netdata", 3)) == (0.0, 3.0)
     assert [memory.integer("comms", n) for n in (8, 9)] == [0x41424344, 0x45000000]
@@ -153,7 +154,8 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
 
     Elsewhere it is an integer.
     """
-    clock, memory = Clock(), HostMemory()
+    controller, memory = Controller(1), HostMemory()
+    clock, stimuli = controller.clock, controller.stimuli
     clock.advance(2.0)
     entries: list[tuple[str, dict[str, object]]] = [
         ("comms", {"element": 1, "value": 3}), ("comms", {"element": 2, "value": 3, "as": "integer"}),
@@ -161,7 +163,7 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
         ("dpr", {"address": 0, "value": 0x80000000}), ("dpr", {"address": 1, "value": 3, "as": "float", "at": 1.0}),
     ]  # fmt: skip
     for area, entry in entries:
-        memory.schedule(clock, area, entry)
+        memory.schedule(stimuli, area, entry)
     assert memory.real("comms", 1) == 0.0
     clock.advance(2.0)
     assert (memory.real("comms", 1), memory.integer("comms", 2)) == (3.0, 3)
