@@ -157,6 +157,8 @@ def test_what_a_run_reports(
 INPUT = {"channel": 1, "value": 1, "at": 0.1}
 ASK = "Dim n As Integer\nINPUT n\nWAIT = 500\n"
 MOVE = "MOVER(0) = 1 : GO(0) : MOVER(11) = 1 : GO(11) : MOVER(2) = 1 : GO(2)\n"
+KEY = "PRINT INKEY\n"
+HOST = "PRINT COMMS(2), NETINTEGER(4), DPRLONG(6), MODBUSTCP16(1, 6), COIL(7)\n"
 # A program, its machine, and what it depends on. A guess counts if the run has used it.
 GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
     ("WAIT = 500\n", {"input": [INPUT]}, ""),
@@ -172,9 +174,24 @@ GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
     ),
     (ASK, {"answer": [{"text": "3", "guess": True}]}, "1 guess of the machine file: 1 answer"),
     (f"{ASK}INPUT n\n", {"answer": [{"text": "3", "guess": True}] * 2}, "2 guesses of the machine file: 2 answers"),
-    ("WAIT = 500\n", {"key": [{"text": "R", "at": at, "guess": True} for at in (0.5, 0.6)]},
+    (f"{KEY}WAIT = 500\n", {"key": [{"text": "R", "at": at, "guess": True} for at in (0.5, 0.6)]},
      "1 guess of the machine file: 1 key"),
-    ("WAIT = 500\n", {"key": [{"text": "R", "guess": True}] * 2}, "2 guesses of the machine file: 2 keys"),
+    (f"{KEY}WAIT = 500\n", {"key": [{"text": "R", "guess": True}] * 2}, "2 guesses of the machine file: 2 keys"),
+    ("WAIT = 500\n", {"key": [{"text": "R", "guess": True}]}, ""),
+    (f"{KEY}OUTX(1) = 1\n", {"key": [{"text": "R", "output": n, "guess": True} for n in (1, 2)]},
+     "1 guess of the machine file: 1 key"),
+    (
+        f"{HOST}OUTX(1) = 1\nWAIT = 500\n",
+        {
+            "comms": [{"element": n, "value": 1, "every": 0.1, "guess": True} for n in (10, 2)],
+            "netdata": [{"element": 4, "value": 1, "guess": True}, {"element": 5, "value": 1}],
+            "dpr": [{"address": 6, "value": 1, "output": 1, "guess": True}],
+            "modbus.register": [{"server": 1, "register": 6, "value": 1, "output": 1, "delay": 0.1, "guess": True}],
+            "coil": [{"coil": 7, "output": 1, "level": 0, "guess": True}, {"coil": 8, "guess": True}],
+        },
+        "6 guesses of the machine file: comms element 2, 10; NetData element 4; dual-port RAM address 6; "
+        "Modbus register 6; Modbus coil 8",
+    ),
     (
         MOVE,
         {"controller.axes": 12, **{f"axis.{n}.guess": n > 0 for n in (2, 11, 0, 1)}},

@@ -32,6 +32,15 @@ if TYPE_CHECKING:
     from motionlang.kernel.report_types import Report, ReportMove
     from motionlang.kernel.tracks.trace import Trace
 
+# The tables of what other devices write, with the name of what they write to and the key of its number.
+_WRITTEN = {
+    "comms": ("comms element", "element"),
+    "netdata": ("NetData element", "element"),
+    "dpr": ("dual-port RAM address", "address"),
+    "modbus.register": ("Modbus register", "register"),
+    "coil": ("Modbus coil", "coil"),
+}
+
 
 class Run:
     """The result of a run.
@@ -258,7 +267,7 @@ def report_guesses(result: Run) -> None:
     settings, found, count = machine.settings, [], 0
     tables: dict[str, list[Mapping[str, object]]] = {
         name: [each for each in settings.get(name, ()) if each.get("guess")]  # type: ignore[attr-defined]
-        for name in ("input", "analogue", "answer", "key")
+        for name in ("input", "analogue", "answer")
         if name in settings
     }
     for name, log in (("input", machine.log.inputs), ("analogue", machine.log.analogue_inputs)):
@@ -272,10 +281,14 @@ def report_guesses(result: Run) -> None:
         answers = [each for each in tables["answer"] if each["text"] not in left]
         found += [count_of(len(answers), "answer")] if answers else []
         count += len(answers)
-    if tables.get("key"):
-        pressed = [each for each in tables["key"] if each.get("at", 0.0) <= machine.clock.now]  # type: ignore[operator]
-        found += [count_of(len(pressed), "key")] if pressed else []
-        count += len(pressed)
+    stimuli = machine.controller.stimuli
+    pressed = [each for each in stimuli.used("key") if each.get("guess")]
+    found += [count_of(len(pressed), "key")] if pressed else []
+    count += len(pressed)
+    for name, (what, number) in _WRITTEN.items():
+        numbers: set[int] = {each[number] for each in stimuli.used(name) if each.get("guess")}  # type: ignore[misc]
+        found += [f"{what} {', '.join(map(str, sorted(numbers)))}"] if numbers else []
+        count += len(numbers)
     axes = [key.split(".")[1] for key, value in settings.items() if value is True and key.endswith(".guess")]
     moved = {str(move.axis) for move in machine.log.moves} if axes else set()
     homed = sorted(moved.intersection(axes), key=int)

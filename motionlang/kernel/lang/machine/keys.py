@@ -229,12 +229,14 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "word (one register), integer or float (two). Default: word for a whole number, float for any other.",
         ),
         **_ACTS,
+        "guess": _GUESS,
     },
     "coil": {
         "coil": ("register", "The coil of the controller that a Modbus client writes."),
         "value": ("number", "The value. Default 1."),
         **_ACTS,
         "for": ("positive", "Duration in seconds. Default: forever."),
+        "guess": _GUESS,
     },
     "fault": {
         "axis": ("channel", "The axis with the fault; none for controller."),
@@ -285,16 +287,19 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         **_ACTS,
         "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
         **_WRITTEN,
+        "guess": _GUESS,
     },
     "dpr": {
         **_ACTS,
         "address": ("dpr", "The address of the dual-port RAM that the host writes, 0 to 4095."),
         **_WRITTEN,
+        "guess": _GUESS,
     },
     "netdata": {
         **_ACTS,
         "element": ("channel", "The NetData location that the host writes, 0 to 999."),
         **_WRITTEN,
+        "guess": _GUESS,
     },
     "expect": {
         "prints": ("text", "A printed line contains this text."),
