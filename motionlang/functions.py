@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.commands.cover import Coverage
     from motionlang.commands.diff.reports import Difference
+    from motionlang.commands.explore import Exploration
     from motionlang.commands.improve import Improvement
     from motionlang.commands.map.program_map import ProgramMap
     from motionlang.commands.profile.profile import TimeProfile
@@ -175,6 +176,22 @@ def cover(program: Program, *, until: float | None = None) -> Coverage:
     from motionlang.commands.cover import covered
 
     return covered(program if isinstance(program, Source) else os.fspath(program), until=until)
+
+
+def explore(program: Program) -> Exploration:
+    """Return the states in which a program waits, what leads from one to the next, and its cycles.
+
+    The program is played: each input, key, answer and number of a host that it reads is changed, with the settings of
+    the machine file next to it but for its inputs, answers and the like. `nodes` are the states with their
+    transitions, `cycles` the cycles, the likeliest first, and `world` the entries of a machine file with which one
+    runs. `str` shows all of it.
+
+    Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for a program or a
+    machine file with errors.
+    """
+    from motionlang.commands.explore import explored
+
+    return explored(program if isinstance(program, Source) else Source.read(os.fspath(program)))
 
 
 def diff(old: Side, new: Side, *tolerances: str) -> Difference:

@@ -39,6 +39,7 @@ CALLS: dict[str, Callable[[], object]] = {
     "parse": lambda: motionlang.parse(FEED.text, "mint"),
     "profile": lambda: motionlang.profile(FEED),
     "cover": lambda: motionlang.cover(FEED),
+    "explore": lambda: motionlang.explore(FEED),
     "map": lambda: motionlang.map(FEED, run=True),
     "diff": lambda: motionlang.diff(FEED, FEED),
     "compare": lambda: motionlang.compare(

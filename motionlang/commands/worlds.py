@@ -1,8 +1,7 @@
 """One program in many worlds: it is compiled once, and each run counts what it reaches.
 
-A world is the settings around a program, such as its inputs and answers. `init` and `cover --suggest` search for worlds
-in which a program goes on. Both run it here, each with a rule of its own for what it tries next and when it has enough;
-what they share is the limit of the search in seconds, and what it tried last.
+A world is the settings around a program, such as its inputs and answers. `cover` runs all worlds of a program here, and
+those that it suggests.
 """
 
 from __future__ import annotations
@@ -10,8 +9,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from math import inf
-from time import monotonic
 from typing import Any
 
 from motionlang.kernel import Checked, Dialect, Hook, Machine, Program, Run, Steps, Task, run
@@ -22,9 +19,6 @@ Event = tuple[int, int, bool]
 BEGINS = -1
 # A world ends after so many statements: three seconds of a loop that toggles an output as fast as it can.
 MAX_STATEMENTS = 300_000
-# The tables of settings that a search changes, and an entry of one.
-TABLES = ("input", "analogue", "answer", "key")
-Entry = dict[str, object]
 
 
 @dataclass
@@ -38,37 +32,20 @@ class World:
 
 
 class Worlds:
-    """Runs of one program, a debug build, for a search of at most so many seconds."""
+    """Runs of one program, a debug build."""
 
-    def __init__(self, program: Program, language: Dialect, seconds: float = inf) -> None:
-        self.program, self.source, self.language, self.seconds = program, program.source, language, seconds
-        self.reads = program.reads
-        # The number of runs, and the settings of the last one.
-        self.count = 0
-        self.last: Mapping[str, object] = {}
+    def __init__(self, program: Program, language: Dialect) -> None:
+        self.program, self.language = program, language
         # The program as it was last run, and the settings that it depends on.
         self._last = program
         self._deciding = self._decisive(program.settings)
-        self._begun = monotonic()
 
     def _decisive(self, settings: Mapping[str, object]) -> dict[str, object]:
         """Return the settings that the check of the program depends on."""
         return {key: value for key, value in settings.items() if self.language.compiled_in(key)}
 
-    @property
-    def share(self) -> float:
-        """The share of its time that the search has used."""
-        return (monotonic() - self._begun) / self.seconds
-
-    @property
-    def is_over(self) -> bool:
-        """True if the search has used its time."""
-        return self.share >= 1.0
-
     def run(self, settings: Mapping[str, object], until: float | None = None) -> World:
         """Run the program in a world."""
-        self.count += 1
-        self.last = settings
         deciding = self._decisive(settings)
         if deciding != self._deciding:
             self._last = self.program.on(settings)
@@ -83,12 +60,6 @@ class Worlds:
             begun=counts.attach,
         )
         return World(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
-
-
-def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
-    """Return the entries of a table of settings."""
-    found: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
-    return found
 
 
 class Counts(Hook):

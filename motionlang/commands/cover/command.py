@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import count
+from time import monotonic
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
@@ -19,9 +20,9 @@ from motionlang.cli.program_files import PATHS, programs
 from motionlang.cli.readers import machine_time, real, wall_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
-from motionlang.commands.cover.suggestions import Search, scenario_text
+from motionlang.commands.cover.suggestions import Search, Suggestion
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
-from motionlang.commands.init.summary import tried
+from motionlang.commands.explore import Interrupted, explore
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Event, Worlds
@@ -31,9 +32,8 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 
-# The time limits of a suggested world and of the search for them, s.
+# The time limit of a suggested world, s.
 UNTIL = 300.0
-SECONDS = 20.0
 # The factor between the time limit of a suggested world and the time of the program's own, and its minimum, s.
 UNTIL_FACTOR, MIN_UNTIL = 2.0, 30.0
 
@@ -65,8 +65,10 @@ examples:
         "write scenarios that reach more, with their results as expectations to review, next to each program"
     )
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
-    seconds: float = option(
-        "S", f"with --suggest, search for at most S seconds ({SECONDS:.10g})", read=wall_time, default=SECONDS
+    seconds: float | None = option(
+        "S",
+        "with --suggest, play for at most S seconds, so that the result depends on the machine",
+        read=wall_time,
     )
     html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
     lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
@@ -116,49 +118,55 @@ examples:
             raise Refused([no_dialect(file)], file=file, status=2)
         source, limit = read(file), UNTIL if self.until is None else self.until
         progress, ended = Progress(sys.stderr, os.path.basename(file)), False
+        ends = None if self.seconds is None else monotonic() + self.seconds
+        written: dict[str, str] = {}
         try:
             all_own = worlds_of(file)
             own = all_own[""]
-            runs = Worlds(language.program(source, own, is_debug=True), language, self.seconds)
+            program = language.program(source, own, is_debug=True)
+            if program.errors:
+                raise ProgramError(program.errors)
+            runs = Worlds(program, language)
             before: Counter[Event] = Counter()
-            ends = []
             for settings in all_own.values():
-                world = runs.run(settings, limit)
-                before += world.events
-                ends += [world.result.time] if world.result.status in ("ended", "stopped") else []
-            if ends and self.until is None:
-                limit = min(limit, max(MIN_UNTIL, UNTIL_FACTOR * max(ends)))
-            search = Search(runs, own, before, limit, progress)
+                before += runs.run(settings, limit).events
+            given = {key: value for key, value in own.items() if not isinstance(value, list) or "." in key}
+            exploration = explore(
+                program, given, is_over=lambda: ends is not None and monotonic() > ends, progress=progress
+            )
+            search = Search(runs, exploration, own, before, limit)
             was = search.coverage
             try:
-                search.run()
+                for world in search.run():
+                    written |= self._write_scenario(file, world)
             except (KeyboardInterrupt, Terminated):
                 ended = True
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=file) from None
+        except Interrupted as interrupted:
+            SIGNALS.end_with(interrupted.result)
+            raise
         finally:
             progress.done()
-        names = self._write_scenarios(file, search, own)
         rows = [replace(each, file=file) for each in (was, search.coverage)]
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
-        text = f"{file}: {shares} with {count_of(len(names), 'scenario')}\n"
-        text += "".join(f"  {name}: {about}\n" for name, about in names.items())
+        text = f"{file}: {shares} with {count_of(len(written), 'scenario')}\n"
+        text += "".join(f"  {name}: {about}\n" for name, about in written.items())
         missed = ", ".join(ranges(sorted(rows[1].missed)))
         if missed:
-            text += f"  not reached: lines {missed}\n  {tried(runs, own)}\n"
+            text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played\n"
         self.show(coverage_document(rows[1:]), text)
         return SIGNALS.status if ended else 0
 
-    def _write_scenarios(self, file: str, search: Search, own: dict[str, object]) -> dict[str, str]:
-        """Write a scenario for each world that was found; return what each file is about."""
-        folder, written = os.path.splitext(file)[0] + FOLDER_SUFFIX, dict[str, str]()
-        for world in search.found:
-            os.makedirs(folder, exist_ok=True)
-            path = next(path for n in count(1) if not os.path.lexists(path := f"{folder}/cover-{n}.toml"))
-            create(path, scenario_text(os.path.basename(file), world, own).encode())
-            lines = ", ".join(ranges(world.reaches))
-            written[path] = f"reaches lines {lines}" if lines else "reaches more of some lines"
-        return written
+    def _write_scenario(self, file: str, world: Suggestion) -> dict[str, str]:
+        """Write the scenario of a world that was found; return what the file is about, by its name."""
+        folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
+        os.makedirs(folder, exist_ok=True)
+        names = (f"{folder}/{world.name}{'' if n == 1 else f'-{n}'}.toml" for n in count(1))
+        path = next(path for path in names if not os.path.lexists(path))
+        create(path, world.text.encode())
+        lines = ", ".join(ranges(world.reaches))
+        return {path: f"reaches lines {lines}" if lines else "reaches more of some lines"}
 
     def _lines(self, found: Sequence[Coverage]) -> list[str]:
         colour = wants_colour(sys.stdout)

@@ -17,50 +17,148 @@ known with an end of its own, and is found as one that lasts, is tried again wit
 numbers of a host and keys come from comparisons: an unusual value is played, and both sides of the comparisons that
 follow are solved for it (`values.py`).
 
-Without a choice are the switches of an axis that homes for ever, and the answer to a question.
+Without a choice are the switches of an axis that homes for ever (`switches.py`).
+
+The world of the likeliest cycle that repeats when it is played is then described by simple rules (`world.py`).
 
 Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
-(`trials.py`), and end soon after the program has come to states that are known to last. The same program gives the same
-result.
-
-The world of the likeliest cycle is then described by simple rules (`world.py`).
-
-Not simulated yet: changes in the middle of a move, the joint state of several tasks, menus, and in the world of a cycle
-buttons, positions of axes, and the way on where a level is there already.
+(`trials.py`). The same program gives the same result, unless the user ends the exploration.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from motionlang.commands.explore.cycles import Cycle, cycles
 from motionlang.commands.explore.rests import RestState, TaskRest
-from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition
-from motionlang.commands.explore.world import World, world_of
-from motionlang.kernel import Program
+from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition, Visit
+from motionlang.commands.explore.trials import (
+    TABLES,
+    Change,
+    Entry,
+    Interrupted,
+    Trial,
+    entries,
+    plain,
+    tables_of,
+)
+from motionlang.commands.explore.values import is_probe
+from motionlang.commands.explore.world import World, played, world_of
+from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
 
-__all__ = ["Cycle", "Exploration", "Node", "RestState", "TaskRest", "Transition", "World", "explore"]
+__all__ = [
+    "Change",
+    "Cycle",
+    "Entry",
+    "Exploration",
+    "Interrupted",
+    "Node",
+    "RestState",
+    "TaskRest",
+    "Transition",
+    "Visit",
+    "World",
+    "entries",
+    "explore",
+    "explored",
+    "is_probe",
+    "plain",
+    "tables_of",
+]
 
 
-class Exploration(NamedTuple):
-    """The states of a machine with their transitions, power-up first; its cycles, the likeliest first; the trials.
+class Exploration:
+    """What an exploration has found in a program.
 
-    `world` is that of the first cycle that repeats when it is played, None without a cycle.
+    `nodes` are its states with their transitions, power-up first, `cycles` the cycles, the likeliest first and those
+    without motion last, `trials` the number of runs. `world` is that of the first cycle that repeats when it is played.
+    `switches` are the settings of axes that would home for ever. `is_whole` is False if the budget or the user ended
+    the search.
     """
 
-    nodes: Sequence[Node]
-    cycles: Sequence[Cycle]
-    trials: int
-    world: World | None
+    def __init__(self, explorer: Explorer) -> None:
+        self._explorer = explorer
+        self.program = explorer.program
+        self.nodes = list(explorer.nodes.values())
+        self.trials = explorer.trials.count
+        self.is_whole = not explorer.trials.is_over
+        self.cycles = cycles(explorer.nodes, explorer.working)
+        self.world = self.world_of(self.cycles)
+        self.switches = explorer.switches.axes
+        self.channels = sorted(explorer.channels)
+        # The axes that each line moves.
+        self.axes = explorer.axes
+
+    def __str__(self) -> str:
+        from motionlang.commands.explore.view import exploration_text
+
+        return exploration_text(self, self.program)
+
+    def world_of(self, likeliest: Sequence[Cycle]) -> World:
+        """Return the world of the first of some cycles that repeats when it is played."""
+        return world_of(self._explorer, likeliest)
+
+    def world_once(self, cycle: Cycle) -> World:
+        """Return the world in which a cycle runs once."""
+        return world_of(self._explorer, [cycle], times=1)
+
+    def variants(self) -> Iterator[tuple[Cycle, Trial]]:
+        """Yield the cycles with another key or answer, or number of a host, in place of one that leads to the same.
+
+        Each value is played once, in the likeliest cycle that has its transition.
+        """
+        tried: set[tuple[RestState | None, tuple[Change, ...]]] = set()
+        for cycle in self.cycles:
+            for k, each in enumerate(cycle.transitions):
+                for causes in each.variants:
+                    if (each.source, causes) not in tried:
+                        tried.add((each.source, causes))
+                        changed = replace(each, causes=causes)
+                        path = (*cycle.transitions[:k], changed, *cycle.transitions[k + 1 :])
+                        varied = replace(cycle, transitions=path)
+                        yield varied, played(self._explorer, varied, times=1)
+
+    def run(self, settings: Mapping[str, object], until: float) -> Run:
+        """Run the program in the world with some entries of a machine file up to a time."""
+        return self._explorer.trials.run_in(settings, until)[0]
+
+    def line(self, at: int) -> int:
+        """Return the line of a source offset."""
+        return self._explorer.line(at)
+
+    def reads(self, state: RestState) -> list[str]:
+        """Return the names of what the statements of a state read, such as "input 3" or "a key"."""
+        return self._explorer.reads(state)
 
 
 def explore(
-    program: Program, machine: Mapping[str, object] | None = None, *, trials: int = MAX_TRIALS
+    program: Program,
+    machine: Mapping[str, object] | None = None,
+    *,
+    trials: int = MAX_TRIALS,
+    is_over: Callable[[], bool] = lambda: False,
+    progress: Callable[[float], object] = lambda share: None,
 ) -> Exploration:
-    """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials."""
-    explorer = Explorer(program, machine or {}, trials)
+    """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials.
+
+    It ends earlier where `is_over` returns True. `progress` is called with the share of the trials. Raises Interrupted,
+    with the run, at Ctrl-C.
+    """
+    explorer = Explorer(program, machine or {}, trials, is_over, progress)
     explorer.explore()
-    likeliest, count = cycles(explorer.nodes, explorer.working), explorer.trials.count
-    world = world_of(explorer, likeliest)
-    return Exploration(list(explorer.nodes.values()), likeliest, count, world)
+    found = Exploration(explorer)
+    explorer.progress = lambda share: None  # what is asked of the result is no part of it
+    return found
+
+
+def explored(source: Source) -> Exploration:
+    """Explore a program with the settings of the machine file next to it, but for its inputs, answers and the like.
+
+    Raises ProgramError for a program or a machine file with errors.
+    """
+    settings = {key: value for key, value in settings_next_to(source.name).items() if key not in TABLES}
+    program = dialect_for(source, None).program(source, settings, is_debug=True)
+    if program.errors:
+        raise ProgramError(program.errors)
+    return explore(program, settings)

@@ -20,6 +20,8 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # switched on. Against it: each change of the world, an answer less, since the program asks for it; one at the same time
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
 MOVE, OUTPUT = 2.0, 0.5
+# Work is faster than other work if it takes this share of its time.
+FASTER = 0.95
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN = 1.0, 0.25, 0.5, 0.5, 3.0, 20.0, 5.0
 
 
@@ -49,11 +51,16 @@ class Cycle:
 
 
 def cycles(nodes: Mapping[RestState | None, Node], work: Iterable[Work]) -> list[Cycle]:
-    """Return the cycles of an exploration with motion, the likeliest first; of those of the same states the best."""
+    """Return the cycles of an exploration, the likeliest first and those without motion last.
+
+    Of those of the same states it is the best.
+    """
     at_start = (node.first.moved for node in nodes.values() if not node.first.timeline)
-    found = [*_loops(nodes, frozenset[int]().union(*at_start)), *_runs(nodes), *map(_without_rest, work)]
+    found = [*_loops(nodes, frozenset[int]().union(*at_start)), *_runs(nodes), *_without_rest(work)]
     best: dict[object, Cycle] = {}
-    for each in sorted(found, key=lambda cycle: (-cycle.value, len(cycle.visit.timeline), cycle.lines)):
+    for each in sorted(
+        found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
+    ):
         best.setdefault(frozenset(each.states) if each.states else each.work, each)
     return list(best.values())
 
@@ -78,13 +85,13 @@ def _loops(nodes: Mapping[RestState | None, Node], at_start: frozenset[int]) -> 
 
 
 def _loop(transitions: tuple[Transition, ...], node: Node, at_start: frozenset[int]) -> Iterator[Cycle]:
-    """Yield a loop with work and changes; what is only known of a later visit is a loop that begins there."""
+    """Yield a loop with changes; what is only known of a later visit is a loop that begins there."""
     first, is_later = transitions[0], any(each.is_later for each in transitions)
     if is_later and not first.is_later:
         return
     visit = first.visit if is_later else node.first
     work = _work(transitions)
-    if work and any(each.causes for each in transitions):
+    if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
         yield Cycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start))
 
@@ -93,16 +100,23 @@ def _runs(nodes: Mapping[RestState | None, Node]) -> Iterator[Cycle]:
     """Yield the runs that end after a piece."""
     for node in nodes.values():
         for each in node.transitions:
-            if each.target is None and (each.work or node.moved):
+            if each.target is None:
                 lines = (*sorted(node.moved - set(each.lines)), *each.lines)
                 work = each.work | each.visit.moved
                 value = _value((each,), each.visit, work) - WHOLE_RUN
                 yield Cycle((each,), each.visit, lines, work, value)
 
 
-def _without_rest(work: Work) -> Cycle:
-    value = MOVE * len(work.lines) + OUTPUT * len(work.outputs) - BEFORE * len(work.timeline)
-    return Cycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
+def _without_rest(works: Iterable[Work]) -> Iterator[Cycle]:
+    """Yield work without a rest; of the same lines the fastest, since time-outs and rejects take longer."""
+    fastest: dict[frozenset[int], Work] = {}
+    for work in works:
+        other = fastest.setdefault(work.lines, work)
+        if work.period < FASTER * other.period:
+            fastest[work.lines] = work
+    for work in fastest.values():
+        value = MOVE * len(work.lines) + OUTPUT * len(work.outputs) - BEFORE * len(work.timeline)
+        yield Cycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:

@@ -6,7 +6,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
-from itertools import chain, pairwise
+from itertools import accumulate, chain, pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -16,6 +16,8 @@ from motionlang.commands.explore.trials import HANDLERS, Begun, Motion, Trial
 BODY = 0.1
 # The shortest rest, s.
 SHORTEST = 0.15
+# A rest that lasts has lasted for so long when a trial ends, s.
+QUIET = 0.4
 
 
 class TaskRest(NamedTuple):
@@ -56,7 +58,7 @@ def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
 
     The statements `beside` are those of tasks that do not count. A task that never rests does not count either.
     """
-    moves = trial.motions
+    moves = _Motions(trial.motions)
     stays: dict[str, list[_Stay]] = defaultdict(list)
     for stay in (*_waits(trial, moves), *_loops(trial, moves)):
         if not stay.place.statements <= beside:
@@ -79,7 +81,16 @@ def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
             found[-1] = found[-1]._replace(end=end, question=question)
         else:
             found.append(rest)
-    return [each for each in found if each.end - each.begin > SHORTEST]
+    is_cut = trial.status == "until" and not trial.is_stuck and not trial.is_idle
+    return [
+        each
+        for each in found
+        if (
+            trial.time - each.begin > QUIET
+            if is_cut and each.end == inf
+            else each.end - each.begin > SHORTEST
+        )
+    ]
 
 
 def _activity(task: str, trial: Trial) -> tuple[float, float]:
@@ -91,14 +102,14 @@ def _activity(task: str, trial: Trial) -> tuple[float, float]:
     return first, last if trial.has_ended or last < trial.time - BODY else inf
 
 
-def _waits(trial: Trial, moves: Sequence[Motion]) -> Iterator[_Stay]:
+def _waits(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
     """Yield the waits for anything but a time that last, without the motion that goes on meanwhile."""
     for wait in trial.waits:
         end = wait.until
         if end <= trial.since or (wait.cause == "time" and end < inf) or (end == inf and trial.has_ended):
             continue
         known = max(trial.time, wait.since + 1.0) if trial.is_stuck and end == inf else min(end, trial.time)
-        begin = _at_rest(max(wait.since, trial.since), known, moves)
+        begin = moves.at_rest(max(wait.since, trial.since), known)
         if known - begin > SHORTEST:
             question = trial.question if end == inf and wait.cause == "operator" else None
             yield _Stay(begin, end, TaskRest(wait.task, frozenset((wait.at,)), wait.callers), question)
@@ -159,18 +170,18 @@ class _Stretch:
         return frozenset(at for at in self.body if self.counts[at] > 1)
 
 
-def _loops(trial: Trial, moves: Sequence[Motion]) -> Iterator[_Stay]:
+def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
     """Yield the loops that repeat the same statements while nothing moves to an end."""
     for name, statements in trial.statements.items():
         if name == HANDLERS:
             continue
         waits = [each for each in trial.waits if each.task == name and each.until - each.since > SHORTEST]
-        starts = sorted(each.begin for each in moves)
+        starts = moves.begins
         stretches = list(_stretches(statements, starts, sorted(each.since for each in waits)))
         ends = [*(each.begin for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
             known = min(end, trial.time)
-            begin = _at_rest(stretch.begin, known, moves)
+            begin = moves.at_rest(stretch.begin, known)
             loop = stretch.loop(known)
             if loop and known - begin >= SHORTEST:
                 yield _Stay(begin, end, TaskRest(name, loop, stretch.callers))
@@ -209,6 +220,16 @@ def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
     return one[:count]
 
 
-def _at_rest(begin: float, end: float, moves: Sequence[Motion]) -> float:
-    """Return when the motion between two times that goes on last has ended, at most `end`."""
-    return max([begin, *(min(each.end, end) for each in moves if each.begin < end and each.end > begin)])
+class _Motions:
+    """The times at which moves with an end of their own begin, in order, and the last end of those begun by each."""
+
+    def __init__(self, moves: Sequence[Motion]) -> None:
+        ordered = sorted(moves, key=lambda each: each.begin)
+        self.begins = [each.begin for each in ordered]
+        self._ends = list(accumulate((each.end for each in ordered), max))
+
+    def at_rest(self, begin: float, end: float) -> float:
+        """Return when the motion between two times that goes on last has ended, at most `end`."""
+        begun = bisect_left(self.begins, end)
+        last = self._ends[begun - 1] if begun else begin
+        return max(begin, min(last, end))

@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+import re
+from collections import Counter, defaultdict
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.rests import BODY, SHORTEST, Rest, RestState, rests
-from motionlang.commands.explore.trials import HANDLERS, Change, Timeline, Trial, Trials, levels_at
-from motionlang.commands.explore.values import ANSWERS, printed_for, probes, solved, usual_answers
-from motionlang.commands.init import Guesses
-from motionlang.commands.worlds import TABLES as GIVEN
-from motionlang.kernel import Program, Run, dialect
+from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
+from motionlang.commands.explore.switches import Switches
+from motionlang.commands.explore.trials import (
+    HANDLERS,
+    Change,
+    Timeline,
+    Trial,
+    Trials,
+    given_in,
+    levels_at,
+)
+from motionlang.commands.explore.values import ANSWERS, is_probe, printed_for, probes, solved, usual_answers
+from motionlang.kernel import Program, dialect
 
 MAX_TRIALS = 500
 # A change comes so long after the program is at rest, s.
 DELAY = 0.3
-# A state that is known to last has lasted for so long when a trial ends, s.
-QUIET = 1.0
+
+_FIGURE = re.compile(r"[-+]?\d[\d.]*")
 
 Causes = tuple[Change, ...]
 
@@ -63,6 +72,8 @@ class Transition:
     what the program does: moves, outputs and printed lines. `is_cut` is True
     if a handler ran, or a fault cut off a move. `visit` is that of the source from which it was found, `is_later` if
     that is no shortest one. `is_by_itself` is True if the stay ends without the changes at that time.
+    Two transitions do the same if `does` is equal: the lines that move, the outputs that are switched, and words.
+    `variants` are other values of the same channels with which the same happens.
     """
 
     source: RestState | None
@@ -77,6 +88,8 @@ class Transition:
     visit: Visit
     is_later: bool
     is_by_itself: bool
+    does: Hashable
+    variants: dict[Causes, None] = field(default_factory=dict)
 
 
 @dataclass(eq=False)
@@ -103,7 +116,8 @@ class Node:
     first: Visit
     later: Visit | None = None
     printed: str = ""
-    # What is still to be tried.
+    # What was tried, and what is still to be tried.
+    tried: dict[Causes, None] = field(default_factory=dict)
     left: list[Departure] = field(default_factory=list)
     transitions: list[Transition] = field(default_factory=list)
 
@@ -112,19 +126,26 @@ class Node:
         """The lines that moved an axis on the shortest way there."""
         return self.first.moved
 
-    def knows(self, causes: Causes, target: RestState | None, lines: tuple[int, ...]) -> bool:
-        """True if the same happens by these causes, by some of them, or by other values of their channels."""
-        known = {each.kind for each in causes}
-        return any(
-            each.target == target and each.lines == lines and {one.kind for one in each.causes} <= known
-            for each in self.transitions
-        )
+    def knows(self, causes: Causes, target: RestState | None, does: Hashable) -> bool:
+        """True if the same happens by these causes, by some of them, or by other values of their channels.
+
+        Other values are noted, since what they do may differ later.
+        """
+        kinds = {each.kind for each in causes}
+        for each in self.transitions:
+            known = {one.kind for one in each.causes}
+            if each.target == target and each.does == does and known <= kinds:
+                if known == kinds and each.causes != causes and not any(map(is_probe, causes)):
+                    each.variants[causes] = None
+                return True
+        return False
 
 
 class Work(NamedTuple):
-    """Work that a program repeats without a rest: the lines that move an axis, and the outputs that it switches on."""
+    """Work that a program repeats without a rest: its period, s, the lines that move an axis, and the outputs."""
 
     timeline: Timeline
+    period: float
     lines: frozenset[int]
     outputs: frozenset[int]
 
@@ -132,26 +153,37 @@ class Work(NamedTuple):
 class Explorer:
     """The exploration of a program in a world; `machine` are the settings that a person gave."""
 
-    def __init__(self, program: Program, machine: Mapping[str, object], most: int = MAX_TRIALS) -> None:
-        kept = {
-            key: value for key, value in machine.items() if key not in GIVEN and not key.startswith("run.")
-        }
+    def __init__(
+        self,
+        program: Program,
+        machine: Mapping[str, object],
+        most: int = MAX_TRIALS,
+        is_over: Callable[[], bool] = lambda: False,
+        progress: Callable[[float], object] = lambda share: None,
+    ) -> None:
+        kept = {key: value for key, value in machine.items() if not key.startswith("run.")}
         target = program.target
-        if target.model and "controller.model" not in kept:
-            kept["controller.model"] = target.model
-        self.guesses = Guesses(dict(kept) | {key: value for key, value in machine.items() if key in GIVEN})
-        self.trials = Trials(program, kept, most)
+        if target.model:
+            kept.setdefault("controller.model", target.model)
+        self.switches = Switches(kept)
+        self.progress = progress
+        self.trials = Trials(program, kept, most, is_over)
         self.program = program = self.trials.program
         self.nodes: dict[RestState | None, Node] = {}
         reads = program.reads
-        self.channels = list(
-            dict.fromkeys(each.channel for each in reads if each.is_input and each.channel is not None)
-        )
+        # What a person has given does not change.
+        given = {number for table, number in given_in(kept) if table == "input"}
+        self.channels = [
+            channel
+            for channel in dict.fromkeys(each.channel for each in reads if each.is_input)
+            if channel is not None and channel not in given
+        ]
+        self._given = given
         self._lines: dict[int, int] = {}
         # The inputs that each line reads, and the level that it compares each with, if that is known.
         self._read_in: dict[int, dict[int, float]] = {}
         for each in reads:
-            if each.is_input and each.channel is not None:
+            if each.is_input and each.channel is not None and each.channel not in given:
                 self._read_in.setdefault(each.line, {})[each.channel] = (
                     1.0 if each.level is None else each.level
                 )
@@ -179,7 +211,11 @@ class Explorer:
         # The lines that move an axis in any transition.
         self._moved: set[int] = set()
         # Two unusual values of each channel that has more than two, and the lines that read it.
-        self.probes = probes(program)
+        self.probes = [
+            each for each in probes(program) if (each[0].table, each[0].number) not in given_in(kept)
+        ]
+        # The axes that each line moves.
+        self.axes: dict[int, set[int]] = defaultdict(set)
         # Work that goes on without a rest.
         self.working: list[Work] = []
 
@@ -191,18 +227,29 @@ class Explorer:
             self._lines[at] = dialect(self.program.language).locate(self.program.source, at)[0]
         return self._lines[at]
 
+    def reads(self, state: RestState) -> list[str]:
+        """Return the names of what the statements of a state read."""
+        lines = sorted({self.line(at) for place in state for at in place.statements})
+        found = [f"input {channel}" for line in lines for channel in sorted(self._read_in.get(line, ()))]
+        found += [first.subject for first, _, read_in in self.probes if read_in & set(lines)]
+        return list(dict.fromkeys(found))
+
     def play(
         self, timeline: Timeline, since: float, is_settled: Callable[[Trial], bool] = lambda trial: False
     ) -> Trial:
         """Run the program with a timeline, and with what leaves no choice; see `Trials.play`."""
         while True:
+            self.progress(min(self.trials.count / self.trials.most, 1.0))
             trial = self.trials.play(timeline, since, is_settled)
             self._note_readings(trial)
-            if self.trials.is_over or not self._forced(self.trials.last):
+            if self.trials.is_over or not self.switches.add(self.trials.last):
                 return trial
+            self.trials.give(self.switches.settings)
 
     def _is_settled(self, trial: Trial) -> bool:
         """True if the machine came to rest in a state that is known to last."""
+        if trial.is_busy:
+            return False
         last = next((rest for rest in self.rests(trial) if rest.end == inf), None)
         return (
             last is not None
@@ -218,33 +265,10 @@ class Explorer:
                 continue  # it reads what its text says; its other readings are those of limits and drives
             known = self._read_in.setdefault(self.line(at), {})
             for channel in channels:
-                if channel not in known:
+                if channel not in known and channel not in self._given:
                     known[channel] = 1.0
-                if channel not in self.channels:
+                if channel not in self.channels and channel not in self._given:
                     self.channels.append(channel)
-
-    def _forced(self, result: Run) -> bool:
-        """Give what the run lacks, and what leaves no choice; False if it lacks nothing."""
-        lost = [
-            number
-            for number, a in result.controller.axes.items()
-            if a.homing is not None and a.homing.endless_motion
-        ]
-        done = [self.guesses.home(axis, result) for axis in lost]
-        scheduler = result.machine.scheduler
-        for task in scheduler.tasks if scheduler is not None and not any(done) else ():
-            wait = task.wait
-            if task.done or wait is None or wait.due() < inf:
-                continue
-            for key in result.dialect.driven_by(wait.why):
-                if key.startswith("axis."):
-                    _, axis, setting = key.split(".")
-                    done.append(self.guesses.home(int(axis), result, (setting,)))
-        if not any(done):
-            return False
-        given = self.guesses.settings(inf)
-        self.trials.give({key: value for key, value in given.items() if key.startswith("axis.")})
-        return True
 
     # ----------------------------------------------------------------------------------------------- searching
 
@@ -272,6 +296,7 @@ class Explorer:
             if causes in tried:
                 continue
             tried.add(causes)
+            node.tried[causes] = None
             before = len(self.trials.seen), len(self.nodes)
             trial = self._changed(visit, causes)
             news, rest = self._arrive(node, visit, causes, trial)
@@ -402,11 +427,16 @@ class Explorer:
         cycle = self.trials.last.cycle
         if cycle is None:
             return
-        work = {each.line for each in trial.moves if not each.is_homing}.intersection(cycle.lines)
-        lines = {each.at: self.line(each.at) for each in trial.outputs}
-        outputs = {each.channel for each in trial.outputs if each.value and lines[each.at] in cycle.lines}
+        for move in trial.moves:
+            self.axes[move.line].add(move.axis)
+        # What all tasks do in every other cycle at least.
+        often = 0.5 * cycle.count
+        moves = Counter(each.line for each in trial.moves if not each.is_homing)
+        switched = Counter(each.channel for each in trial.outputs if each.value)
+        work = {line for line, count in moves.items() if count >= often}
+        outputs = {channel for channel, count in switched.items() if count >= often}
         if work:
-            self.working.append(Work(trial.timeline, frozenset(work), frozenset(outputs)))
+            self.working.append(Work(trial.timeline, cycle.period, frozenset(work), frozenset(outputs)))
 
     def rests(self, trial: Trial) -> list[Rest]:
         """Return the rests of the machine in a trial."""
@@ -419,7 +449,10 @@ class Explorer:
         node = self.nodes.get(rest.state)
         if node is None:
             node = self.nodes[rest.state] = Node(rest.state, visit, left=[Departure(visit)])
-        elif visit.lasts > node.first.lasts:
+        elif (
+            visit.lasts > node.first.lasts
+            and trial.time - rest.begin > node.first.end - node.first.time + QUIET
+        ):
             node.left = [Departure(visit)]
             node.first = visit
         elif visit.lasts == node.first.lasts and len(visit.timeline) < len(node.first.timeline):
@@ -448,12 +481,15 @@ class Explorer:
     ) -> bool:
         """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
         lines = tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9)
-        if source.knows(causes, target, lines) or (target == source.state and not lines):
+        does = _does(trial, since, until)
+        if source.knows(causes, target, does) or (target == source.state and not lines):
             return False
         is_later = visit is source.later
         if is_later and target in known and self._moved.issuperset(lines):
             return False  # only its levels differ
         self._moved.update(lines)
+        for move in trial.moves:
+            self.axes[move.line].add(move.axis)
         work = frozenset(
             each.line
             for each in trial.moves
@@ -479,6 +515,7 @@ class Explorer:
                 visit,
                 is_later,
                 is_over or not causes,
+                does,
             )
         )
         return True
@@ -525,6 +562,21 @@ def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
 def _fails(trial: Trial, since: float, until: float) -> bool:
     """True if a fault cut off a move."""
     return any(since <= move.begin <= until and move.ended == "fault" for move in trial.moves)
+
+
+def _does(trial: Trial, since: float, until: float) -> Hashable:
+    """Return what a program does between two times, without the figures that it prints and how often a lamp blinks."""
+    return (
+        tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9),
+        frozenset(
+            (each.channel, bool(each.value))
+            for each in trial.outputs
+            if since - 1e-9 <= each.time <= until + 1e-9
+        ),
+        frozenset(
+            _FIGURE.sub("", each.text) for each in trial.prints if since - 1e-9 <= each.time <= until + 1e-9
+        ),
+    )
 
 
 def _acts(trial: Trial, since: float, until: float) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ A trial is split at the times of `HORIZONS`, where it ends if its caller has see
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
@@ -16,7 +17,6 @@ from math import inf
 from operator import attrgetter
 from typing import NamedTuple
 
-from motionlang.commands.init.ending import asks, plain
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
 from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import Printed, Switched, Waited
@@ -24,27 +24,37 @@ from motionlang.kernel.log import Printed, Switched, Waited
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
 # while an axis is on its way to an end.
 HORIZON = 12.0
-HORIZONS = (1.5, 3.0, 6.0, HORIZON, 36.0, 108.0, 324.0)
+HORIZONS = (0.5, 1.5, 3.0, 6.0, HORIZON, 36.0, 108.0, 324.0)
 # An axis that was on its way so short before the end of a trial still moves, s.
 GAP = 0.25
 # A snapshot is taken so long before the changes of its trials, s: longer than a time slice and a few statements.
 LEAD = 0.002
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
-MAX_STATEMENTS, MAX_REPEATED = 300_000, 20_000
+MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
+# A trial is no longer than usual if it has made so many moves.
+MAX_MOVES = 300
 # The changes of the world, by the table of the machine file: the key of the number, and that of the value.
 TABLES = {
     "input": ("channel", "value"),
     "analogue": ("channel", "value"),
     "comms": ("element", "value"),
+    "netdata": ("element", "value"),
+    "dpr": ("address", "value"),
+    "coil": ("coil", "value"),
     "key": ("", "text"),
     "answer": ("", "text"),
 }
+Entry = dict[str, object]
 # Where the name of a task would be, in a record of what handlers do.
 HANDLERS = "!"
 
 
+# What their numbers are called.
+NAMES = {"analogue": "analogue input", "dpr": "dual-port RAM"}
+
+
 class Change(NamedTuple):
-    """A change of the world: an input, an analogue input, an element of the comms array, a key, or an answer.
+    """A change of the world: an input, an analogue input, a number of a host, a key, or an answer.
 
     A key and an answer have the number 0, and their text as the value; `prompt` is the question.
     """
@@ -59,16 +69,22 @@ class Change(NamedTuple):
         """What is changed: an input to a level, or another channel to any value."""
         return self if self.table == "input" else (self.table, self.number, self.prompt)
 
+    @property
+    def subject(self) -> str:
+        """The name of what is changed."""
+        if self.table in ("key", "answer"):
+            return "a key" if self.table == "key" else f"an answer to {self.prompt!r}"
+        return f"{NAMES.get(self.table, self.table)} {self.number}"
+
     def __str__(self) -> str:
         if self.table == "input":
-            return f"input {self.number} {'on' if self.value else 'off'}"
+            return f"{self.subject} {'on' if self.value else 'off'}"
         if self.table == "key":
             return "key Enter" if self.value == "\r" else f"key {self.value}"
         if self.table == "answer":
             return f"{self.prompt!r} {self.value}"
         assert isinstance(self.value, (int, float))
-        name = "analogue input" if self.table == "analogue" else self.table
-        return f"{name} {self.number} = {self.value:.10g}"
+        return f"{self.subject} = {self.value:.10g}"
 
 
 # Changes with their times, in order.
@@ -101,6 +117,8 @@ class Recorder(Hook):
 
     def _clear(self) -> None:
         self.count = 0
+        # True if so many statements were nothing new.
+        self.is_idle = False
         self.statements: dict[str, list[Begun]] = defaultdict(list)
         # By source offset: left and right side of each comparison, in order.
         self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
@@ -162,7 +180,8 @@ class Recorder(Hook):
             self._places.add(offset)
             self.seen.add(offset)
             self._moves, self._news = self._machine.moves_made, self.count
-        if self.count < MAX_STATEMENTS and self.count - self._news < MAX_REPEATED:
+        self.is_idle = self.count - self._news >= MAX_REPEATED
+        if self.count < MAX_STATEMENTS and not self.is_idle:
             return False
         scheduler.until = time
         return True
@@ -207,7 +226,8 @@ class Trial(NamedTuple):
     """What a run with a timeline did: nothing in it changes when another one begins.
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
-    `question` is that of an INPUT for which it has no answer.
+    `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
+    for which it has no answer.
     `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `Recorder` has them,
     `statements`, `comparisons` and `readings` are those from `since` on.
     """
@@ -217,6 +237,8 @@ class Trial(NamedTuple):
     time: float
     status: str
     is_stuck: bool
+    is_homing: bool
+    is_idle: bool
     question: str | None
     moves: Sequence[Motion]
     outputs: Sequence[Switched]
@@ -239,7 +261,9 @@ class Trial(NamedTuple):
     @property
     def is_busy(self) -> bool:
         """True if an axis was on its way to an end when time was up."""
-        return self.status == "until" and any(each.end > self.time - GAP for each in self.motions)
+        return self.status == "until" and (
+            self.is_homing or any(each.end > self.time - GAP for each in self.motions)
+        )
 
 
 class Start(NamedTuple):
@@ -255,12 +279,29 @@ class Start(NamedTuple):
         return self.since < since and self.before == tuple(each for each in before if each[0] < self.since)
 
 
+class Interrupted(Exception):
+    """The user has interrupted a run of an exploration."""
+
+    def __init__(self, result: Run) -> None:
+        super().__init__("interrupted")
+        self.result = result
+
+
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces."""
 
-    def __init__(self, program: Program, base: Mapping[str, object], most: int) -> None:
+    def __init__(
+        self,
+        program: Program,
+        base: Mapping[str, object],
+        most: int,
+        is_over: Callable[[], bool] = lambda: False,
+    ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
+        self._is_over = is_over
         self.count = 0
+        # True if so many statements were nothing new.
+        self.is_idle = False
         # The run of the last trial, as it is until the next one.
         self.last: Run
         # What any trial has seen.
@@ -270,8 +311,8 @@ class Trials:
 
     @property
     def is_over(self) -> bool:
-        """True if the budget is used up."""
-        return self.count >= self.most
+        """True if the budget is used up, or the user has ended the exploration."""
+        return self.count >= self.most or self._is_over()
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
@@ -294,14 +335,16 @@ class Trials:
         else:  # what is on at power-up changes no input
             recorder = Recorder(since)
             self.last = self._run(tables_of(timeline), until, recorder)
-        trial = _trial(timeline, since, self.last, recorder)
+        trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
-            is_enough = is_settled(trial) if horizon <= HORIZON else not trial.is_busy
+            is_enough = is_settled(trial) or (
+                horizon > HORIZON and (not trial.is_busy or len(trial.moves) > MAX_MOVES)
+            )
             if trial.status != "until" or trial.time < until or is_enough:
                 break
             until = last + horizon
             self.last = self._run_on(self.last.machine, until)
-            trial = _trial(timeline, since, self.last, recorder)
+            trial = _trial(timeline, since, self.last, recorder, self.base)
         self.seen |= recorder.seen
         return trial
 
@@ -339,12 +382,19 @@ class Trials:
         machine.add_entries(tables_of(changes, machine.clock.now))
 
     def _run(self, tables: Mapping[str, object], until: float, recorder: Recorder) -> Run:
-        settings = Checked({**self.base, **tables})
-        return run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+        settings = Checked(merged(self.base, tables))
+        return self._noted(
+            run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+        )
 
     def _run_on(self, machine: Machine, until: float) -> Run:
         program = self.program
-        return run_on(program.source, dialect(program.language), program, machine, until)
+        return self._noted(run_on(program.source, dialect(program.language), program, machine, until))
+
+    def _noted(self, result: Run) -> Run:
+        if result.status == "interrupted":
+            raise Interrupted(result)
+        return result
 
     def run_in(self, tables: Mapping[str, object], until: float) -> tuple[Run, set[int]]:
         """Run the program with some tables of the machine file up to a time, and return what has begun, too."""
@@ -352,6 +402,30 @@ class Trials:
         recorder = Recorder(inf)
         result = self._run(tables, until, recorder)
         return result, {each for each in recorder.seen if isinstance(each, int)}
+
+
+def merged(base: Mapping[str, object], tables: Mapping[str, object]) -> dict[str, object]:
+    """Return settings with the entries of some tables added to their own."""
+    added = {
+        table: [*entries(base, table), *entries(tables, table)] if table in TABLES else value
+        for table, value in tables.items()
+    }
+    return {**base, **added}
+
+
+def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
+    """Return the entries of a table of settings."""
+    found: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
+    return found
+
+
+def given_in(settings: Mapping[str, object]) -> set[tuple[str, int]]:
+    """Return the channels that settings have entries for, as table and number; answers and keys have the number 0."""
+    return {
+        (table, int(each[number]) if number else 0)  # type: ignore[call-overload]
+        for table, (number, _) in TABLES.items()
+        for each in entries(settings, table)
+    }
 
 
 def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
@@ -385,7 +459,9 @@ def _nothing() -> None:
 ENDLESS = frozenset(("jog", "gear"))
 
 
-def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) -> Trial:
+def _trial(
+    timeline: Timeline, since: float, result: Run, recorder: Recorder, base: Mapping[str, object]
+) -> Trial:
     """Return what a run did that has just ended."""
     log = result.machine.log
     return Trial(
@@ -394,7 +470,9 @@ def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) ->
         result.time,
         result.status,
         _is_stuck(result),
-        plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
+        _is_homing(result, base),
+        recorder.is_idle,
+        plain(result.machine.operator.question).strip(" ?:") if _asks(result) else None,
         list(_moves(result)),
         log.outputs[bisect_left(log.outputs, since, key=attrgetter("time")) :],
         list(log.prints),
@@ -405,13 +483,39 @@ def _trial(timeline: Timeline, since: float, result: Run, recorder: Recorder) ->
     )
 
 
+_ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
+
+
+def plain(text: str) -> str:
+    """Return a printed line without escape codes and control characters."""
+    return _ESCAPES.sub("", text).strip()
+
+
+def _is_homing(result: Run, base: Mapping[str, object]) -> bool:
+    """True if an axis homes, or a task waits for a switch or mark of an axis that the settings have."""
+    scheduler = result.machine.scheduler
+    waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+    wanted = (key for wait in waits if wait is not None for key in result.dialect.driven_by(wait.why))
+    return any(axis.homing is not None for axis in result.controller.axes.values()) or any(
+        key.startswith("axis.") and key in base for key in wanted
+    )
+
+
+def _asks(result: Run) -> bool:
+    """True if a run ended because the program asks for a line and no answer is left."""
+    scheduler = result.machine.scheduler
+    tasks = () if scheduler is None else scheduler.tasks
+    waits = [task.wait for task in tasks if not task.done and task.wait is not None]
+    return result.status in ("fault", "until") and any(wait.cause == "operator" for wait in waits)
+
+
 def _is_stuck(result: Run) -> bool:
     """True if a run ended for lack of a change of the world; a motion that never comes is no such lack."""
     scheduler = result.machine.scheduler
     waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
     if all(wait is not None and wait.cause == "axis" for wait in waits):
         return False
-    return asks(result) or any(each.code == "never" for each in result.diagnostics)
+    return _asks(result) or any(each.code == "never" for each in result.diagnostics)
 
 
 def _moves(result: Run) -> Iterator[Motion]:

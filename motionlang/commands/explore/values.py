@@ -25,6 +25,8 @@ USUAL: dict[str, Sequence[float | str]] = {
     "key": (*"1234567890", ENTER),
     "analogue": (50.0,),
     "comms": (10.0,),
+    "netdata": (10,),
+    "dpr": (10,),
 }
 # So many values are tried of one channel.
 MAX_VALUES = 24
@@ -39,10 +41,18 @@ def probes(program: Program) -> list[tuple[Change, Change, frozenset[int]]]:
                 number = int(use.number) if use.number.isdecimal() and use.channel != "key" else 0
                 found.setdefault((_TABLES[use.channel], number), set()).add(statement.line)
     made = []
+    unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS}
+    for table in WHOLE:
+        unusual[table] = [int(each) for each in NUMBERS]
     for (table, number), lines in found.items():
-        first, second = KEYS if table == "key" else LEVELS if table == "analogue" else NUMBERS
+        first, second = unusual.get(table, NUMBERS)
         made.append((Change(table, number, first), Change(table, number, second), frozenset(lines)))
     return made
+
+
+def is_probe(change: Change) -> bool:
+    """True if the value of a change is an unusual one."""
+    return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)
 
 
 def written(program: Program) -> set[tuple[str, int]]:
@@ -55,7 +65,16 @@ def written(program: Program) -> set[tuple[str, int]]:
     }
 
 
-_TABLES = {"key": "key", "analogue input": "analogue", "comms element": "comms"}
+# The tables whose whole numbers are integers.
+WHOLE = ("netdata", "dpr", "coil")
+_TABLES = {
+    "key": "key",
+    "analogue input": "analogue",
+    "comms element": "comms",
+    "network data": "netdata",
+    "dual-port RAM": "dpr",
+    "Modbus coil": "coil",
+}
 
 
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
@@ -145,6 +164,8 @@ def _change(change: Change, value: float) -> Change | None:
     if change.table == "key":
         known = value == ord(ENTER) or 32 <= value < 127
         return change._replace(value=chr(int(value))) if known and value == int(value) else None
+    if change.table in WHOLE:
+        return change._replace(value=int(value)) if value == int(value) else None
     if change.table == "analogue" and not 0.0 <= value <= 100.0:
         return None
     return change._replace(value=value)

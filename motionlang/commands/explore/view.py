@@ -23,8 +23,7 @@ def exploration_text(found: Exploration, program: Program) -> str:
         lines += ["", names.head(node, source.line), *names.rows(node)]
     if found.cycles:
         lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in found.cycles[:MAX_CYCLES])]
-    if found.world is not None:
-        lines += ["", *_world(found.world)]
+    lines += ["", *_world(found.world)] if found.cycles else []
     return "\n".join(lines) + "\n"
 
 

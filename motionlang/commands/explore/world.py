@@ -6,6 +6,8 @@
     on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
+Keys and numbers of a host that come again follow an output, or come every two seconds.
+
 A rule holds if each task does what it did in the played run, in the same order: moves, outputs, and prints but for
 their figures. A task that moves no axis may come further or less far. No other handler runs but one of a timer.
 """
@@ -15,13 +17,25 @@ from __future__ import annotations
 import re
 from collections import Counter, defaultdict, deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from math import fsum, inf
 from typing import NamedTuple
 
 from motionlang.commands.explore.cycles import Cycle
 from motionlang.commands.explore.rests import BODY, Rest, RestState
 from motionlang.commands.explore.search import DELAY, Causes, Explorer, delay
-from motionlang.commands.explore.trials import HANDLERS, Change, Motion, Timeline, Trial, levels_at, tables_of
+from motionlang.commands.explore.trials import (
+    HANDLERS,
+    Change,
+    Entry,
+    Motion,
+    Timeline,
+    Trial,
+    entries,
+    levels_at,
+    tables_of,
+)
+from motionlang.commands.explore.trials import TABLES as CHANGED
 from motionlang.commands.explore.values import written
 from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
@@ -30,6 +44,10 @@ from motionlang.kernel.log import Printed, Switched
 TIMES, EXTRA, ENOUGH = 5, 3, 3
 # Each input is described so often, since its rule may depend on those of the others.
 PASSES = 2
+# So many turns of a cycle are compared.
+COMPARED = 6
+# A world is tried for so long, s.
+WHOLE = 300.0
 # So many cycles are played until one repeats.
 PLAYED = 6
 # A rest that is shorter than this, s, is over before a change comes.
@@ -38,10 +56,11 @@ SHORT = 0.1
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
+# A host that writes again and again does so with this period, s.
+EVERY = 2.0
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
 _FIGURE = re.compile(r"[-+]?\d[\d.]*")
-Entry = dict[str, object]
 
 
 class World(NamedTuple):
@@ -57,17 +76,43 @@ class World(NamedTuple):
     is_endless: bool
 
 
-def world_of(explorer: Explorer, likeliest: Sequence[Cycle]) -> World | None:
-    """Return the world of the likeliest cycle that repeats when it is played, or of one that comes furthest."""
+def world_of(explorer: Explorer, likeliest: Sequence[Cycle], times: int = TIMES) -> World:
+    """Return the world of the likeliest cycle that repeats when it is played, or of one that comes furthest.
+
+    Without a cycle it is the world in which the program comes furthest.
+    """
     best: tuple[int, Cycle, Trial] | None = None
     for cycle in likeliest[:PLAYED]:
-        trial = _played_on(explorer, cycle) if best is None else _played(explorer, cycle)
+        trial = played(explorer, cycle, times=times)
+        if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
+            trial = _played_on(explorer, cycle, trial)
         count = _count(cycle, trial)
         if best is None or (count > best[0] and cycle.repeats):
             best = count, cycle, trial
-        if count >= ENOUGH:
+        if count >= min(times, ENOUGH):
             break
-    return None if best is None else _explained(explorer, *best)
+    if best is None:
+        furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
+        trial = explorer.play(furthest.timeline, 0.0)
+        best = 0, Cycle((), furthest, (), frozenset(), 0.0), trial
+    count, cycle, trial = best
+    return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
+
+
+def _with_more_on(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> tuple[int, Cycle, Trial]:
+    """Play a cycle with the inputs on from the start that only come on once, if it runs as often then.
+
+    What they would have ended, such as an alarm, does not happen at all then.
+    """
+    changes = [each for _, each in trial.timeline if each.table == "input"]
+    once = [each for each, times in Counter(each.number for each in changes).items() if times == 1]
+    later = [each for time, each in trial.timeline if each.number in once and each.value and time > 0.0]
+    later = [each for each in later if each.table == "input" and each.number not in explorer.triggers]
+    if cycle.repeats and later:
+        other = played(explorer, cycle, tuple(later))
+        if _count(cycle, other) >= count:
+            return _count(cycle, other), cycle, other
+    return count, cycle, trial
 
 
 # ----------------------------------------------------------------------------------------------------- playing
@@ -77,26 +122,22 @@ def _count(cycle: Cycle, trial: Trial) -> int:
     """Return how often a trial has come through a cycle: how often each of its lines has moved an axis."""
     since = cycle.visit.time if cycle.repeats else 0.0
     counts = Counter(each.line for each in trial.moves if each.begin >= since)
-    return min(counts[line] for line in cycle.work)
+    return min((counts[line] for line in cycle.work), default=0)
 
 
-def _played_on(explorer: Explorer, cycle: Cycle) -> Trial:
-    """Play a cycle; if it stops after some turns, with one of the inputs that are in no transition of it."""
-    trial = _played(explorer, cycle)
-    count = _count(cycle, trial)
-    if not cycle.repeats or not 0 < count < ENOUGH:
-        return trial
+def _played_on(explorer: Explorer, cycle: Cycle, trial: Trial) -> Trial:
+    """Return the run of a cycle that stops after some turns, with one of the inputs that are in no transition of it."""
     used = {each.number for _, each in trial.timeline if each.table == "input"}
     for channel in explorer.channels:
         if channel not in used:
-            other = _played(explorer, cycle, (Change("input", channel, 1.0),))
-            if _count(cycle, other) > count:
+            other = played(explorer, cycle, (Change("input", channel, 1.0),))
+            if _count(cycle, other) > _count(cycle, trial):
                 return other
     return trial
 
 
-def _played(explorer: Explorer, cycle: Cycle, others: Causes = ()) -> Trial:
-    """Play a cycle several times: each change at the state that it leads on from, and others from the start."""
+def played(explorer: Explorer, cycle: Cycle, others: Causes = (), times: int = TIMES) -> Trial:
+    """Play a cycle some times: each change at the state that it leads on from, and others from the start."""
     policy: dict[RestState | None, Causes] = {
         each.source: each.causes for each in cycle.transitions if each.causes
     }
@@ -109,7 +150,7 @@ def _played(explorer: Explorer, cycle: Cycle, others: Causes = ()) -> Trial:
 
     before: RestState | None = None
     trial = explorer.play(timeline, max(at, 0.0), is_due)
-    for _ in range(TIMES * len(policy) + EXTRA):
+    for _ in range(times * len(policy) + EXTRA):
         found = explorer.rests(trial)
         due = next(_due(found, policy, at, before), None)
         changes = () if due is None else _missing(policy[due.state], timeline)
@@ -122,7 +163,7 @@ def _played(explorer: Explorer, cycle: Cycle, others: Causes = ()) -> Trial:
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
         timeline = (*timeline, *((at, each) for each in changes))
         trial = explorer.play(timeline, at, is_due)
-    return explorer.play(timeline, 0.0)
+    return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and _count(cycle, trial) >= COMPARED)
 
 
 def _missing(causes: Causes, timeline: Timeline) -> Causes:
@@ -165,12 +206,22 @@ def _due(
 def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> World:
     """Return the simplest world in which each task does what it did in a played run."""
     orders = _Orders(explorer)
-    wanted = orders.of(trial.moves, trial.outputs, trial.prints)
+    end = _end_of(cycle, trial)
+    wanted = orders.of(
+        (each for each in trial.moves if each.begin < end),
+        (each for each in trial.outputs if each.time < end),
+        (each for each in trial.prints if each.time < end),
+    )
     flips: dict[int, list[tuple[float, float]]] = defaultdict(list)
     for time, change in trial.timeline:
         if change.table == "input":
             flips[change.number].append((time, float(change.value)))
-    until = LONGER * trial.time + PULSES["every"] * max(map(len, flips.values()), default=0)
+    writes: dict[Change, list[float]] = defaultdict(list)
+    for time, change in trial.timeline:
+        if change.table in WRITES:
+            writes[change].append(time)
+    pulses = PULSES["every"] * max(map(len, flips.values()), default=0)
+    until = LONGER * end + max(pulses, EVERY * max(map(len, writes.values()), default=0))
     others = tables_of(tuple(each for each in trial.timeline if each[1].table != "input"))
     chosen = {number: _one_by_one(number, each) for number, each in flips.items()}
 
@@ -180,38 +231,88 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
         result, begun = explorer.trials.run_in(settings, until)
         log = result.machine.log
         moves = (Motion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
+        if trial.status == "ended" and result.status != "ended":
+            return False
         return begun & explorer.handlers <= handled and _same(
             wanted, orders.of(moves, log.outputs, log.prints)
         )
 
-    switched = _steady_outputs(trial, explorer.rests(trial))
+    switched = _switched(trial)
+    blinking = _blinking(switched, trial, explorer.rests(trial))
     for _ in range(PASSES):  # what is on too early for one input may be in time when another one is on, too
         for number, changes in sorted(flips.items(), key=lambda each: (len(each[1]), each[0])):
-            for entry in _rules(number, changes, switched):
+            for entry in _rules(number, changes, switched, blinking):
                 if chosen[number] == [entry] or holds(_settings({**chosen, number: [entry]}, others)):
                     chosen[number] = [entry]
                     break
+    for change, times in writes.items():
+        for entry in _repetitions(change, times, switched, blinking) if len(times) > 1 else ():
+            rest = [each for each in entries(others, change.table) if not _is_about(change, each)]
+            tried = {**others, change.table: [*rest, entry]}
+            if holds(_settings(chosen, tried)):
+                others = tried
+                break
     for number in sorted(set(explorer.channels) - flips.keys() - explorer.triggers):
         on: list[Entry] = [{"channel": number, "at": 0.0}]
         if holds(_settings({**chosen, number: on}, others)):
             chosen[number] = on
     for given in _numbers(explorer, trial):
-        tried = {**others, **{table: [*given[table], *_entries(others, table)] for table in given}}
+        tried = {**others, **{table: [*given[table], *entries(others, table)] for table in given}}
         if holds(_settings(chosen, tried)):
             others = tried
+    for number, entry in _released(explorer, _settings(chosen, others), chosen):
+        if holds(_settings({**chosen, number: [entry]}, others)):
+            chosen[number] = [entry]
+            break
     settings = _settings(chosen, others)
-    is_endless = not others.keys() - {"analogue"} and all(len(each) == 1 for each in chosen.values())
+    is_endless = all(len(each) == 1 for each in chosen.values()) and not any(
+        len(times) > 1
+        and len([each for each in entries(others, change.table) if _is_about(change, each)]) > 1
+        for change, times in writes.items()
+    )
     return World(cycle, settings, explorer.trials.run_in(settings, until)[0], count, is_endless)
+
+
+def _end_of(cycle: Cycle, trial: Trial) -> float:
+    """Return when a trial has come through a cycle often enough to compare, but not before its last change."""
+    starts: dict[int, list[float]] = defaultdict(list)
+    for each in trial.moves:
+        if each.line in cycle.work and each.begin >= cycle.visit.time:
+            starts[each.line].append(each.begin)
+    often = [times[COMPARED - 1] for times in starts.values() if len(times) >= COMPARED]
+    last = max((time for time, _ in trial.timeline), default=0.0)
+    return min(trial.time, max([last, *often]) + MOMENT) if len(often) == len(cycle.work) > 0 else trial.time
+
+
+def _released(
+    explorer: Explorer, settings: Mapping[str, object], chosen: Mapping[int, list[Entry]]
+) -> Iterator[tuple[int, Entry]]:
+    """Yield rules with which the run does not end in a wait for an input that is always on to be off.
+
+    It follows the output that was switched last.
+    """
+    result = explorer.trials.run_in(settings, WHOLE)[0]
+    scheduler = result.machine.scheduler
+    waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+    stuck = {number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what}
+    latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
+    for number in sorted(stuck & chosen.keys()):
+        for output in latest if [*map(len, chosen[number])] == [2] else ():
+            entry: Entry = {"channel": number, "output": output, "delay": DELAY}
+            for tried in (entry, {**entry, "value": 0}):
+                again = explorer.trials.run_in({**settings, "input": _replaced(settings, tried)}, WHOLE)[0]
+                if again.status != "fault":
+                    yield number, tried
+
+
+def _replaced(settings: Mapping[str, object], entry: Entry) -> list[Entry]:
+    """Return the inputs of settings with another entry for one of them."""
+    return [*(each for each in entries(settings, "input") if each["channel"] != entry["channel"]), entry]
 
 
 def _settings(inputs: Mapping[int, list[Entry]], others: Mapping[str, object]) -> dict[str, object]:
     entries = [entry for number in sorted(inputs) for entry in inputs[number]]
     return {**others, **({"input": entries} if entries else {})}
-
-
-def _entries(settings: Mapping[str, object], table: str) -> list[Entry]:
-    found: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
-    return found
 
 
 def _one_by_one(number: int, changes: list[tuple[float, float]]) -> list[Entry]:
@@ -224,11 +325,13 @@ def _numbers(explorer: Explorer, trial: Trial) -> Iterator[dict[str, list[Entry]
     given = {(each.table, each.number) for _, each in trial.timeline} | written(explorer.program)
     for first, _, read_in in explorer.probes:
         if first.table in NUMBERS and (first.table, first.number) not in given and read_in & lines:
-            change = first._replace(value=1.0)
+            change = first._replace(value=1.0 if isinstance(first.value, float) else 1)
             yield {table: list(each) for table, each in tables_of(((0.0, change),)).items()}  # type: ignore[call-overload]
 
 
-NUMBERS = ("comms",)
+NUMBERS = ("comms", "netdata", "dpr")
+# The tables whose entries may happen again by themselves.
+WRITES = (*NUMBERS, "coil", "key")
 
 
 class _Orders:
@@ -263,37 +366,49 @@ class _Orders:
 def _same(
     wanted: Mapping[str, list[tuple[object, ...]]], found: Mapping[str, list[tuple[object, ...]]]
 ) -> bool:
-    """True if each task does what is wanted in its order; one that moves an axis, all of it."""
+    """True if each task does what is wanted in its order.
+
+    One that moves an axis does all of it, and so does each one if none moves an axis.
+    """
+    moving = {task for task, acts in wanted.items() if any(each[0] == "move" for each in acts)}
     for task, acts in wanted.items():
         others = found.get(task, [])
-        least = len(acts) if any(each[0] == "move" for each in acts) else min(len(acts), len(others))
+        least = len(acts) if task in moving or not moving else min(len(acts), len(others))
         if others[:least] != acts[:least]:
             return False
     return True
 
 
-def _steady_outputs(trial: Trial, found: list[Rest]) -> dict[int, list[tuple[float, int]]]:
-    """Return the changes of the outputs of a trial, but for those that blink while the program is at rest."""
+Switches = Mapping[int, list[tuple[float, int]]]
+
+
+def _switched(trial: Trial) -> Switches:
+    """Return the times and levels of the outputs of a trial."""
     switched: dict[int, list[tuple[float, int]]] = defaultdict(list)
     for each in trial.outputs:
         switched[each.channel].append((each.time, int(bool(each.value))))
+    return switched
+
+
+def _blinking(switched: Switches, trial: Trial, found: list[Rest]) -> set[int]:
+    """Return the outputs that change more than once while the program is at rest."""
     stays = [(rest.begin + MOMENT, min(rest.end, trial.time) - MOMENT) for rest in found]
     return {
-        output: changes
+        output
         for output, changes in switched.items()
-        if all(sum(begin < time < end for time, _ in changes) < 2 for begin, end in stays)
+        if any(sum(begin < time < end for time, _ in changes) > 1 for begin, end in stays)
     }
 
 
 def _rules(
-    number: int, changes: list[tuple[float, float]], switched: Mapping[int, list[tuple[float, int]]]
+    number: int, changes: list[tuple[float, float]], switched: Switches, blinking: set[int]
 ) -> Iterator[Entry]:
-    """Yield the rules that may explain the changes of an input, the simplest first."""
+    """Yield the rules that may explain the changes of an input, the simplest first; outputs that blink are last."""
     if changes[0][1]:
         yield {"channel": number, "at": 0.0}
         if len(changes) == 1:
             yield {"channel": number, "at": round(changes[0][0], 1)}
-    latest = sorted(switched, key=lambda output: (_lead(changes, switched[output]), output))
+    latest = sorted(switched, key=lambda each: (each in blinking, _lead(changes, switched[each]), each))
     for output in latest if len(changes) > 1 else ():
         for inverted in (0, 1):
             if _explains(changes, switched[output], inverted):
@@ -303,10 +418,44 @@ def _rules(
         yield {"channel": number, **PULSES}
 
 
+def _repetitions(
+    change: Change, times: Sequence[float], switched: Switches, blinking: set[int]
+) -> Iterator[Entry]:
+    """Yield the rules that may explain why a host writes a number again, or a person presses a key again."""
+    first = entries(tables_of(((times[0], change),)), change.table)[0]
+    yield {**first, "at": 0.0}
+    yield first
+    latest = sorted(
+        switched, key=lambda each: (each in blinking, _lead([(t, 1.0) for t in times], switched[each]))
+    )
+    for output in latest:
+        for level in (1, 0):
+            if all(
+                _is_after(time, before, switched[output], level) for before, time in pairwise((-inf, *times))
+            ):
+                answer: Entry = {"output": output, "delay": DELAY, **({} if level else {"level": 0})}
+                yield {key: value for key, value in first.items() if key != "at"} | answer
+    yield {**first, "every": EVERY}
+
+
+def _is_after(time: float, before: float, switched: list[tuple[float, int]], level: int) -> bool:
+    """True if an output changed to a level between two times."""
+    return any(before < at <= time and value == level for at, value in switched)
+
+
+def _is_about(change: Change, entry: Entry) -> bool:
+    """True if an entry makes a change."""
+    number, value = CHANGED[change.table]
+    return entry[value] == change.value and (not number or entry[number] == change.number)
+
+
 def _explains(changes: list[tuple[float, float]], switched: list[tuple[float, int]], inverted: int) -> bool:
-    """True if each change of an input comes after a change of an output to that level, since the change before."""
+    """True if each change of an input comes after a change of an output to that level, since the change before.
+
+    An input that follows an output that is off has its level from power-up on.
+    """
     before = -inf
-    for time, value in changes:
+    for time, value in changes[1:] if changes[0][1] == inverted or changes[0][0] == 0.0 else changes:
         if not any(before < at <= time and level ^ inverted == value for at, level in switched):
             return False
         before = time

@@ -6,24 +6,26 @@ import os
 import sys
 from dataclasses import dataclass
 from errno import ENOENT
+from time import monotonic
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import no_dialect, unreadable, unwritten
 from motionlang.cli.option_groups import Language, Output, forms, read
 from motionlang.cli.program_files import programs
-from motionlang.cli.readers import machine_time, wall_time
+from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.init import Guesses, answer_entry, branches, guessed, small_program
-from motionlang.commands.init.file import also_fitting, inline, machine_text, scenario_name, scenario_text
+from motionlang.commands.explore import Entry, Exploration, Interrupted, explore
+from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
+from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
 from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import Run
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.commands.worlds import Entry, Worlds
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     STDIN,
     Diagnostic,
+    Program,
     Source,
     WrongEntry,
     dialect_of,
@@ -31,13 +33,13 @@ from motionlang.kernel import (
     language_of,
 )
 from motionlang.kernel.files import create
-from motionlang.kernel.lang import InputRead
 from motionlang.kernel.tools import count_of, nearest
+from motionlang.views.progress import Progress
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
-# The time limit of the search, s.
-SECONDS = 10.0
+# So many cycles are asked about.
+MAX_ASKED = 3
 
 
 @dataclass
@@ -46,23 +48,25 @@ class Init(Output, Language):
 
     title: ClassVar[str] = "program"
     epilog: ClassVar[str] = """\
-init runs the program and finds where it waits for its machine: for an input,
-for an answer to INPUT, for a key, in a homing. It guesses what lets the
-program continue, writes the guesses into FILE.machine.toml next to the
-program, and runs it. On a terminal it asks about each guess; Enter keeps it.
-A file that exists is never overwritten. If the program has menus, init makes
-every choice, and writes a scenario into FILE.scenarios for each one that
-moves an axis.
+init plays the program: where it waits, each input, key, answer, analogue
+level and number of a host that it reads is changed once, to see what leads
+on. It writes the world in which the likeliest cycle runs into
+FILE.machine.toml next to the program, and runs it. On a terminal it asks
+about the cycle and about each guess; Enter keeps it. A file that exists is
+never overwritten. If the program has menus, a scenario in FILE.scenarios has
+each choice that moves an axis.
 
-The last lines say which input ended which wait, which outputs were never
-switched on, how many cycles ran, which lines command motion and moved no
-axis, which channels only a comment names, and whether no axis moved.
+The last lines say which input leads on from where, which outputs were never
+switched on, the cycle, which lines command motion and moved no axis, and
+which channels only a comment names. If no axis moved, they say where the
+program waits, and what was tried there.
 
 exit status: 0 the file is written and the program ran; 1 the file exists, the
 program has an error or a fault, or it commands motion and no axis moved
 
 examples:
   motionlang init packer.prg
+  motionlang init packer.prg --cycle 2   the world of the next likeliest cycle
   motionlang init old --format none   every program of the folder old
   motionlang init --new feed          write feed.mnt and feed.machine.toml
   motionlang init --new feed.mcl      the same in MCCL
@@ -78,17 +82,19 @@ examples:
         read=machine_time,
         default=UNTIL,
     )
-    seconds: float = option(
-        "S",
-        f"search for at most S seconds ({SECONDS:.10g})",
-        read=wall_time,
-        default=SECONDS,
+    cycle: int | None = option(
+        "N",
+        "write the world of the N-th cycle that the head of the file names",
+        read=whole("a number of a cycle, from 1", 1, 1000),
+    )
+    seconds: float | None = option(
+        "S", "play for at most S seconds, so that the result depends on the machine", read=wall_time
     )
 
     def check(self) -> None:
         super().check()
-        if self.new and (self.typed & {"until", "seconds"} or self.format != "text"):
-            raise WrongOption("--new runs nothing: it takes no --until, --seconds or --format")
+        if self.new and (self.typed & {"until", "seconds", "cycle"} or self.format != "text"):
+            raise WrongOption("--new runs nothing: it takes no --until, --seconds, --cycle or --format")
 
     def run(self) -> int:
         """Write the machine file of a program and run it, or those of a whole folder; return the exit status."""
@@ -131,35 +137,47 @@ examples:
             raise Refused(program.errors, source=source, file=file)
         target = program.target
         board: dict[str, object] = {"controller.model": target.model} if target.model else {}
-        fixed = dict(board)
-        worlds = Worlds(program, language, self.seconds)
-        reads = worlds.reads
-        guesses, result = guessed(worlds, self.until, fixed)
-        SIGNALS.end_with(result)
-        if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
-            given = _ask(source, guesses, reads)
+        found = self._drafted(program, board)
+        if sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
+            given = _ask(source, found)
             if given:
-                fixed = board | given
-                worlds = Worlds(program, language, self.seconds)
-                guesses, result = guessed(worlds, self.until, fixed)
-                SIGNALS.end_with(result)
+                found = self._drafted(program, board | given)
         try:
-            create(path, machine_text(program, guesses, reads, result, self.until, target).encode())
+            create(path, machine_text(found, self.until, target).encode())
         except OSError as error:
             raise Refused([unwritten(path, error)], file=file) from None
-        sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
+        sys.stdout.write(f"{path}: written, {count_of(found.count, 'guess', 'guesses')}\n")
         if target.others:
             sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
         try:
-            _write_scenarios(file, worlds, self.until, guesses)
+            _write_scenarios(file, found, self.until)
         except OSError as error:
             raise Refused([unwritten(error.filename, error)], file=file) from None
         run = Run(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
         status = run.start()
         structure = program.on(board).structure
-        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, guesses, worlds, result))
-        return max(status, int(motionless(structure, result)))
+        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, found))
+        return max(status, int(motionless(structure, found.run)))
+
+    def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
+        """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""
+        ends = None if self.seconds is None else monotonic() + self.seconds
+        progress = Progress(sys.stderr, os.path.basename(program.source.name))
+        try:
+            exploration = explore(
+                program, given, is_over=lambda: ends is not None and monotonic() > ends, progress=progress
+            )
+        except Interrupted as interrupted:
+            SIGNALS.end_with(interrupted.result)
+            raise
+        finally:
+            progress.done()
+        found = exploration.cycles
+        number = _asked_cycle(exploration) if self.cycle is None else self.cycle
+        if number is not None and number > len(found):
+            raise WrongOption(f"--cycle {number}: {count_of(len(found), 'cycle')} found")
+        return draft(exploration, None if number is None else found[number - 1], self.until, given)
 
 
 def _missing(file: str) -> Diagnostic:
@@ -177,52 +195,82 @@ def _missing(file: str) -> Diagnostic:
     return found
 
 
-def _write_scenarios(file: str, worlds: Worlds, until: float, guesses: Guesses) -> None:
-    """Write a scenario for each path through the menus that moves an axis; existing files stay."""
+def _write_scenarios(file: str, below: Draft, until: float) -> None:
+    """Write a scenario for each way through the menus that moves an axis; existing files stay."""
     folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
-    count = 0
-    for branch, result in branches(worlds, until, guesses.fixed):
-        SIGNALS.end_with(result)
+    exploration, count = below.exploration, 0
+    for choice in choices(exploration):
+        world = exploration.world_once(choice.cycle)
+        found = Draft(exploration, world, exploration.run(world.settings, until), below.given)
         os.makedirs(folder, exist_ok=True)
-        path = os.path.join(folder, f"{scenario_name(branch)}.toml")
+        path = os.path.join(folder, f"{choice.name}.toml")
         if not os.path.lexists(path):
-            create(path, scenario_text(worlds.source, branch, result, until, guesses).encode())
+            create(path, scenario_text(choice, found, below, until).encode())
             count += 1
     if count:
         sys.stdout.write(f"{folder}: {count_of(count, 'scenario')} written\n")
 
 
-def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, object]:
+def _asked_cycle(exploration: Exploration) -> int | None:
+    """Ask which cycle is to run, and return its number; None without a terminal, a choice or an answer."""
+    found = [each for each in exploration.cycles if each.work][:MAX_ASKED]
+    if len(found) < 2 or sys.stdin is None or not sys.stdin.isatty() or not sys.stdout.isatty():
+        return None
+    for number, each in enumerate(found, start=1):
+        print(f"{number}  {cycle_text(exploration, each)}")
+    numbers = [str(number) for number in range(1, len(found) + 1)]
+    while True:
+        try:
+            line = input("Which is the cycle? Enter for the likeliest that repeats: ").strip()
+        except EOFError:
+            print()
+            return None
+        if not line or line in numbers:
+            return int(line) if line else None
+        print(f"  type a number from 1 to {len(found)}")
+
+
+def _ask(source: Source, found: Draft) -> dict[str, object]:
     """Ask the user about each guess and return the settings that they gave.
 
     The result is empty if they pressed Enter each time.
     """
+    if not found.count:
+        return {}
     fixed: dict[str, list[Entry]] = {}
     print(
-        f"{count_of(guesses.count, 'guess', 'guesses')}. Enter keeps a guess, Ctrl-D keeps all that are left."
+        f"{count_of(found.count, 'guess', 'guesses')}. Enter keeps a guess, Ctrl-D keeps all that are left."
     )
+    leads = leading(found.exploration)
+    inputs: dict[int, list[Entry]] = {}
+    for entry in found.entries("input"):
+        inputs.setdefault(int(str(entry["channel"])), []).append(entry)
+    answers: dict[str, str] = {}
+    for entry in found.entries("answer"):
+        answers.setdefault(str(entry.get("prompt", "")), str(entry["text"]))
     try:
-        for channel, entry in sorted(guesses.inputs.items()):
-            lines = dict.fromkeys(each.line for each in reads if each.channel == channel and each.is_input)
-            for line in lines:
+        for channel, mine in sorted(inputs.items()):
+            for line in leads.get(channel, ()):
                 print(f"  line {line}: {source.line(line).strip()}")
-            given = _ask_input(channel, entry)
+            given = _ask_input(channel, mine)
             if given:
                 fixed.setdefault("input", []).extend(given)
-        for question, texts in guesses.answers.items():
+        for question, text in answers.items():
             name = f'answer to "{question}"' if question else "answer"
-            answer = input(f"{name}: {texts[0]}, or type a line: ").strip()
+            answer = input(f"{name}: {text}, or type a line: ").strip()
             if answer:
-                fixed.setdefault("answer", []).append(answer_entry(question, answer))
+                entry = {"prompt": question, "text": answer} if question else {"text": answer}
+                fixed.setdefault("answer", []).append(entry)
     except EOFError:
         print()
     return dict(fixed)
 
 
-def _ask_input(channel: int, guess: Entry) -> list[Entry]:
+def _ask_input(channel: int, guess: list[Entry]) -> list[Entry]:
     """Ask about one input until the answer is empty or valid."""
+    shown = inline(guess[0]) + (f" and {len(guess) - 1} more" if len(guess) > 1 else "")
     while True:
-        line = input(f"input {channel}: {inline(guess)}, or type 1@0.5 or out4+0.3: ").strip()
+        line = input(f"input {channel}: {shown}, or type 1@0.5 or out4+0.3: ").strip()
         if not line:
             return []
         try:

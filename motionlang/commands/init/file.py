@@ -10,13 +10,12 @@ import os
 from collections.abc import Mapping
 from math import ceil, floor, isclose
 
-from motionlang.commands.init import Guesses, answer_entry
-from motionlang.commands.init.ending import ending
+from motionlang.commands.explore import Entry, Exploration, RestState, Transition, entries
+from motionlang.commands.init import Choice, Draft, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.commands.worlds import Entry, entries
-from motionlang.kernel import Dialect, Program, Run, Source
+from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import InputRead, Target
 from motionlang.kernel.report import moves
 
@@ -33,7 +32,7 @@ HEAD = """\
 #
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
-
+{cycles}
 {model}run.until = {until:.10g}    # {limit}
 {stop}"""
 # The comments of a time limit, and of what ends the run before it.
@@ -59,6 +58,28 @@ ANSWERS = """
 KEYS = """
 # Keys that the operator presses.
 """
+COMMS = """
+# Elements of the comms array that the host writes.
+"""
+NETDATA = """
+# Elements of NetData that the host writes.
+"""
+DPR = """
+# Words of the dual-port RAM that the host writes.
+"""
+COILS = """
+# Modbus coils that the host writes.
+"""
+HEADS = {
+    "input": INPUTS,
+    "analogue": ANALOGUE,
+    "comms": COMMS,
+    "netdata": NETDATA,
+    "dpr": DPR,
+    "coil": COILS,
+    "answer": ANSWERS,
+    "key": KEYS,
+}
 LIMITS = """\
 # Limits to fill in; the figures are those of this run. `motionlang certify` compares them with a run.
 """
@@ -77,34 +98,40 @@ FAULT = """
 """
 
 
-def machine_text(
-    program: Program,
-    guesses: Guesses,
-    reads: list[InputRead],
-    result: Run,
-    until: float,
-    target: Target,
-) -> str:
-    """Return the text of the machine file; `result` is the run with all guesses."""
-    source, fixed = program.source, guesses.fixed
+def machine_text(draft: Draft, until: float, target: Target) -> str:
+    """Return the text of the machine file of a draft."""
+    exploration, result = draft.exploration, draft.run
+    source = exploration.program.source
     name = os.path.basename(source.name)
-    answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
-    sections = [
-        HEAD.format(program=name, model=_model(target), **_end(result, until)),
-        *_table("input", INPUTS, _inputs(program.on(fixed), result.dialect, guesses, reads)),
-        *_unknown(source, reads),
-        *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
-        *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
-        *_table("key", KEYS, _lines(fixed, "key") + [_guess(each) for each in guesses.keys]),
-    ]
-    for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
-        sections.append(_axis(number, guesses, result))
-    if result.status in ("ended", "until", "stopped"):
+    head = HEAD.format(
+        program=name, model=_model(target), cycles=_cycles(draft), **_end(until, _stop(result))
+    )
+    sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(source, exploration.program.reads)]
+    for table in (each for each in HEADS if each != "input"):
+        guessed = [_guess(each) for each in draft.entries(table)]
+        sections += _table(table, HEADS[table], _lines(draft.given, table) + guessed)
+    for number in sorted({move.axis for move in result.machine.log.moves} | exploration.switches.keys()):
+        sections.append(_axis(number, exploration.switches.get(number, {}), result))
+    if result.status in ("ended", "until", "stopped") or _stop(result):
         folder = f"{os.path.splitext(name)[0]}{FOLDER_SUFFIX}"
         sections.append(EXPECT.format(folder=folder) + _status(result))
     else:
         sections.append(FAULT)
     return "".join(sections)
+
+
+def _cycles(draft: Draft) -> str:
+    """Return the comment about the cycle, and the next two."""
+    exploration, cycle = draft.exploration, draft.run.cycle
+    found = [each for each in exploration.cycles if each.work]
+    if not found:
+        return ""
+    chosen = draft.world.cycle
+    lines = [f"# cycle: {cycle_text(exploration, chosen, None if cycle is None else cycle.period)}"]
+    for number, each in enumerate(found, start=1):
+        if each is not chosen and len(lines) < MAX_LINES:
+            lines.append(f"#   --cycle {number}: {cycle_text(exploration, each)}")
+    return "".join(["#\n", *(f"{line}\n" for line in lines)])
 
 
 def _model(target: Target) -> str:
@@ -124,39 +151,39 @@ def also_fitting(target: Target) -> str:
     return f"{names} {'fits' if len(target.others) == 1 else 'fit'} the program as well"
 
 
-def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, below: Guesses) -> str:
-    """Return the text of a scenario: one path through the menus, above a machine file with the guesses `below`."""
-    assert guesses.path is not None
-    choices = ", ".join(f'"{question or "INPUT"}" {choice}' for question, choice in guesses.path.items())
-    others = [channel for channel in sorted(below.inputs) if channel not in guesses.inputs]
-    inputs = [guesses.inputs[each] for each in sorted(guesses.inputs) if _differs(each, guesses, below)]
-    inputs += [{"channel": each, "at": 0.0, "value": 0} for each in others]
-    analogue = [each for each in guesses.analogue.values() if each not in below.analogue.values()]
-    answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
-    keys = [] if guesses.keys == below.keys else guesses.keys
-    sections = [
-        SCENARIO.format(choices=choices, program=os.path.basename(source.name), **_end(result, until)),
-        *_table("input", "\n", [_guess(each) for each in inputs]),
-        *_table("analogue", "\n", [_guess(each) for each in analogue]),
-        *_table("answer", "\n", [_guess(each) for each in answers]),
-        *_table("key", "\n", [_guess(each) for each in keys]),
-    ]
-    for number, settings in sorted(guesses.axes.items()):
-        if settings != below.axes.get(number):
-            sections.append(f"\n[axis.{number}]\n{_switches(settings)}")
-    sections.append(_status(result))
+def scenario_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
+    """Return the text of a scenario: a way through the menus, on top of the machine file of the draft below."""
+    name = os.path.basename(draft.exploration.program.source.name)
+    stop = _stop(draft.run) or (_last(draft.run) if _stop(below.run) else {})
+    text = SCENARIO.format(choices=choice, program=name, **_end(until, stop))
+    sections = [text]
+    for table in HEADS:
+        mine, others = draft.entries(table), below.entries(table)
+        if table == "input":
+            used = {each["channel"] for each in mine}
+            off = dict.fromkeys(each["channel"] for each in others if each["channel"] not in used)
+            changed = [each for each in mine if _about(each, mine) != _about(each, others)]
+            mine = [*changed, *({"channel": each, "at": 0.0, "value": 0} for each in off)]
+        elif mine == others:
+            continue
+        sections += _table(table, "\n", [_guess(each) for each in mine])
+    sections.append(STATUS.format(status="stopped") if stop else _status(draft.run))
     return "".join(sections)
 
 
-def scenario_name(guesses: Guesses) -> str:
-    """Return the name of the scenario of a path, such as `choice-2-1`."""
-    choices = guesses.path.values() if guesses.path is not None else ()
-    return "-".join(["choice", *(each.replace("-", "minus") for each in choices)])
+def _last(result: Run) -> dict[str, object]:
+    """Return the settings below `run.stop` that end a run with its last move, in place of those of another world."""
+    lines = [each.line for each in result.machine.log.moves]
+    return {"line": lines[-1], "times": lines.count(lines[-1])} if lines else {}
 
 
-def _end(result: Run, until: float) -> dict[str, object]:
+def _about(entry: Entry, among: list[Entry]) -> list[Entry]:
+    """Return the entries of the same channel."""
+    return [each for each in among if each["channel"] == entry["channel"]]
+
+
+def _end(until: float, stop: dict[str, object]) -> dict[str, object]:
     """Return the time limit, and the line about what ends the run before it."""
-    stop = _stop(result)
     text = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
     return {"until": until, "limit": LIMIT, "stop": text}
 
@@ -172,39 +199,76 @@ def _status(result: Run) -> str:
     return STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT
 
 
-def _differs(channel: int, guesses: Guesses, below: Guesses) -> bool:
-    return not below.is_fixed(channel) and guesses.inputs[channel] != below.inputs.get(channel)
-
-
-def _inputs(program: Program, language: Dialect, guesses: Guesses, reads: list[InputRead]) -> list[str]:
+def _inputs(draft: Draft) -> list[str]:
     """Return an entry for each input of the program.
 
-    Comments above an entry quote the lines that read the input, or assign it to a function.
+    The comments above it quote the lines of the states that it leads on from, or else those that read it. What the
+    cycle does not need is a comment with what it would do.
     """
+    exploration = draft.exploration
+    program = exploration.program
     read_at: dict[int, dict[int, None]] = {}
-    for read in reads:
+    for read in program.reads:
         if read.is_input and read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
-    for each in channels_of(program, language):
+    for each in channels_of(program, draft.run.dialect):
         if each.kind == "input" and each.number.isdecimal() and each.set_up:
             read_at.setdefault(int(each.number), {}).update(dict.fromkeys(each.set_up))
+    leads = leading(exploration)
+    mine: dict[int, list[Entry]] = {}
+    for entry in draft.entries("input"):
+        mine.setdefault(int(str(entry["channel"])), []).append(entry)
+    given = {each["channel"] for each in entries(draft.given, "input")}
     found: list[str] = []
-    for channel in sorted(read_at.keys() | guesses.inputs.keys()):
-        for line in list(read_at.get(channel, ()))[:MAX_LINES]:
-            found.append(f"  # line {line}: {_quoted(program.source.line(line))}")
-        if channel in guesses.inputs:
-            found.append(_guess(guesses.inputs[channel]))
-        elif guesses.is_fixed(channel):
+    for channel in sorted(read_at.keys() | mine.keys() | set(exploration.channels)):
+        lines = list(leads.get(channel, read_at.get(channel, {})))
+        found += [f"  # line {line}: {_quoted(program.source.line(line))}" for line in lines[:MAX_LINES]]
+        if channel in mine:
+            found += map(_guess, mine[channel])
+        elif channel in given:
             found += [
-                line
-                for line in _lines(guesses.fixed, "input")
-                if line.startswith(f"  {{ channel = {channel},")
+                line for line in _lines(draft.given, "input") if line.startswith(f"  {{ channel = {channel},")
             ]
         else:
-            found.append(
-                f"  # {inline({'channel': channel, 'at': 0.0})},    # take the first # away to switch it on"
-            )
+            does = _does(exploration, channel) or "take the first # away to switch it on"
+            found.append(f"  # {inline({'channel': channel, 'at': 0.0})},    # {does}")
     return found
+
+
+def leading(exploration: Exploration) -> dict[int, dict[int, None]]:
+    """Return the lines of the states that each input leads on from, alone or with others that are needed, too."""
+    found: dict[int, dict[int, None]] = {}
+    for node in exploration.nodes:
+        ways = [set(each.causes) for each in node.transitions if each.causes and each.source is not None]
+        least = [way for way in ways if not any(other < way for other in ways)]
+        for channel in sorted({one.number for way in least for one in way if one.table == "input"}):
+            found.setdefault(channel, {})[_line(exploration, node.state)] = None
+    return found
+
+
+def _does(exploration: Exploration, channel: int) -> str:
+    """Return what happens when an input is switched on: the line of the state, other changes, and the first acts."""
+    on = ("input", channel, 1.0)
+    found = [
+        each for each in _transitions(exploration) if on in [(one[:3]) for one in each.causes] and each.source
+    ]
+    for each in sorted(found, key=lambda each: len(each.causes)):
+        others = " and ".join(str(one) for one in each.causes if one[:3] != on)
+        onward = (
+            "the program ends" if each.target is None else f"waits in line {_line(exploration, each.target)}"
+        )
+        acts = ", ".join(each.acts[:2]) or onward
+        return f"line {_line(exploration, each.source)}{f', with {others}' if others else ''}: {acts}"
+    return ""
+
+
+def _line(exploration: Exploration, state: RestState | None) -> int:
+    """Return the first line of a state; 0 at power-up."""
+    return min((exploration.line(at) for place in state or () for at in place.statements), default=0)
+
+
+def _transitions(exploration: Exploration) -> list[Transition]:
+    return [each for node in exploration.nodes for each in node.transitions]
 
 
 def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
@@ -227,10 +291,9 @@ def _table(name: str, head: str, lines: list[str]) -> list[str]:
     return [head, f"{name} = [\n", *(f"{line}\n" for line in lines), "]\n"] if lines else []
 
 
-def _axis(number: int, guesses: Guesses, result: Run) -> str:
+def _axis(number: int, keys: dict[str, object], result: Run) -> str:
     scale = result.controller.axes[number].scale.counts
     text = f"\n[axis.{number}]    # {scale:.10g} {'count' if scale == 1 else 'counts'} per user unit\n"
-    keys = guesses.axes.get(number, {})
     text += _switches(keys) if keys else ""
     low, high, speed, rate = (
         _figure(f"{name}.{number}", result) for name in ("lowest", "highest", "peak", "accel")

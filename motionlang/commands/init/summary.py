@@ -1,16 +1,15 @@
-"""Lines for the engineer about a run with guesses: which input ended which wait, and what never happened."""
+"""Lines for the engineer about a run with guesses: which input leads on from where, and what never happened."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable
 
-from motionlang.commands.init import Guesses
-from motionlang.commands.init.ending import ending
-from motionlang.commands.init.file import inline
+from motionlang.commands.explore import Change, Exploration, Node, is_probe
+from motionlang.commands.init import Draft
+from motionlang.commands.init.file import leading
 from motionlang.commands.map.program_map import channels_of, names_in_comments
-from motionlang.commands.worlds import TABLES, Worlds, entries
 from motionlang.kernel import Run
-from motionlang.kernel.lang import WRITE, InputRead, Structure
+from motionlang.kernel.lang import WRITE, Structure
 from motionlang.kernel.tools import count_of
 
 
@@ -32,9 +31,12 @@ def motionless(structure: Structure, result: Run) -> bool:
     return bool(first_move(structure)) and not len(result.machine.log.moves)
 
 
-def notes(structure: Structure, guesses: Guesses, worlds: Worlds, result: Run) -> list[str]:
+def notes(structure: Structure, draft: Draft) -> list[str]:
     """Return one line for each thing that an engineer checks first."""
-    found = _ended_waits(guesses, worlds.reads, result)
+    result, exploration = draft.run, draft.exploration
+    guessed = sorted({int(str(each["channel"])) for each in draft.entries("input")})
+    leads = leading(exploration)
+    found = [f"input {each} leads on from {_lines(leads[each])}" for each in guessed if each in leads]
     never = _never_on(structure, result)
     if never:
         plural = len(never) > 1
@@ -42,28 +44,69 @@ def notes(structure: Structure, guesses: Guesses, worlds: Worlds, result: Run) -
         found.append(
             f"output{'s' if plural else ''} {numbers} {'were' if plural else 'was'} never switched on"
         )
-    cycles = ending(result)
-    if "prints" in cycles:
-        found.append(f'{cycles["times"]} cycles ran, each of which prints "{cycles["prints"]}"')
-    elif "line" in cycles:
-        found.append(f"{cycles['times']} cycles began, in each of which line {cycles['line']} moves an axis")
-    found += _unmoved(structure, guesses, worlds.reads, result)
+    cycle = result.cycle
+    if cycle is not None:
+        found.append(f"cycle: {cycle}")
+    found += _unmoved(structure, draft, guessed)
     found += _unused(result)
+    if not exploration.is_whole:
+        found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
-    if worlds.is_over or (worlds.count > 1 and motionless(structure, result)):
-        found.append(tried(worlds, guesses.settings(0.0)))
+        found += _stays(exploration)
     return found
 
 
-def _unmoved(structure: Structure, guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:
+def _stays(exploration: Exploration) -> list[str]:
+    """Return where the program stays: the states that it comes to with the most changes, and what was tried there."""
+    lasting = [each for each in exploration.nodes if each.state is not None and each.first.lasts]
+    most = max((len(each.first.timeline) for each in lasting), default=0)
+    found = []
+    for node in lasting:
+        if len(node.first.timeline) < most or node.state is None:
+            continue
+        lines = sorted({exploration.line(at) for place in node.state for at in place.statements})
+        reads = exploration.reads(node.state)
+        if node.first.question is not None:
+            reads.append(f"an answer to {node.first.question!r}")
+        text = f"waits in {_lines(lines)}" + (f" for {' or '.join(reads)}" if reads else "")
+        tried = _tried(node, reads)
+        found.append(f"{text}; tried {tried}" if tried else text)
+    return found
+
+
+def _tried(node: Node, reads: Collection[str]) -> str:
+    """Return the values that were tried of what a state reads."""
+    values: dict[str, dict[str, None]] = {}
+    for change in (each for causes in node.tried for each in causes):
+        if change.subject in reads and not is_probe(change):
+            values.setdefault(change.subject, {})[_value(change)] = None
+    parts = []
+    for subject, texts in values.items():
+        digits = [each for each in "0123456789" if each in texts]
+        others = [each for each in texts if each not in digits or len(digits) < 10]
+        shown = ", ".join([*(["0 to 9"] if len(digits) == 10 else []), *others])
+        parts.append(shown if len(values) == 1 else f"{subject} {shown}")
+    return "; ".join(parts)
+
+
+def _value(change: Change) -> str:
+    if change.table == "input":
+        return "on" if change.value else "off"
+    if change.value == "\r":
+        return "Enter"
+    return change.value if isinstance(change.value, str) else f"{change.value:.10g}"
+
+
+def _unmoved(structure: Structure, draft: Draft, guessed: Collection[int]) -> list[str]:
     """Return the lines that command motion and moved no axis, with the inputs that never changed."""
-    lines = sorted(_move_lines(structure) - {each.line for each in result.machine.log.moves})
+    log = draft.run.machine.log
+    lines = sorted(_move_lines(structure) - {each.line for each in log.moves})
     still: dict[int, set[int]] = {}
-    for each in reads:
-        if each.is_input and each.channel is not None and each.channel not in guesses.inputs:
+    for each in draft.exploration.program.reads:
+        if each.is_input and each.channel is not None and each.channel not in guessed:
             still.setdefault(each.channel, set()).add(each.line)
-    if not lines or not len(result.machine.log.moves):
+    if not lines or not len(log.moves):
         return []
     kept = "; ".join(f"input {each} ({_lines(still[each])})" for each in sorted(still))
     verb = "commands" if len(lines) == 1 else "command"
@@ -86,34 +129,6 @@ def _unused(result: Run) -> list[str]:
         if each.kind in ("input", "output")
         and each.kind not in open_ended
         and (each.kind, str(each.number)) not in known
-    ]
-
-
-def tried(worlds: Worlds, kept: Mapping[str, object]) -> str:
-    """Return how many worlds a search has tried, and what was new in the last one."""
-    text = f"{count_of(worlds.count, 'world')} tried"
-    if worlds.is_over:
-        text += f" until the {worlds.seconds:.10g} s of --seconds were over"
-    for table in TABLES:
-        new = [inline(each) for each in entries(worlds.last, table) if each not in entries(kept, table)]
-        if new:
-            text += f"; the last one had {table} = [{', '.join(new)}]"
-    return text
-
-
-def _ended_waits(guesses: Guesses, reads: list[InputRead], result: Run) -> list[str]:
-    waits: dict[int, set[int]] = {}
-    for read in reads:
-        if read.kind == "wait" and read.channel in guesses.inputs:
-            waits.setdefault(read.line, set()).add(read.channel)
-    ended: dict[int, set[int]] = {}
-    for wait in result.machine.log.waits.written():
-        line = guesses.line(result, wait.at)
-        for channel in waits.get(line, ()):
-            ended.setdefault(channel, set()).add(line)
-    return [
-        f"input {each} ended the {'wait' if len(ended[each]) == 1 else 'waits'} of {_lines(ended[each])}"
-        for each in sorted(ended)
     ]
 
 

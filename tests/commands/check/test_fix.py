@@ -12,12 +12,11 @@ from pathlib import Path
 import pytest
 
 from motionlang import diff, run
-from motionlang.commands.init import guessed
-from motionlang.commands.worlds import Worlds
 from motionlang.kernel import Source, dialect_of, settings_next_to
 from motionlang.kernel.report import build
 from tests.cases import cases
 from tests.cli.programs import Cell
+from tests.commands.worlds import world_of
 
 ROOT = Path(__file__).parents[3]
 V4 = [
@@ -119,11 +118,7 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     assert language is not None
     machine = settings_next_to(path)
     if path.parent.name == "old":
-        machine = guessed(
-            Worlds(language.program(before, is_debug=True), language),
-            SECONDS,
-            {},
-        )[0].settings(SECONDS)
+        machine = world_of(before, language)
     old = language.program(before).target.model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())
@@ -135,6 +130,8 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
         build(run(source, machine={**machine, "controller.model": model}, until=SECONDS))
         for source, model in ((before, old), (after, "mintmt"))
     ]
+    for report in reports:  # notes quote the program
+        report["notes"] = [re.sub(r"\.(\d)", r"(\1)", note) for note in report.get("notes", [])]  # type: ignore[attr-defined]
     if "with as many as it needs" in ran.out:
         for report in reports:
             report["output"] = [re.sub("[.0]", "", line) for line in report["output"]]

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.cover import covered
-from motionlang.commands.init import guessed
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.worlds import Counts, Event, Worlds
 from motionlang.kernel import Hook, Source, dialect_for, run
 from motionlang.kernel.report import text
 from tests.cases import cases
 from tests.cli.programs import Cell
+from tests.commands.worlds import world_of
 from tests.generated import polls
 from tests.generated.compared import every_iteration
 
@@ -191,7 +191,7 @@ def test_the_map_has_every_statement_that_begins_as_reached(path: Path) -> None:
     source = Source.read(path)
     language = dialect_for(source, None)
     worlds = Worlds(language.program(source, is_debug=True), language)
-    events = worlds.run(guessed(worlds, 20.0, {})[0].settings(20.0), 20.0).events
+    events = worlds.run(world_of(source, language), 20.0).events
     assert {at for at, _, _ in events} <= Reachability(language.program(source, {}).structure).reached
 
 
@@ -269,47 +269,73 @@ def test_the_counts_are_those_of_a_debugger_that_steps_through(name: str) -> Non
     assert {each.at: each.count for each in found.statements if each.count} == met
 
 
-def test_suggested_scenarios_are_to_be_reviewed(table: Cell) -> None:
-    """Nothing in the world can change n, so lines 4 and 11 are not reached."""
-    ran = table("cover", "table.mnt", "--suggest")
-    *lines, last = ran.out.splitlines(keepends=True)
+LINE = """\
+AUTO
+LINE 1,"STANDBY"
+PAUSE INX.0
+LINE 1,"       "
+? "LAB 1"
+IF INX.1 THEN ? "TWO"
+END
+"""
+
+
+def test_suggested_scenarios_are_to_be_reviewed(cell: Cell) -> None:
+    """A text that is written over another one on the screen is not expected."""
+    cell.write("line.prg", LINE)
     assert (
-        "".join(lines)
+        cell("cover", "line.prg", "--suggest").out
         == """\
-table.mnt: 64 % → 82 % with 2 scenarios
-  table.scenarios/cover-1.toml: reaches lines 5-6, 17
-  table.scenarios/cover-2.toml: reaches lines 20
-  not reached: lines 3-4, 10-11
+line.prg: 22 % → 100 % with 2 scenarios
+  line.scenarios/input-0-on.toml: reaches lines 4-5, 7
+  line.scenarios/input-0-on-and-input-1-on.toml: reaches lines 6
 """
     )
-    assert last.startswith(
-        "  34 worlds tried; the last one had input = [{ channel = 5, at = 0.5, for = 0.5, "
-    )
     assert (
-        (table.folder / "table.scenarios" / "cover-1.toml").read_text()
+        (cell.folder / "line.scenarios" / "input-0-on.toml").read_text()
         == """\
-# A world of table.mnt, found by motionlang cover --suggest. It reaches lines 5-6, 17. The
+# A world of line.prg, found by motionlang cover --suggest. It reaches lines 4-5, 7. The
 # expectations are what the program does in it: check whether they are what it should do.
 
-run.until = 30.0
+controller.model = "mint4"
+run.until = 2.3
 
 input = [
-  { channel = 2, at = 0.0, value = 1 },
+  { channel = 0, at = 0.3, value = 1.0 },
 ]
 
 [[expect]]
 status = "ended"
-
-[[expect]]
-prints = "ring"
-
-[[expect]]
-prints = "four"
 """
     )
-    assert table("cover", "table.mnt").out.splitlines()[-1].split()[-4:] == ["82", "%", "3-4,", "10-11"]
-    assert table("verify", "table.mnt", "--update").status == 0
-    assert table("verify", "table.mnt").status == 0
+    assert cell("verify", "line.prg").out.endswith("2 of 2 scenarios pass\n")
+    assert cell("cover", "line.prg", "--fail-under", "100").status == 0
+    assert cell("verify", "line.prg", "--update").status == 0
+    assert cell("verify", "line.prg").status == 0
+
+
+GUARD = """\
+REM in 2 guard
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+LOOP
+PAUSE INX.1
+IF INX.2 THEN GOTO OPEN
+MOVER.0 = 10 : GO.0 : PAUSE IDLE.0
+PAUSE INX.1 = 0
+ENDL
+#OPEN
+? "GUARD"
+"""
+
+
+def test_a_scenario_has_the_names_of_its_changes(cell: Cell) -> None:
+    cell.write("old.prg", GUARD)
+    cell("cover", "old.prg", "--suggest")
+    names = sorted(path.name for path in (cell.folder / "old.scenarios").iterdir())
+    assert names == ["input-1-on-and-guard-on.toml", "work.toml"]
+    text = (cell.folder / "old.scenarios" / names[0]).read_text()
+    assert '\n[[expect]]\nprints = "GUARD"\n' in text
+    assert cell("verify", "old.prg").status == 0
 
 
 @pytest.mark.parametrize("words", ["--all", "--fail-under 9", "--html x.html", "--lcov x.info"])

@@ -1,0 +1,76 @@
+"""The switches of axes that home for ever: what leaves no choice.
+
+The home switch is put a second ahead of the axis, and then index marks on its encoder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from math import inf
+
+from motionlang.kernel import Run
+
+# The home switch lies so many seconds of homing ahead, and a tenth of that is its length.
+HOME_AHEAD = 1.0
+SWITCHES = ("home_switch", "index_every")
+
+
+class Switches:
+    """The switches that were put where an axis looked for them: the settings of each axis by key.
+
+    Settings of the keys that are given stay as they are.
+    """
+
+    def __init__(self, given: Collection[str]) -> None:
+        self._given = given
+        self.axes: dict[int, dict[str, object]] = {}
+
+    @property
+    def settings(self) -> dict[str, object]:
+        """The settings of a machine file with the switches."""
+        return {
+            f"axis.{axis}.{key}": value for axis, keys in self.axes.items() for key, value in keys.items()
+        }
+
+    def add(self, result: Run) -> bool:
+        """Put a switch where an axis of a run homes or waits for one in vain; False if none does."""
+        added = [
+            self._put(number, result, SWITCHES)
+            for number, axis in result.controller.axes.items()
+            if axis.homing is not None and axis.homing.endless_motion
+        ]
+        scheduler = result.machine.scheduler
+        for task in scheduler.tasks if scheduler is not None and not any(added) else ():
+            wait = task.wait
+            if task.done or wait is None or wait.due() < inf:
+                continue
+            for key in result.dialect.driven_by(wait.why):
+                if key.startswith("axis."):
+                    _, number, setting = key.split(".")
+                    added.append(self._put(int(number), result, (setting,)))
+        return any(added)
+
+    def _put(self, number: int, result: Run, wanted: tuple[str, ...]) -> bool:
+        """Put the first missing one of the wanted switches; False if the axis is at rest or has them."""
+        axis = result.controller.axes[number]
+        velocity = axis.profiles[-1].end_velocity / axis.scale.counts if axis.profiles else 0.0
+        if not velocity:
+            return False
+        keys = self.axes.get(number, {})
+        left = [each for each in wanted if each not in keys and f"axis.{number}.{each}" not in self._given]
+        ahead = velocity * HOME_AHEAD
+        if left:
+            self.axes[number] = keys
+        if "home_switch" in left:
+            low, high = sorted((_rounded(ahead), _rounded(1.1 * ahead)))
+            keys["home_switch"] = [low, high]
+            return True
+        if "index_every" in left:
+            keys["index_every"] = _rounded(abs(ahead) / 5)
+            return True
+        return False
+
+
+def _rounded(value: float) -> float:
+    """Return a figure with two significant digits, as a person would guess it."""
+    return float(f"{value:.2g}")

@@ -1,0 +1,16 @@
+' Six guards in a row, before the axis moves; each of them ends the program.
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+#READY
+PAUSE INX.7
+IF INX.0 = 0 THEN GOTO BAD
+IF INX.1 = 0 THEN GOTO BAD
+IF INX.2 = 0 THEN GOTO BAD
+IF INX.3 THEN GOTO BAD
+IF INX.4 = 0 THEN GOTO BAD
+IF INX.5 = 0 THEN GOTO BAD
+MOVER.0 = 10 : GO.0 : PAUSE IDLE.0
+PAUSE INX.7 = 0
+GOTO READY
+#BAD
+? "GUARD"
+END

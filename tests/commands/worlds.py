@@ -1,0 +1,15 @@
+"""Worlds of programs from machines, for tests of other commands than `init`."""
+
+from __future__ import annotations
+
+from motionlang.commands.explore import explore
+from motionlang.kernel import Dialect, Source
+
+
+def world_of(source: Source, language: Dialect) -> dict[str, object]:
+    """Return the settings of a machine in which a program runs its likeliest cycle, as `init` finds them."""
+    found = explore(language.program(source, is_debug=True))
+    switches = {
+        f"axis.{axis}.{key}": value for axis, keys in found.switches.items() for key, value in keys.items()
+    }
+    return {**switches, **found.world.settings}
