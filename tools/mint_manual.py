@@ -41,7 +41,7 @@ CHAPTERS = {
     ),
     "Axes and moves": (
         "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
-        " machine/references machine/presets machine/holding correction"
+        " machine/references machine/presets machine/handshakes machine/holding correction"
     ),
     "Units and wraps": "units machine/wraps machine/compensation",
     "The move buffer": "buffer machine/buffer_status machine/buffer_entries machine/triggers",

@@ -127,8 +127,14 @@ class Stimuli:
     ) -> None:
         """Put `on` whenever an entry takes effect, and `off` when its `for` has passed since the last time."""
         length: float | None = entry.get("for")  # type: ignore[assignment]
-        act = partial(put, on) if length is None else _Pulse(self._clock, put, on, off, length).begin
-        self.add(table, entry, act, since, at_once=at_once)
+        if length is None or entry.keys() & {"output", "every"}:
+            act = partial(put, on) if length is None else _Pulse(self._clock, put, on, off, length).begin
+            self.add(table, entry, act, since, at_once=at_once)
+            return
+        self.add(table, entry, partial(put, on), since, at_once=at_once)
+        at: float = entry.get("at", 0.0)  # type: ignore[assignment]
+        # Scheduled now, so that it is over before another entry takes effect at the same time.
+        self._clock.at(max(since + at + length, self._clock.now), partial(put, off))
 
     def used(self, table: str) -> list[Entry]:
         """Return the entries of a table that have taken effect."""
