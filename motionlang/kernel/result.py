@@ -113,7 +113,7 @@ class Run:
         """What the task that moves most repeats; None if it repeats nothing."""
         from motionlang.kernel.log.cycle import cycle
 
-        if self.program is None:
+        if self.program is None or not len(self.machine.log.moves):
             return None
         locate, table, source = self.dialect.locate, self.dialect.table(), self.source
         owners = self.program.structure.owners()
