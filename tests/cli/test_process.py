@@ -116,7 +116,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal) as process:
         os.close(terminal)
         shown = b""
-        while b" of machine time " not in shown:
+        while b" of 8 h" not in shown:
             shown += os.read(main, 4096)
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
@@ -160,7 +160,7 @@ def test_on_a_terminal_it_is_above_the_line_of_progress(tmp_path: Path) -> None:
     ) as process:
         os.close(terminal)
         shown = b""
-        while b" of machine time " not in shown.partition(WARNING.encode())[2]:
+        while b" of 8 h" not in shown.partition(WARNING.encode())[2]:
             shown += os.read(main, 4096)
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
