@@ -19,7 +19,6 @@ PACKAGE = Path(__file__).parent.parent / "motionlang"
 
 # Folder and files of a group, and why they know each other. The table may only become shorter.
 GROUPS: dict[tuple[str, str], str] = {
-    ("commands/explore", "__init__ view"): "an exploration is printed by its view",
     ("kernel", "moves report report_types result"):
         "a run makes its report on request, and a report is made from a run",
     ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",

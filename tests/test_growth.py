@@ -14,8 +14,10 @@ import pytest
 from lsprotocol import types
 
 from motionlang.cli import main
+from motionlang.commands.explore import explore
 from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.jobs import CHECK, Job, work
+from motionlang.kernel import Source, dialect_of
 from tests.counted_calls import all_calls
 
 
@@ -72,19 +74,23 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "jumps.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MJ{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
     "calls.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MC{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
 }  # fmt: skip
-COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit")
+COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit", "explore")
 UNTIL = ["--until", "0.001"]
+# The trials of an exploration, whose number may depend on the program.
+TRIALS = 8
 
 
 def _work(command: str, name: str, text: str) -> Callable[[], object]:
     """Return what carries out a command on a program; its file is in the current folder."""
     if command == "edit":
         return lambda: _edit(name, text)
+    if command == "explore":
+        return lambda: _explore(name, text)
     arguments = {
         "check": ["check", name],
         "steps": ["check", name, "--steps"],
         "map": ["map", name],
-        "run": ["run", name, "-q", *UNTIL],
+        "run": ["run", name, *UNTIL],
         "diff": ["diff", name, f"old-{name}", *UNTIL],
         "cover": ["cover", name, *UNTIL],
     }
@@ -97,6 +103,13 @@ def _edit(name: str, text: str) -> None:
     start = types.Position(0, 0)
     document.change([types.TextDocumentContentChangePartial(types.Range(start, start), " ")], 2)
     work(Job(CHECK, name, document.text, "mccl" if name.endswith(".mcl") else "mint", None, ""))
+
+
+def _explore(name: str, text: str) -> None:
+    """Do what `init` and `cover --suggest` do first."""
+    language = dialect_of(name)
+    assert language is not None
+    explore(language.program(Source(name, text), is_debug=True), trials=TRIALS)
 
 
 def _measure(command: str, shape: str, sizes: Sequence[int]) -> list[int]:

@@ -189,7 +189,7 @@ GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
             "modbus.register": [{"server": 1, "register": 6, "value": 1, "output": 1, "delay": 0.1, "guess": True}],
             "coil": [{"coil": 7, "output": 1, "level": 0, "guess": True}, {"coil": 8, "guess": True}],
         },
-        "6 guesses of the machine file: comms element 2, 10; NetData element 4; dual-port RAM address 6; "
+        "6 guesses of the machine file: comms element 2, 10; network data 4; dual-port RAM 6; "
         "Modbus register 6; Modbus coil 8",
     ),
     (

@@ -213,7 +213,7 @@ def _standing(profile: Profile) -> list[Row]:
 
 
 def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
-    start, scale, zero = move.start_time, move.scale or 1.0, move.zero
+    start, scale = move.start_time, move.scale or 1.0
     profile, ended = _until_end(run, move, running)
     size, peak = abs(scale), _peak(profile)
     row: Row = {
@@ -223,8 +223,8 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "profile": profile.shape,
         "start_time": start,
         "duration": profile.duration,
-        "start": (profile.start - zero) / scale,
-        "end": (profile.end - zero) / scale,
+        "start": move.to_user(profile.start),
+        "end": move.to_user(profile.end),
         "distance": (profile.end - profile.start) / scale,
         "peak_speed": peak / size,
         **({} if move.commanded_speed is None else {"commanded_speed": move.commanded_speed / size}),

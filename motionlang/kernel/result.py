@@ -16,6 +16,7 @@ from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.program import Program
@@ -32,14 +33,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.report_types import Report, ReportMove
     from motionlang.kernel.tracks.trace import Trace
 
-# The tables of what other devices write, with the name of what they write to and the key of its number.
-_WRITTEN = {
-    "comms": ("comms element", "element"),
-    "netdata": ("NetData element", "element"),
-    "dpr": ("dual-port RAM address", "address"),
-    "modbus.register": ("Modbus register", "register"),
-    "coil": ("Modbus coil", "coil"),
-}
+# The tables of what other devices write.
+_WRITTEN = ("comms", "netdata", "dpr", "modbus.register", "coil")
 
 
 class Run:
@@ -110,17 +105,14 @@ class Run:
 
     @property
     def cycle(self) -> Cycle | None:
-        """What the task that moves most repeats; None if it repeats nothing."""
+        """The repetition of the task that moves most; None if it repeats nothing."""
         from motionlang.kernel.log.cycle import cycle
 
         if self.program is None or not len(self.machine.log.moves):
             return None
-        locate, table, source = self.dialect.locate, self.dialect.table(), self.source
-        owners = self.program.structure.owners()
+        structure, homes = self.program.structure, self.dialect.table().homes
         has_ended = self.status == "ended"
-        return cycle(
-            self.machine.log, self.time, has_ended, lambda at: locate(source, at)[0], owners.get, table.homes
-        )
+        return cycle(self.machine.log, self.time, has_ended, structure.line, structure.owners().get, homes)
 
     @property
     def report(self) -> Report:
@@ -273,8 +265,7 @@ def report_guesses(result: Run) -> None:
     for name, log in (("input", machine.log.inputs), ("analogue", machine.log.analogue_inputs)):
         changed = {each.channel for each in log} if tables.get(name) else set()
         used = sorted({each["channel"] for each in tables.get(name, ()) if each["channel"] in changed})
-        what = "input" if name == "input" else "analogue input"
-        found += [f"{what} {', '.join(map(str, used))}"] if used else []
+        found += [f"{DRIVES[name][0]} {', '.join(map(str, used))}"] if used else []
         count += len(used)
     if tables.get("answer"):
         left = machine.unasked()
@@ -285,7 +276,8 @@ def report_guesses(result: Run) -> None:
     pressed = [each for each in stimuli.used("key") if each.get("guess")]
     found += [count_of(len(pressed), "key")] if pressed else []
     count += len(pressed)
-    for name, (what, number) in _WRITTEN.items():
+    for name in _WRITTEN:
+        what, number = DRIVES[name]
         numbers: set[int] = {each[number] for each in stimuli.used(name) if each.get("guess")}  # type: ignore[misc]
         found += [f"{what} {', '.join(map(str, sorted(numbers)))}"] if numbers else []
         count += len(numbers)

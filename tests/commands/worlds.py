@@ -9,7 +9,4 @@ from motionlang.kernel import Dialect, Source
 def world_of(source: Source, language: Dialect) -> dict[str, object]:
     """Return the settings of a machine in which a program runs its likeliest cycle, as `init` finds them."""
     found = explore(language.program(source, is_debug=True))
-    switches = {
-        f"axis.{axis}.{key}": value for axis, keys in found.switches.items() for key, value in keys.items()
-    }
-    return {**switches, **found.world.settings}
+    return {**found.switches.settings, **found.world.settings}

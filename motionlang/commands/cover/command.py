@@ -22,7 +22,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, Suggestion
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
-from motionlang.commands.explore import Interrupted, explore
+from motionlang.commands.explore import Interrupted, explore, without_world
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Event, Worlds
@@ -130,9 +130,11 @@ examples:
             before: Counter[Event] = Counter()
             for settings in all_own.values():
                 before += runs.run(settings, limit).events
-            given = {key: value for key, value in own.items() if not isinstance(value, list) or "." in key}
             exploration = explore(
-                program, given, is_over=lambda: ends is not None and monotonic() > ends, progress=progress
+                program,
+                without_world(own),
+                is_over=lambda: ends is not None and monotonic() > ends,
+                progress=progress,
             )
             search = Search(runs, exploration, own, before, limit)
             was = search.coverage

@@ -14,7 +14,7 @@ from textwrap import wrap
 from typing import Any
 
 from motionlang.commands.cover import Coverage, coverage, ranges
-from motionlang.commands.explore import Change, Entry, Exploration, entries, plain, tables_of
+from motionlang.commands.explore import TABLES, Change, Entry, Exploration, entries, plain, tables_of
 from motionlang.commands.init import ending, slug
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.map.program_map import names_in_comments
@@ -79,15 +79,10 @@ class Search:
     def _candidates(self) -> Iterator[tuple[str, dict[str, object]]]:
         """Yield names and settings: of the cycle, of each transition, and of other keys and answers."""
         exploration, world = self.exploration, self.exploration.world
-        switches: dict[str, object] = {
-            f"axis.{axis}.{key}": value
-            for axis, keys in exploration.switches.items()
-            for key, value in keys.items()
-        }
         target = exploration.program.target
-        if target.model:
-            switches["controller.model"] = target.model
-        added = {key: value for key, value in switches.items() if key not in self.own}
+        model = {"controller.model": target.model} if target.model else {}
+        added = {**exploration.switches.settings, **model}
+        added = {key: value for key, value in added.items() if key not in self.own}
 
         def settings(tables: Mapping[str, object], until: float) -> dict[str, object]:
             return {**added, **self._above(tables), "run.until": round(min(until, self.limit), 2)}
@@ -162,7 +157,7 @@ def scenario_text(
 ) -> str:
     """Return a world as a scenario of a program with `own` settings; its results are the expectations."""
     lines = ", ".join(ranges(world.reaches))
-    tables = [key for key, value in world.settings.items() if isinstance(value, list) and "." not in key]
+    tables = [key for key in world.settings if key in TABLES]
     reaches = f"lines {lines}" if lines else "more"
     name = program.source.name.rpartition("/")[2]
     head = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"

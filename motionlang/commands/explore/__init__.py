@@ -17,9 +17,13 @@ known with an end of its own, and is found as one that lasts, is tried again wit
 numbers of a host and keys come from comparisons: an unusual value is played, and both sides of the comparisons that
 follow are solved for it (`values.py`).
 
+A question is a state, and an answer is a change; where several tasks rest, their places together are one state.
 Without a choice are the switches of an axis that homes for ever (`switches.py`).
 
 The world of the likeliest cycle that repeats when it is played is then described by simple rules (`world.py`).
+
+Not simulated yet: changes in the middle of a move, Modbus registers, and inputs that follow a position or stay on for a
+time.
 
 Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
 (`trials.py`). The same program gives the same result, unless the user ends the exploration.
@@ -39,15 +43,18 @@ from motionlang.commands.explore.trials import (
     Entry,
     Interrupted,
     Trial,
+    asks,
     entries,
     plain,
     tables_of,
 )
 from motionlang.commands.explore.values import is_probe
+from motionlang.commands.explore.view import exploration_text
 from motionlang.commands.explore.world import World, played, world_of
 from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
 
 __all__ = [
+    "TABLES",
     "Change",
     "Cycle",
     "Entry",
@@ -59,22 +66,24 @@ __all__ = [
     "Transition",
     "Visit",
     "World",
+    "asks",
     "entries",
     "explore",
     "explored",
     "is_probe",
     "plain",
     "tables_of",
+    "without_world",
 ]
 
 
 class Exploration:
-    """What an exploration has found in a program.
+    """The states, transitions and cycles that an exploration has found in a program.
 
     `nodes` are its states with their transitions, power-up first, `cycles` the cycles, the likeliest first and those
     without motion last, `trials` the number of runs. `world` is that of the first cycle that repeats when it is played.
-    `switches` are the settings of axes that would home for ever. `is_whole` is False if the budget or the user ended
-    the search.
+    `switches` are those of axes that would home for ever. `is_whole` is False if the budget or the user ended the
+    search.
     """
 
     def __init__(self, explorer: Explorer) -> None:
@@ -85,15 +94,13 @@ class Exploration:
         self.is_whole = not explorer.trials.is_over
         self.cycles = cycles(explorer.nodes, explorer.working)
         self.world = self.world_of(self.cycles)
-        self.switches = explorer.switches.axes
+        self.switches = explorer.switches
         self.channels = sorted(explorer.channels)
         # The axes that each line moves.
         self.axes = explorer.axes
 
     def __str__(self) -> str:
-        from motionlang.commands.explore.view import exploration_text
-
-        return exploration_text(self, self.program)
+        return exploration_text(self.program, self.nodes, self.trials, self.cycles, self.world)
 
     def world_of(self, likeliest: Sequence[Cycle]) -> World:
         """Return the world of the first of some cycles that repeats when it is played."""
@@ -157,8 +164,13 @@ def explored(source: Source) -> Exploration:
 
     Raises ProgramError for a program or a machine file with errors.
     """
-    settings = {key: value for key, value in settings_next_to(source.name).items() if key not in TABLES}
+    settings = without_world(settings_next_to(source.name))
     program = dialect_for(source, None).program(source, settings, is_debug=True)
     if program.errors:
         raise ProgramError(program.errors)
     return explore(program, settings)
+
+
+def without_world(settings: Mapping[str, object]) -> dict[str, object]:
+    """Return the settings of a machine file without the entries that an exploration finds by itself."""
+    return {key: value for key, value in settings.items() if key not in TABLES}

@@ -20,9 +20,9 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # switched on. Against it: each change of the world, an answer less, since the program asks for it; one at the same time
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
 MOVE, OUTPUT = 2.0, 0.5
+CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN = 1.0, 0.25, 0.5, 0.5, 3.0, 20.0, 5.0
 # Work is faster than other work if it takes this share of its time.
 FASTER = 0.95
-CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN = 1.0, 0.25, 0.5, 0.5, 3.0, 20.0, 5.0
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -20,15 +19,15 @@ from motionlang.commands.explore.trials import (
     Trials,
     given_in,
     levels_at,
+    without_figures,
 )
 from motionlang.commands.explore.values import ANSWERS, is_probe, printed_for, probes, solved, usual_answers
-from motionlang.kernel import Program, dialect
+from motionlang.kernel import Program
+from motionlang.kernel.lang import Structure
 
 MAX_TRIALS = 500
 # A change comes so long after the program is at rest, s.
 DELAY = 0.3
-
-_FIGURE = re.compile(r"[-+]?\d[\d.]*")
 
 Causes = tuple[Change, ...]
 
@@ -68,12 +67,12 @@ class Transition:
     """A way from a state to the next one.
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
-    those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts` is
-    what the program does: moves, outputs and printed lines. `is_cut` is True
-    if a handler ran, or a fault cut off a move. `visit` is that of the source from which it was found, `is_later` if
-    that is no shortest one. `is_by_itself` is True if the stay ends without the changes at that time.
-    Two transitions do the same if `does` is equal: the lines that move, the outputs that are switched, and words.
-    `variants` are other values of the same channels with which the same happens.
+    those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts`
+    are the moves, outputs and printed lines in words. `is_cut` is True if a handler ran, or a fault cut off a move.
+    `visit` is that of the source from which it was found, `is_later` if that is no shortest one. `is_by_itself` is True
+    if the stay ends without the changes at that time. Two transitions do the same if `does` is equal: the lines that
+    move, the outputs that are switched, and words. `variants` are other values of the same channels with which the same
+    happens.
     """
 
     source: RestState | None
@@ -179,7 +178,6 @@ class Explorer:
             if channel is not None and channel not in given
         ]
         self._given = given
-        self._lines: dict[int, int] = {}
         # The inputs that each line reads, and the level that it compares each with, if that is known.
         self._read_in: dict[int, dict[int, float]] = {}
         for each in reads:
@@ -193,13 +191,11 @@ class Explorer:
             for at, statement in program.structure.statements.items()
             if any(use.channel == "input" and not use.number.isdecimal() for use in statement.channels)
         }
-        # The handlers of a program but for those of a timer, as statements.
+        # The statements of the handlers that more than time starts.
         graph, units = program.structure.graph, program.structure.units
-        entered = (unit.entry for unit in units if unit.kind == "event" and "timer" not in unit.name.lower())
-        self.handlers = {
-            program.structure.points[point].at for entry in entered for point in graph.reached(entry)
-        } - {-1}
-        self._beside = _beside(program)
+        entries = (unit.entry for unit in units if unit.kind == "event" and not unit.is_timed)
+        self.handlers = {program.structure.points[point].at for point in graph.reached(*entries)} - {-1}
+        self._beside = _beside(program.structure)
         # The inputs whose changes start a handler.
         self.triggers = {
             int(each.number)
@@ -223,9 +219,7 @@ class Explorer:
 
     def line(self, at: int) -> int:
         """Return the line of a source offset."""
-        if at not in self._lines:
-            self._lines[at] = dialect(self.program.language).locate(self.program.source, at)[0]
-        return self._lines[at]
+        return self.program.structure.line(at)
 
     def reads(self, state: RestState) -> list[str]:
         """Return the names of what the statements of a state read."""
@@ -388,9 +382,8 @@ class Explorer:
         both = [tuple(sorted((*others, probe))) for probe in (first, second)]
         trials = [self._changed(visit, causes) for causes in both]
         yield from (tuple(sorted((*others, each))) for each in solved(first, second, *trials))
-        for causes, trial in zip(
-            both, trials, strict=True
-        ):  # what a value does that a person would give is known
+        # Last, so that what an unusual value does is known of a value that a person would give.
+        for causes, trial in zip(both, trials, strict=True):
             self._arrive(node, visit, causes, trial)
 
     # ------------------------------------------------------------------------------------------------ arriving
@@ -480,8 +473,9 @@ class Explorer:
         is_over: bool,
     ) -> bool:
         """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
-        lines = tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9)
-        does = _does(trial, since, until)
+        part = trial.part(since, until)
+        lines = tuple(each.line for each in part.moves)
+        does = _does(part)
         if source.knows(causes, target, does) or (target == source.state and not lines):
             return False
         is_later = visit is source.later
@@ -490,17 +484,8 @@ class Explorer:
         self._moved.update(lines)
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
-        work = frozenset(
-            each.line
-            for each in trial.moves
-            if since - 1e-9 <= each.begin < until + 1e-9 and not each.is_homing
-        )
-        outputs = frozenset(
-            each.channel for each in trial.outputs if since <= each.time <= until and each.value
-        )
-        acts = _acts(trial, since, until)
         handled = {each.at for each in trial.statements.get(HANDLERS, ()) if since <= each.time <= until}
-        is_cut = bool(handled & self.handlers) or _fails(trial, since, until)
+        fails = any(each.ended == "fault" for each in part.moves)
         source.transitions.append(
             Transition(
                 source.state,
@@ -508,10 +493,10 @@ class Explorer:
                 target,
                 until - (since if causes else max(visit.time, 0.0)),
                 lines,
-                work,
-                outputs,
-                acts,
-                is_cut,
+                frozenset(each.line for each in part.moves if not each.is_homing),
+                frozenset(each.channel for each in part.outputs if each.value),
+                _acts(part),
+                fails or bool(handled & self.handlers),
                 visit,
                 is_later,
                 is_over or not causes,
@@ -521,25 +506,23 @@ class Explorer:
         return True
 
 
-def _beside(program: Program) -> frozenset[int]:
+def _beside(structure: Structure) -> frozenset[int]:
     """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
 
     They blink, regulate or watch.
     """
-    structure = program.structure
-    reached = {
-        unit.entry: {structure.points[point].at for point in structure.graph.reached(unit.entry)}
-        for unit in structure.units
-        if unit.kind != "event"
-    }
+    points, graph = structure.points, structure.graph
     work = {
         at
         for at, each in structure.statements.items()
         if each.waits not in ("", "time") or any(use.row.topic == "move" for use in each.axes)
     }
-    beside = [found for found in reached.values() if not found & work]
-    others = [found for found in reached.values() if found & work]
-    return frozenset().union(*beside).difference(*others)
+    working: set[int] = set()
+    others: set[int] = set()
+    for task in structure.tasks():
+        reached = {points[point].at for point in graph.reached(task.entry)}
+        (others if reached.isdisjoint(work) else working).update(reached)
+    return frozenset(others - working)
 
 
 def _urgency(left: tuple[Node, Departure]) -> tuple[bool, int, bool, int, int]:
@@ -559,36 +542,20 @@ def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
     return any(since <= move.begin < rest.begin for move in trial.moves)
 
 
-def _fails(trial: Trial, since: float, until: float) -> bool:
-    """True if a fault cut off a move."""
-    return any(since <= move.begin <= until and move.ended == "fault" for move in trial.moves)
-
-
-def _does(trial: Trial, since: float, until: float) -> Hashable:
-    """Return what a program does between two times, without the figures that it prints and how often a lamp blinks."""
+def _does(part: Trial) -> Hashable:
+    """Return what a program does in a part of a trial, but for figures and for how often a lamp blinks."""
     return (
-        tuple(each.line for each in trial.moves if since - 1e-9 <= each.begin < until + 1e-9),
-        frozenset(
-            (each.channel, bool(each.value))
-            for each in trial.outputs
-            if since - 1e-9 <= each.time <= until + 1e-9
-        ),
-        frozenset(
-            _FIGURE.sub("", each.text) for each in trial.prints if since - 1e-9 <= each.time <= until + 1e-9
-        ),
+        tuple(each.line for each in part.moves),
+        frozenset((each.channel, bool(each.value)) for each in part.outputs),
+        frozenset(without_figures(each.text) for each in part.prints),
     )
 
 
-def _acts(trial: Trial, since: float, until: float) -> tuple[str, ...]:
-    """Return what a program does between two times, in order."""
-    found: list[tuple[float, int, str]] = []
-    for move in trial.moves:
-        if since - 1e-9 <= move.begin < until + 1e-9 and move.act:
-            found.append((move.begin, 0, move.act))
-    for switched in trial.outputs:
-        if since - 1e-9 <= switched.time <= until + 1e-9:
-            found.append((switched.time, 1, f"output {switched.channel} {'on' if switched.value else 'off'}"))
-    for printed in trial.prints:
-        if since - 1e-9 <= printed.time <= until + 1e-9:
-            found.append((printed.time, 2, repr(printed.text.strip())))
-    return tuple(text for _, _, text in sorted(found, key=lambda each: each[:2]))
+def _acts(part: Trial) -> tuple[str, ...]:
+    """Return what a program does in a part of a trial in words, in order."""
+    found = [
+        *((each.begin, each.act) for each in part.moves if each.act),
+        *((each.time, f"output {each.channel} {'on' if each.value else 'off'}") for each in part.outputs),
+        *((each.time, repr(each.text.strip())) for each in part.prints),
+    ]
+    return tuple(text for _, text in sorted(found, key=lambda each: each[0]))

@@ -33,7 +33,7 @@ class Switches:
         }
 
     def add(self, result: Run) -> bool:
-        """Put a switch where an axis of a run homes or waits for one in vain; False if none does."""
+        """Put a switch where an axis of a run homes or waits for one that never comes; False if none does."""
         added = [
             self._put(number, result, SWITCHES)
             for number, axis in result.controller.axes.items()

@@ -18,7 +18,7 @@ from operator import attrgetter
 from typing import NamedTuple
 
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
-from motionlang.kernel.lang import Snapshot
+from motionlang.kernel.lang import DRIVES, Snapshot
 from motionlang.kernel.log import Printed, Switched, Waited
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
@@ -33,24 +33,15 @@ LEAD = 0.002
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
-# The changes of the world, by the table of the machine file: the key of the number, and that of the value.
-TABLES = {
-    "input": ("channel", "value"),
-    "analogue": ("channel", "value"),
-    "comms": ("element", "value"),
-    "netdata": ("element", "value"),
-    "dpr": ("address", "value"),
-    "coil": ("coil", "value"),
-    "key": ("", "text"),
-    "answer": ("", "text"),
-}
+# The tables of the machine file with the changes of the world, and those of them that have texts, and no numbers.
+TABLES = ("input", "analogue", "comms", "netdata", "dpr", "coil", "key", "answer")
+TEXTS = ("key", "answer")
 Entry = dict[str, object]
 # Where the name of a task would be, in a record of what handlers do.
 HANDLERS = "!"
 
-
-# What their numbers are called.
-NAMES = {"analogue": "analogue input", "dpr": "dual-port RAM"}
+_ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
+_FIGURE = re.compile(r"[-+]?\d[\d.]*")
 
 
 class Change(NamedTuple):
@@ -66,15 +57,15 @@ class Change(NamedTuple):
 
     @property
     def kind(self) -> Hashable:
-        """What is changed: an input to a level, or another channel to any value."""
+        """An input and its level, or another channel and any value of it."""
         return self if self.table == "input" else (self.table, self.number, self.prompt)
 
     @property
     def subject(self) -> str:
         """The name of what is changed."""
-        if self.table in ("key", "answer"):
+        if self.table in TEXTS:
             return "a key" if self.table == "key" else f"an answer to {self.prompt!r}"
-        return f"{NAMES.get(self.table, self.table)} {self.number}"
+        return f"{DRIVES[self.table][0]} {self.number}"
 
     def __str__(self) -> str:
         if self.table == "input":
@@ -223,7 +214,7 @@ class Motion(NamedTuple):
 
 
 class Trial(NamedTuple):
-    """What a run with a timeline did: nothing in it changes when another one begins.
+    """The record of a run with a timeline: nothing in it changes when another one begins.
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
@@ -247,6 +238,15 @@ class Trial(NamedTuple):
     statements: Mapping[str, Sequence[Begun]]
     comparisons: Mapping[int, Sequence[tuple[object, object]]]
     readings: Mapping[int, Mapping[int, None]]
+
+    def part(self, since: float, until: float) -> Trial:
+        """Return the trial with only the moves, outputs and prints between two times."""
+        first, last = since - 1e-9, until + 1e-9
+        return self._replace(
+            moves=[each for each in self.moves if first <= each.begin < last],
+            outputs=[each for each in self.outputs if first <= each.time <= last],
+            prints=[each for each in self.prints if first <= each.time <= last],
+        )
 
     @property
     def has_ended(self) -> bool:
@@ -422,8 +422,8 @@ def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
 def given_in(settings: Mapping[str, object]) -> set[tuple[str, int]]:
     """Return the channels that settings have entries for, as table and number; answers and keys have the number 0."""
     return {
-        (table, int(each[number]) if number else 0)  # type: ignore[call-overload]
-        for table, (number, _) in TABLES.items()
+        (table, int(each[number]) if (number := DRIVES[table][1]) else 0)  # type: ignore[call-overload]
+        for table in TABLES
         for each in entries(settings, table)
     }
 
@@ -432,14 +432,24 @@ def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
     """Return the tables of a machine file with the changes of a timeline; their times count from `since`."""
     tables: dict[str, list[dict[str, object]]] = defaultdict(list)
     for time, change in timeline:
-        number, value = TABLES[change.table]
+        number = DRIVES[change.table][1]
         entry: dict[str, object] = {number: change.number} if number else {}
         if change.table != "answer":
             entry["at"] = time - since
         elif change.prompt:
             entry["prompt"] = change.prompt
-        tables[change.table].append(entry | {value: change.value})
+        tables[change.table].append(entry | {_value_key(change.table): change.value})
     return dict(tables)
+
+
+def _value_key(table: str) -> str:
+    return "text" if table in TEXTS else "value"
+
+
+def is_about(change: Change, entry: Entry) -> bool:
+    """True if an entry makes a change."""
+    number = DRIVES[change.table][1]
+    return entry[_value_key(change.table)] == change.value and (not number or entry[number] == change.number)
 
 
 def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
@@ -472,7 +482,7 @@ def _trial(
         _is_stuck(result),
         _is_homing(result, base),
         recorder.is_idle,
-        plain(result.machine.operator.question).strip(" ?:") if _asks(result) else None,
+        plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
         list(_moves(result)),
         log.outputs[bisect_left(log.outputs, since, key=attrgetter("time")) :],
         list(log.prints),
@@ -483,12 +493,14 @@ def _trial(
     )
 
 
-_ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
-
-
 def plain(text: str) -> str:
     """Return a printed line without escape codes and control characters."""
     return _ESCAPES.sub("", text).strip()
+
+
+def without_figures(text: str) -> str:
+    """Return a printed line with a mark for each of its figures, which differ from run to run."""
+    return _FIGURE.sub("#", text)
 
 
 def _is_homing(result: Run, base: Mapping[str, object]) -> bool:
@@ -501,7 +513,7 @@ def _is_homing(result: Run, base: Mapping[str, object]) -> bool:
     )
 
 
-def _asks(result: Run) -> bool:
+def asks(result: Run) -> bool:
     """True if a run ended because the program asks for a line and no answer is left."""
     scheduler = result.machine.scheduler
     tasks = () if scheduler is None else scheduler.tasks
@@ -515,7 +527,7 @@ def _is_stuck(result: Run) -> bool:
     waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
     if all(wait is not None and wait.cause == "axis" for wait in waits):
         return False
-    return _asks(result) or any(each.code == "never" for each in result.diagnostics)
+    return asks(result) or any(each.code == "never" for each in result.diagnostics)
 
 
 def _moves(result: Run) -> Iterator[Motion]:
@@ -525,7 +537,7 @@ def _moves(result: Run) -> Iterator[Motion]:
         if profile is not None:
             act = f"axis {move.axis} {move.command}"
             if profile.duration < inf:
-                act = f"axis {move.axis} to {(profile.end - move.zero) / (move.scale or 1.0):.4g}"
+                act = f"axis {move.axis} to {move.to_user(profile.end):.4g}"
                 if profile.shape not in ENDLESS or homes(move.command):
                     end = move.start_time + profile.duration
         yield Motion(move.start_time, end, move.axis, move.line, act, move.ended, homes(move.command))

@@ -13,6 +13,7 @@ from math import inf, isfinite
 
 from motionlang.commands.explore.trials import Change, Trial
 from motionlang.kernel import Program
+from motionlang.kernel.lang import DRIVES
 
 # Two unusual keys, levels, numbers and answers.
 KEYS, LEVELS, NUMBERS, ANSWERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0), ("7771", "7773")
@@ -30,6 +31,10 @@ USUAL: dict[str, Sequence[float | str]] = {
 }
 # So many values are tried of one channel.
 MAX_VALUES = 24
+# The tables whose whole numbers are integers.
+WHOLE = ("netdata", "dpr", "coil")
+# The tables of what has more than two levels, by the device that a statement reads.
+_TABLES = {DRIVES[table][0]: table for table in ("key", "analogue", "comms", *WHOLE)}
 
 
 def probes(program: Program) -> list[tuple[Change, Change, frozenset[int]]]:
@@ -63,18 +68,6 @@ def written(program: Program) -> set[tuple[str, int]]:
         for use in uses
         if use.access != "read" and use.channel in _TABLES and use.number.isdecimal()
     }
-
-
-# The tables whose whole numbers are integers.
-WHOLE = ("netdata", "dpr", "coil")
-_TABLES = {
-    "key": "key",
-    "analogue input": "analogue",
-    "comms element": "comms",
-    "network data": "netdata",
-    "dual-port RAM": "dpr",
-    "Modbus coil": "coil",
-}
 
 
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:

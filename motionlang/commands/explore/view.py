@@ -3,27 +3,31 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
-from motionlang.commands.explore import Cycle, Exploration, Node, RestState, TaskRest, Transition, World
-from motionlang.kernel import Program, dialect
+from motionlang.commands.explore.cycles import Cycle
+from motionlang.commands.explore.rests import RestState, TaskRest
+from motionlang.commands.explore.search import Node, Transition
+from motionlang.commands.explore.world import World
+from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
 
 # So many cycles are shown, and so many acts of a transition.
 MAX_CYCLES, MAX_ACTS = 3, 8
 
 
-def exploration_text(found: Exploration, program: Program) -> str:
-    """Return the states of a program with their transitions, and its likeliest cycles."""
-    locate, source = dialect(program.language).locate, program.source
-    names = _Names(lambda at: locate(source, at)[0])
-    states = count_of(len(found.nodes) - 1, "state")
-    lines = [f"{source.name}: {states}, {count_of(found.trials, 'trial')}"]
-    for node in found.nodes:
+def exploration_text(
+    program: Program, nodes: Sequence[Node], trials: int, cycles: Sequence[Cycle], world: World
+) -> str:
+    """Return the states of a program with their transitions, its likeliest cycles and a world."""
+    source, names = program.source, _Names(program.structure.line)
+    states = count_of(len(nodes) - 1, "state")
+    lines = [f"{source.name}: {states}, {count_of(trials, 'trial')}"]
+    for node in nodes:
         lines += ["", names.head(node, source.line), *names.rows(node)]
-    if found.cycles:
-        lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in found.cycles[:MAX_CYCLES])]
-    lines += ["", *_world(found.world)] if found.cycles else []
+    if cycles:
+        lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in cycles[:MAX_CYCLES])]
+        lines += ["", *_world(world)]
     return "\n".join(lines) + "\n"
 
 

@@ -14,7 +14,6 @@ their figures. A task that moves no axis may come further or less far. No other 
 
 from __future__ import annotations
 
-import re
 from collections import Counter, defaultdict, deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -32,10 +31,11 @@ from motionlang.commands.explore.trials import (
     Timeline,
     Trial,
     entries,
+    is_about,
     levels_at,
     tables_of,
+    without_figures,
 )
-from motionlang.commands.explore.trials import TABLES as CHANGED
 from motionlang.commands.explore.values import written
 from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
@@ -60,20 +60,18 @@ LONGER = 1.5
 EVERY = 2.0
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
-_FIGURE = re.compile(r"[-+]?\d[\d.]*")
+# The tables of numbers of a host, and those whose entries may happen again by themselves.
+NUMBERS = ("comms", "netdata", "dpr")
+WRITES = (*NUMBERS, "coil", "key")
 
 
 class World(NamedTuple):
-    """The entries of a machine file with which a cycle runs, and the run; `times` is how often the cycle was played.
-
-    `is_endless` is True if the entries let the cycle go on, and False if they are the changes of the played run.
-    """
+    """The entries of a machine file with which a cycle runs, and the run; `times` is how often the cycle was played."""
 
     cycle: Cycle
     settings: Mapping[str, object]
     run: Run
     times: int
-    is_endless: bool
 
 
 def world_of(explorer: Explorer, likeliest: Sequence[Cycle], times: int = TIMES) -> World:
@@ -247,7 +245,7 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
                     break
     for change, times in writes.items():
         for entry in _repetitions(change, times, switched, blinking) if len(times) > 1 else ():
-            rest = [each for each in entries(others, change.table) if not _is_about(change, each)]
+            rest = [each for each in entries(others, change.table) if not is_about(change, each)]
             tried = {**others, change.table: [*rest, entry]}
             if holds(_settings(chosen, tried)):
                 others = tried
@@ -265,12 +263,7 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
             chosen[number] = [entry]
             break
     settings = _settings(chosen, others)
-    is_endless = all(len(each) == 1 for each in chosen.values()) and not any(
-        len(times) > 1
-        and len([each for each in entries(others, change.table) if _is_about(change, each)]) > 1
-        for change, times in writes.items()
-    )
-    return World(cycle, settings, explorer.trials.run_in(settings, until)[0], count, is_endless)
+    return World(cycle, settings, explorer.trials.run_in(settings, until)[0], count)
 
 
 def _end_of(cycle: Cycle, trial: Trial) -> float:
@@ -297,7 +290,7 @@ def _released(
     stuck = {number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what}
     latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
     for number in sorted(stuck & chosen.keys()):
-        for output in latest if [*map(len, chosen[number])] == [2] else ():
+        for output in latest if chosen[number] == [{"channel": number, "at": 0.0}] else ():
             entry: Entry = {"channel": number, "output": output, "delay": DELAY}
             for tried in (entry, {**entry, "value": 0}):
                 again = explorer.trials.run_in({**settings, "input": _replaced(settings, tried)}, WHOLE)[0]
@@ -329,13 +322,8 @@ def _numbers(explorer: Explorer, trial: Trial) -> Iterator[dict[str, list[Entry]
             yield {table: list(each) for table, each in tables_of(((0.0, change),)).items()}  # type: ignore[call-overload]
 
 
-NUMBERS = ("comms", "netdata", "dpr")
-# The tables whose entries may happen again by themselves.
-WRITES = (*NUMBERS, "coil", "key")
-
-
 class _Orders:
-    """What the tasks of a program do, each in its own order."""
+    """The acts of the tasks of a program, each task's in its own order."""
 
     def __init__(self, explorer: Explorer) -> None:
         self._line = explorer.line
@@ -353,7 +341,7 @@ class _Orders:
             if each.at >= 0
         )
         acts += (
-            (each.time, self._line(each.at), ("print", _FIGURE.sub("#", each.text)))
+            (each.time, self._line(each.at), ("print", without_figures(each.text)))
             for each in prints
             if each.at >= 0
         )
@@ -441,12 +429,6 @@ def _repetitions(
 def _is_after(time: float, before: float, switched: list[tuple[float, int]], level: int) -> bool:
     """True if an output changed to a level between two times."""
     return any(before < at <= time and value == level for at, value in switched)
-
-
-def _is_about(change: Change, entry: Entry) -> bool:
-    """True if an entry makes a change."""
-    number, value = CHANGED[change.table]
-    return entry[value] == change.value and (not number or entry[number] == change.number)
 
 
 def _explains(changes: list[tuple[float, float]], switched: list[tuple[float, int]], inverted: int) -> bool:

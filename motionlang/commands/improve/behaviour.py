@@ -76,7 +76,7 @@ def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
         if move.profile is None or move.start_time + move.profile.duration > run.time:
             continue
         counts = not move.ended and not table.homes(move.command)
-        end = (move.profile.end - move.zero) / (move.scale or 1.0) if counts else 0.0
+        end = move.to_user(move.profile.end) if counts else 0.0
         found.setdefault(move.axis, []).append((move.command, move.line, end))
     return found
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from math import fsum
 
 from motionlang.commands.explore import (
+    TABLES,
     Change,
     Cycle,
     Entry,
@@ -21,13 +22,13 @@ from motionlang.commands.explore import (
     Node,
     RestState,
     World,
+    asks,
     entries,
 )
+from motionlang.commands.quantities import CYCLE
 from motionlang.kernel import Run
-from motionlang.kernel.tools import count_of
 
-# The tables of a machine file that a world has, and those of choices.
-TABLES = ("input", "analogue", "comms", "netdata", "dpr", "coil", "answer", "key")
+# The tables of choices.
 CHOICES = ("answer", "key")
 # Keys that are no letters in a file name.
 _SPOKEN = {"\r": " enter ", "+": " plus ", "-": " minus ", "*": " star ", "#": " hash ", "?": " question "}
@@ -50,7 +51,7 @@ class Draft:
     @property
     def count(self) -> int:
         """The number of guessed entries and axes."""
-        return sum(len(self.entries(table)) for table in TABLES) + len(self.exploration.switches)
+        return sum(len(self.entries(table)) for table in TABLES) + len(self.exploration.switches.axes)
 
     def entries(self, table: str) -> list[Entry]:
         """Return the guessed entries of a table."""
@@ -142,31 +143,27 @@ def _is_within(way: tuple[Change, ...], other: tuple[Change, ...]) -> bool:
 def ending(result: Run) -> dict[str, object]:
     """Return the settings below `run.stop` that end a run of a program without an end; empty if it has one.
 
-    It ends after some cycles, by what happens once in each, or where the program asks for a line in vain.
+    It ends after some cycles, by what happens once in each, or where the program asks for a line and no answer is left.
     """
-    scheduler = result.machine.scheduler
-    waits = [each.wait for each in scheduler.tasks if not each.done] if scheduler is not None else []
-    if result.status in ("fault", "until") and any(
-        each is not None and each.cause == "operator" for each in waits
-    ):
+    if asks(result):
         return {"event": "input"}
     cycle = result.cycle
     if cycle is None or result.status not in ("until", "fault"):
         return {}
     times = min(cycle.count, MAX_CYCLES)
     begun = min(cycle.count, MAX_CYCLES + 1)  # a move begins: the cycles before are whole
-    what = cycle.name.removeprefix("cycle(").removesuffix(")")
-    if what.startswith("print "):
-        return {"prints": what.removeprefix("print "), "times": times}
-    if what.isdecimal():
-        return {"line": int(what), "times": begun}
+    name = CYCLE.fullmatch(cycle.name)
+    line, output, text, _ = (None,) * 4 if name is None else name.groups()
+    if text:
+        return {"prints": text, "times": times}
+    if line:
+        return {"line": int(line), "times": begun}
     log = result.machine.log
-    if what.startswith("output "):
-        number = int(what.removeprefix("output "))
+    if output:
         lines = (
-            result.dialect.locate(result.source, each.at)[0]
+            result.source.location(each.at)[0]
             for each in log.outputs
-            if each.channel == number and each.value and each.at >= 0
+            if each.channel == int(output) and each.value and each.at >= 0
         )
         return {"line": next(lines, 0), "times": times}
     counts = Counter(each.line for each in log.moves if each.line in cycle.lines)
@@ -181,7 +178,7 @@ def cycle_text(exploration: Exploration, cycle: Cycle, seconds: float | None = N
         for place in (each or ())[:1]
     ]
     changed = dict.fromkeys(
-        f"{each.table} {each.number}" if each.table in ("input", "analogue", "comms") else str(each)
+        str(each) if each.table in CHOICES else each.subject
         for transition in cycle.transitions
         for each in transition.causes
     )
@@ -204,9 +201,3 @@ def _grouped(names: Mapping[str, None]) -> Iterator[str]:
 def _list(one: str, many: str, numbers: list[int]) -> str:
     *most, last = map(str, numbers)
     return f"{many} {', '.join(most)} and {last}" if most else f"{one} {last}"
-
-
-def found_text(exploration: Exploration) -> str:
-    """Return how much was played."""
-    text = count_of(exploration.trials, "trial")
-    return text if exploration.is_whole else f"{text}, and more could be tried"

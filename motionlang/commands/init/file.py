@@ -100,7 +100,7 @@ FAULT = """
 
 def machine_text(draft: Draft, until: float, target: Target) -> str:
     """Return the text of the machine file of a draft."""
-    exploration, result = draft.exploration, draft.run
+    exploration, result, switches = draft.exploration, draft.run, draft.exploration.switches.axes
     source = exploration.program.source
     name = os.path.basename(source.name)
     head = HEAD.format(
@@ -110,8 +110,8 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     for table in (each for each in HEADS if each != "input"):
         guessed = [_guess(each) for each in draft.entries(table)]
         sections += _table(table, HEADS[table], _lines(draft.given, table) + guessed)
-    for number in sorted({move.axis for move in result.machine.log.moves} | exploration.switches.keys()):
-        sections.append(_axis(number, exploration.switches.get(number, {}), result))
+    for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
+        sections.append(_axis(number, switches.get(number, {}), result))
     if result.status in ("ended", "until", "stopped") or _stop(result):
         folder = f"{os.path.splitext(name)[0]}{FOLDER_SUFFIX}"
         sections.append(EXPECT.format(folder=folder) + _status(result))

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.file import generic as generic
     from motionlang.kernel.lang.machine.file import read_toml as read_toml
     from motionlang.kernel.lang.machine.keys import CHOICES as CHOICES
+    from motionlang.kernel.lang.machine.keys import DRIVES as DRIVES
     from motionlang.kernel.lang.machine.keys import KEYS as KEYS
     from motionlang.kernel.lang.machine.keys import MAX_AXES as MAX_AXES
     from motionlang.kernel.lang.machine.keys import REQUIRED as REQUIRED
@@ -105,7 +106,7 @@ PUBLIC = {
     "run_errors": "explain",
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
     "keyword": "BANK CHANNELS TOPICS",
-    "machine.keys": "KEYS TABLES CHOICES REQUIRED MAX_AXES",
+    "machine.keys": "DRIVES KEYS TABLES CHOICES REQUIRED MAX_AXES",
     "machine.machine": "ASSUMPTIONS",
 }
 

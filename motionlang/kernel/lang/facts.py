@@ -150,7 +150,8 @@ class Unit:
     """A part of a program that is started or called by itself.
 
     `kind` is "program", "sub", "function", "task", "event", "subroutine" (a label that a Gosub calls) or "macro".
-    `triggers` are the channels that start a handler. `line` is 0 for the program.
+    `triggers` are the channels that start a handler; one that `is_timed` is started by time alone. `line` is 0 for the
+    program.
     """
 
     name: str
@@ -158,6 +159,7 @@ class Unit:
     line: int
     entry: int
     triggers: Sequence[ChannelUse] = ()
+    is_timed: bool = False
 
     @property
     def title(self) -> str:
@@ -191,19 +193,27 @@ class Structure:
         """Return the line of an offset."""
         return self.source.location(at)[0]
 
+    def tasks(self) -> list[Unit]:
+        """Return the program, its tasks, and the macros that are known to be started as tasks."""
+        started = {name.lower() for each in self.statements.values() for name in each.starts}
+        return [
+            *(unit for unit in self.units if unit.kind in ("program", "task")),
+            *(unit for unit in self.units if unit.kind == "macro" and unit.title.lower() in started),
+        ]
+
     def owners(self) -> dict[int, str]:
         """Return the lines that the program or a task carries out, each with the first of them that reaches it.
 
         A line that only a handler reaches has none. A macro that nothing is known to start or call is of the program.
         """
-        started = {name.lower() for each in self.statements.values() for name in each.starts}
-        macros = [unit for unit in self.units if unit.kind == "macro"]
-        tasks = [unit for unit in self.units if unit.kind in ("program", "task")]
-        tasks += [unit for unit in macros if unit.title.lower() in started]
+        tasks = self.tasks()
+        macros = [unit.entry for unit in self.units if unit.kind == "macro"]
         found: dict[int, str] = {}
-        for unit in [*tasks, *macros]:
-            owner = unit.title if unit in tasks else tasks[0].title
-            for at in sorted({self.points[p].at for p in self.graph.reached(unit.entry)}):
+        known: set[int] = set()
+        for owner, entries in [*((each.title, [each.entry]) for each in tasks), (tasks[0].title, macros)]:
+            reached = self.graph.reached(*entries, known=known)
+            known |= reached
+            for at in sorted({self.points[p].at for p in reached}):
                 statement = self.statements.get(at)
                 if statement is not None and not statement.is_silent:
                     found.setdefault(statement.line, owner)

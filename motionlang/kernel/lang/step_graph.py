@@ -31,7 +31,7 @@ stored only where paths meet. `backward` visits a point at most once for each bi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import cached_property
 from heapq import heappop, heappush
 from itertools import pairwise
@@ -207,13 +207,16 @@ class StepGraph:
 
     # ------------------------------------------------------------------------------------------------ analyses
 
-    def reached(self, *roots: int) -> set[int]:
-        """Return the points that can be reached from some points, including these, also through calls."""
+    def reached(self, *roots: int, known: Container[int] = ()) -> set[int]:
+        """Return the points that can be reached from some points, including these, also through calls.
+
+        Points that are `known` already are left out, and so is what is only reached through these.
+        """
         found: set[int] = set()
         stack = list(roots)
         while stack:
             p = stack.pop()
-            if p >= 0 and p not in found:
+            if p >= 0 and p not in found and p not in known:
                 found.add(p)
                 stack += self.points[p].next
                 stack.append(self.points[p].calls)

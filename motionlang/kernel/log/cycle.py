@@ -1,4 +1,4 @@
-"""The cycle of a run: what the task that moves most repeats.
+"""The cycle of a run: the repetition of the task that moves most.
 
 Problem. A machine repeats its work, and a run has nothing but a log. Which repetition is the cycle? Within it, others
 repeat: the pecks of a hole, the holes of a plate. A real machine varies: a part is rejected now and then, a layer has
@@ -89,7 +89,7 @@ class Cycle:
 
 
 class _Key(NamedTuple):
-    """What a statement does.
+    """The acts of a statement.
 
     `what` are the command, axis and line of each of its moves, or kind, number and value of an output. `axes` are those
     that it moves without homing them. `detail` are the directions of its moves, or the words of its print.

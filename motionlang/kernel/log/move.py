@@ -72,6 +72,10 @@ class Move:
         self.ended = ""
         self.offset = 0.0
 
+    def to_user(self, position: float) -> float:
+        """Convert a position in counts to user units at the time of the move."""
+        return (position - self.zero) / (self.scale or 1.0)
+
     def until(self, time: float) -> Profile:
         """Return the motion of the move up to a machine time."""
         assert self.profile is not None

@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.explore import explore
-from motionlang.commands.explore.view import exploration_text
 from motionlang.kernel import Source, dialect_of
 
 MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_of(path.name) is not None)
@@ -22,7 +21,7 @@ def test_the_states_of_a_machine(path: Path, golden: Callable[[Path, str], None]
     language = dialect_of(path.name)
     assert language is not None
     program = language.program(Source.read(path), is_debug=True)
-    golden(path.with_suffix(".txt"), exploration_text(explore(program), program))
+    golden(path.with_suffix(".txt"), str(explore(program)))
 
 
 def test_an_exploration_ends_when_its_trials_are_used_up() -> None:

@@ -145,6 +145,18 @@ _WRITTEN = {
         "A text instead of a value: four characters per element, the first one in the highest byte.",
     ),
 }
+# What an entry of a table drives: the device, as keywords name it, and the key of its number, "" if it has none.
+DRIVES = {
+    "input": ("input", "channel"),
+    "analogue": ("analogue input", "channel"),
+    "comms": ("comms element", "element"),
+    "netdata": ("network data", "element"),
+    "dpr": ("dual-port RAM", "address"),
+    "modbus.register": ("Modbus register", "register"),
+    "coil": ("Modbus coil", "coil"),
+    "key": ("key", ""),
+    "answer": ("answer", ""),
+}
 # The tables of a machine file that may occur several times: the kind and help of each key.
 TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "input": {

@@ -18,6 +18,8 @@ RAISED_BY = {
 }  # fmt: skip
 # Kinds that only EVENTPEND raises here, because the simulated machine has no source for them.
 SOURCELESS = frozenset(("dpr", "busmessage", "modbus", "knife", "reset"))
+# Kinds that happen again and again by time alone.
+_TIMED = frozenset(("timer",))
 # Other names of a kind: COMMSX in the manuals, and CAN in v4.
 _OTHER_NAMES = {"commsx": "comms", "can": "bus"}
 # Kinds with a single event. The others have a number (`Event IN3`).
@@ -36,6 +38,12 @@ def label_event(name: str) -> tuple[str, int] | None:
     """Return kind and number of the event that a v4 label handles, None if none."""
     found = kind_and_number(name)
     return None if found is None or found[0] in _NO_LABEL else found
+
+
+def is_timed(name: str) -> bool:
+    """True if time alone raises the event that a handler names."""
+    found = kind_and_number(name)
+    return found is not None and found[0] in _TIMED
 
 
 def kind_and_number(name: str) -> tuple[str, int] | None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 
 from motionlang.kernel.lang.facts import READ, ChannelUse, Structure, Unit
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import CALL, Steps
 from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
+from motionlang.kernel.mint.keywords.event_kinds import is_timed
 from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
 from motionlang.kernel.mint.resolve.names import Names
@@ -70,24 +71,24 @@ def _units(written: Mapping[Function, Steps], graph: StepGraph, reader: FactsRea
         if function.kind == "main":
             yield Unit("program", "program", 0, entry)
         elif function.kind == "event":
-            yield Unit(function.name, "event", line, entry, _triggers(reader, function.name, function.at))
+            yield _handler(reader, function.name, function.at, entry)
         else:
             is_function = isinstance(function.node, nodes.Sub) and function.node.function
             yield Unit(function.name, "function" if is_function else function.kind, line, entry)
         handlers = label_handlers(function)
         called = {to for index, (_, to) in steps.called.items() if steps[index].kind == CALL and to > 0}
         for index, label in steps.labels.items():
-            is_handler = label.lower() in handlers
-            if is_handler or (index in called):
-                at = reader.labels.get((function, label.lower()), function.at)
-                kind = "event" if is_handler else "subroutine"
-                triggers = _triggers(reader, label, at) if is_handler else ()
-                yield Unit(label, kind, reader.line(at), entry + index, triggers)
+            at = reader.labels.get((function, label.lower()), function.at)
+            if label.lower() in handlers:
+                yield _handler(reader, label, at, entry + index)
+            elif index in called:
+                yield Unit(label, "subroutine", reader.line(at), entry + index)
 
 
-def _triggers(reader: FactsReader, name: str, at: int) -> Sequence[ChannelUse]:
-    """Return the channels whose change starts a handler."""
-    return [
+def _handler(reader: FactsReader, name: str, at: int, entry: int) -> Unit:
+    """Return a handler, with the channels whose change starts it."""
+    triggers = [
         ChannelUse(channel, str(number) if number >= 0 else "?", READ, at)
         for channel, number in raised_by(reader.names, name)
     ]
+    return Unit(name, "event", reader.line(at), entry, triggers, is_timed(name))
