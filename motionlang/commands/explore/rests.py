@@ -122,10 +122,12 @@ class _Stretch:
     """
 
     def __init__(self, first: Begun) -> None:
-        self.begin = first.time
+        self.first = first.time  # when what lies before it ends
+        self.begin = first.time  # when its loop begins
         self.callers = first.callers
-        # Each statement as it began last, and how often it did.
+        # Each statement as it began last, when it began first, and how often it did.
         self.body = {first.at: first}
+        self.firsts = {first.at: first.time}
         self.counts = Counter((first.at,))
         self.is_known = False
         self._pass = inf  # the shortest time from a statement to the same one
@@ -147,6 +149,7 @@ class _Stretch:
             if not self.is_known and begun.time - self.begin >= SHORTEST:
                 self._know(min(before.time, begun.time - BODY))
         self.body[begun.at] = begun
+        self.firsts.setdefault(begun.at, begun.time)
         self.counts[begun.at] += 1
         if self.is_known:
             # Calls of the loop come and go; those that all of its statements have in common lead to it.
@@ -158,7 +161,8 @@ class _Stretch:
         again = [each for at, each in self.body.items() if each.time >= since and self.counts[at] > 1]
         if not again:
             return
-        self.begin = max((each.time for each in self.body.values() if each.time < since), default=self.begin)
+        before = (each.time for each in self.body.values() if each.time < since)
+        self.begin = max((min(self.firsts[each.at] for each in again), *before))
         self.body = {at: each for at, each in self.body.items() if each.time >= since}
         self.callers = reduce(_common, (each.callers for each in again))
         self.is_known = True
@@ -178,7 +182,7 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
         waits = [each for each in trial.waits if each.task == name and each.until - each.since > SHORTEST]
         starts = moves.begins
         stretches = list(_stretches(statements, starts, sorted(each.since for each in waits)))
-        ends = [*(each.begin for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
+        ends = [*(each.first for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
             known = min(end, trial.time)
             begin = moves.at_rest(stretch.begin, known)
