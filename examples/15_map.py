@@ -1,4 +1,4 @@
-"""See what a program does: its channels, and the states in which it waits."""
+"""See what a machine does: its channels, and the states in which it waits."""
 
 import motionlang
 
@@ -9,5 +9,6 @@ found = motionlang.map(motionlang.Source("clamp.mnt", text))
 for channel in found.channels:
     print(channel.known_as, channel.lines)  # input 1 (part) [3]
     break
-for each in found.diagrams.diagrams[0].transitions[1:2]:
-    print(each.source.text, "->", each.target.text)  # PAUSE INX(1) -> WAIT = 200
+assert found.played is not None
+for state in found.played.states[1:2]:
+    print(state.statement, [way.until for way in state.ways])

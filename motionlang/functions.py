@@ -149,21 +149,21 @@ def map(
     program: Program,
     *,
     machine: Mapping[str, object] | None = None,
-    run: bool = False,
-    until: float | None = None,
+    run: bool = True,
 ) -> ProgramMap:
-    """Return what a program does: its channels, axes, units, variables and diagrams of states.
+    """Return what a machine does, and what its program is made of: channels, axes, units, variables.
 
-    With `run` the program also runs, and the map has which transitions it takes; `until` ends the run. `machine` is as
-    in the function `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError
-    for a program with errors.
+    The program is played, as in `explore`: `played` has the cycle, the states, what handlers do, and what never ran.
+    Without `run` it is not, and `played` is None. `machine` is as in the function `run`; its inputs, answers and the
+    like are not used. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for
+    a program with errors.
     """
-    from motionlang.commands.map.program_map import map_of_run, mapped
+    from motionlang.commands.map.program_map import map_of_machine, mapped
 
     source = program if isinstance(program, Source) else Source.read(program)
     settings = Checked(checked_settings(machine) if machine is not None else settings_next_to(program))
     if run:
-        return map_of_run(source, dialect_for(source, None), settings, until=until)
+        return map_of_machine(source, dialect_for(source, None), settings)
     return mapped(source, settings)
 
 

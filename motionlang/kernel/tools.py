@@ -150,6 +150,17 @@ def count_of(number: int, noun: str, plural: str = "") -> str:
     return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
 
 
+def ranges(numbers: Iterable[int]) -> str:
+    """Return numbers as text, with ranges: "3, 5-7"."""
+    found: list[list[int]] = []
+    for each in sorted(set(numbers)):
+        if found and each == found[-1][1] + 1:
+            found[-1][1] = each
+        else:
+            found.append([each, each])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in found)
+
+
 def as_hint(description: str) -> str:
     """Return a description as a hint: without capital and full stop."""
     second = description[1:2]

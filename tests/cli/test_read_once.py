@@ -25,9 +25,8 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
         "check",
         "check --steps --tree --literals --evidence",
         "run",
-        "map",
         "run --analog 0=25@1",
-        "map --run",
+        "map --no-run",
         "cover",
         "profile",
         "certify",
@@ -56,6 +55,8 @@ def test_a_command_reads_a_program_once(
         ("sweep --jobs 1 --vary _PARTS=1,2,3", 2),
         ("sweep --jobs 1 --vary SPEED[_axX]@18=700,800,900 --vary ACCEL[_axX]@19=3000,4000", 2),
         ("improve", 2),
+        # The text, and the program that is played.
+        ("map", 2),
     ],
 )
 def test_variants_of_a_program_are_not_read(

@@ -24,7 +24,7 @@ LINES: dict[str, str] = {
     "sweep": "a.mnt --vary rate=1,2 --keep time --jobs 1",
     "plan": "--distance 20 --time 0.6 --rule third",
     "help": "SPEED",
-    "map": "a.mnt --run",
+    "map": "a.mnt",
     "pvt plot": "--scurve 1000 --time 100",
     "pvt refine": "--positions=0,200,900,500 --time 20",
     "pvt export": "--scurve 1000 --time 100",

@@ -33,20 +33,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from math import inf
 
 from motionlang.commands.explore.cycles import Cycle, cycles
 from motionlang.commands.explore.rests import RestState, TaskRest
 from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition, Visit
 from motionlang.commands.explore.trials import (
     TABLES,
+    Act,
     Change,
     Entry,
     Interrupted,
     Trial,
     asks,
+    described,
     entries,
     plain,
     tables_of,
+    without_figures,
 )
 from motionlang.commands.explore.values import is_probe
 from motionlang.commands.explore.view import exploration_text
@@ -55,6 +59,7 @@ from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, s
 
 __all__ = [
     "TABLES",
+    "Act",
     "Change",
     "Cycle",
     "Entry",
@@ -67,12 +72,14 @@ __all__ = [
     "Visit",
     "World",
     "asks",
+    "described",
     "entries",
     "explore",
     "explored",
     "is_probe",
     "plain",
     "tables_of",
+    "without_figures",
     "without_world",
 ]
 
@@ -96,11 +103,22 @@ class Exploration:
         self.world = self.world_of(self.cycles)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)
+        # The statements of the tasks beside the work: those that blink, regulate or watch.
+        self.beside = explorer.beside
         # The axes that each line moves.
         self.axes = explorer.axes
 
     def __str__(self) -> str:
         return exploration_text(self.program, self.nodes, self.trials, self.cycles, self.world)
+
+    @property
+    def begun(self) -> frozenset[int]:
+        """The source offsets of the statements that any trial has carried out."""
+        return frozenset(each for each in self._explorer.trials.seen if isinstance(each, int))
+
+    def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
+        """Return what the tasks that work do in a trial from a time on, in order."""
+        return self._explorer.acts(self._explorer.part(trial, since, inf))
 
     def world_of(self, likeliest: Sequence[Cycle]) -> World:
         """Return the world of the first of some cycles that repeats when it is played."""

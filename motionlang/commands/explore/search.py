@@ -13,17 +13,20 @@ from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestS
 from motionlang.commands.explore.switches import Switches
 from motionlang.commands.explore.trials import (
     HANDLERS,
+    Act,
     Change,
     Timeline,
     Trial,
     Trials,
     given_in,
     levels_at,
+    plain,
     without_figures,
 )
 from motionlang.commands.explore.values import ANSWERS, is_probe, printed_for, probes, solved, usual_answers
 from motionlang.kernel import Program
 from motionlang.kernel.lang import Structure
+from motionlang.kernel.log import Printed, Switched
 
 MAX_TRIALS = 500
 # A change comes so long after the program is at rest, s.
@@ -56,6 +59,11 @@ class Visit(NamedTuple):
             return self.time
         return round(max(self.time + delay(self.time, self.end), 0.0), 4)
 
+    @property
+    def levels(self) -> dict[int, float]:
+        """The levels of the inputs that have changed by then."""
+        return levels_at(self.timeline, self.change_time)
+
 
 def delay(begin: float, end: float) -> float:
     """Return the time from the begin of a rest to a change: it comes before the rest ends by itself."""
@@ -68,7 +76,7 @@ class Transition:
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
     those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts`
-    are the moves, outputs and printed lines in words. `is_cut` is True if a handler ran, or a fault cut off a move.
+    are the moves, outputs and printed lines, in order. `is_cut` is True if a handler ran, or a fault cut off a move.
     `visit` is that of the source from which it was found, `is_later` if that is no shortest one. `is_by_itself` is True
     if the stay ends without the changes at that time. Two transitions do the same if `does` is equal: the lines that
     move, the outputs that are switched, and words. `variants` are other values of the same channels with which the same
@@ -82,7 +90,7 @@ class Transition:
     lines: tuple[int, ...]
     work: frozenset[int]
     outputs: frozenset[int]
-    acts: tuple[str, ...]
+    acts: tuple[Act, ...]
     is_cut: bool
     visit: Visit
     is_later: bool
@@ -108,13 +116,15 @@ class Departure:
 class Node:
     """A state: the shortest way there, and a later one with further moves, since these may decide what follows.
 
-    `printed` is what the program prints before it asks the question of the state.
+    `printed` is what the program prints before it asks the question of the state, `refused` what it does with answers
+    after which it asks again.
     """
 
     state: RestState | None
     first: Visit
     later: Visit | None = None
     printed: str = ""
+    refused: dict[Causes, tuple[Act, ...]] = field(default_factory=dict)
     # What was tried, and what is still to be tried.
     tried: dict[Causes, None] = field(default_factory=dict)
     left: list[Departure] = field(default_factory=list)
@@ -195,7 +205,7 @@ class Explorer:
         graph, units = program.structure.graph, program.structure.units
         entries = (unit.entry for unit in units if unit.kind == "event" and not unit.is_timed)
         self.handlers = {program.structure.points[point].at for point in graph.reached(*entries)} - {-1}
-        self._beside = _beside(program.structure)
+        self.beside = _beside(program.structure)
         # The inputs whose changes start a handler.
         self.triggers = {
             int(each.number)
@@ -223,8 +233,13 @@ class Explorer:
 
     def reads(self, state: RestState) -> list[str]:
         """Return the names of what the statements of a state read."""
-        lines = sorted({self.line(at) for place in state for at in place.statements})
+        offsets = sorted(at for place in state for at in place.statements)
+        lines = sorted(set(map(self.line, offsets)))
         found = [f"input {channel}" for line in lines for channel in sorted(self._read_in.get(line, ()))]
+        # The condition of a loop may stand at its end, which is no statement of its own.
+        loops = filter(None, map(self.program.structure.polls, offsets))
+        leaves = sorted({read for loop in loops for read in loop.leaves}, key=str)
+        found += [f"input {number}" for kind, number in leaves if kind == "input" and number is not None]
         found += [first.subject for first, _, read_in in self.probes if read_in & set(lines)]
         return list(dict.fromkeys(found))
 
@@ -296,15 +311,15 @@ class Explorer:
             news, rest = self._arrive(node, visit, causes, trial)
             if news or (len(self.trials.seen), len(self.nodes)) != before:
                 behind = self._behind(trial, rest)
-                levels = levels_at(visit.timeline, visit.change_time)
                 more = chain(
-                    self._together(behind, causes, levels), self._values_behind(node, visit, behind, causes)
+                    self._together(behind, causes, visit.levels),
+                    self._values_behind(node, visit, behind, causes),
                 )
                 node.left.append(Departure(visit, more, departure.depth + 1, tried))
 
     def _single(self, node: Node, visit: Visit) -> Iterator[Causes]:
         """Yield each change once, and those of several inputs that one line reads."""
-        levels = levels_at(visit.timeline, visit.change_time)
+        levels = visit.levels
         for channel in self.channels:
             yield (Change("input", channel, 1 - levels.get(channel, 0.0)),)
         yield from self._read_together(node, levels)
@@ -404,6 +419,8 @@ class Explorer:
             if source.state == rest.state and not _moves_between(trial, since, rest):
                 if rest.question is not None:
                     source.printed += printed_for(trial, rest.question)
+                    if any(each.table == "answer" for each in how):
+                        source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
@@ -433,7 +450,7 @@ class Explorer:
 
     def rests(self, trial: Trial) -> list[Rest]:
         """Return the rests of the machine in a trial."""
-        return rests(trial, self._beside)
+        return rests(trial, self.beside)
 
     def _reached(self, rest: Rest, trial: Trial) -> tuple[Node, Visit]:
         """Return the node of a rest, and this visit; the shortest one is that of the node, and a later one is kept."""
@@ -473,7 +490,7 @@ class Explorer:
         is_over: bool,
     ) -> bool:
         """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
-        part = trial.part(since, until)
+        part = self.part(trial, since, until)
         lines = tuple(each.line for each in part.moves)
         does = _does(part)
         if source.knows(causes, target, does) or (target == source.state and not lines):
@@ -495,7 +512,7 @@ class Explorer:
                 lines,
                 frozenset(each.line for each in part.moves if not each.is_homing),
                 frozenset(each.channel for each in part.outputs if each.value),
-                _acts(part),
+                self.acts(part),
                 fails or bool(handled & self.handlers),
                 visit,
                 is_later,
@@ -504,6 +521,33 @@ class Explorer:
             )
         )
         return True
+
+    def part(self, trial: Trial, since: float, until: float) -> Trial:
+        """Return the trial with only what the tasks that work do between two times."""
+        found = trial.part(since, until)
+        return found._replace(
+            outputs=[each for each in found.outputs if each.at not in self.beside],
+            prints=[each for each in found.prints if each.at not in self.beside],
+        )
+
+    def acts(self, part: Trial) -> tuple[Act, ...]:
+        """Return what a program does in a part of a trial, in order."""
+        found = [
+            *(
+                Act(each.begin, each.line, f"axis {each.axis}", each.words)
+                for each in part.moves
+                if each.words
+            ),
+            *(
+                self._act(each, f"output {each.channel}", "on" if each.value else "off")
+                for each in part.outputs
+            ),
+            *(self._act(each, "", repr(plain(each.text))) for each in part.prints),
+        ]
+        return tuple(sorted(found, key=lambda each: each.time))
+
+    def _act(self, each: Switched | Printed, subject: str, words: str) -> Act:
+        return Act(each.time, self.line(each.at) if each.at >= 0 else 0, subject, words)
 
 
 def _beside(structure: Structure) -> frozenset[int]:
@@ -549,13 +593,3 @@ def _does(part: Trial) -> Hashable:
         frozenset((each.channel, bool(each.value)) for each in part.outputs),
         frozenset(without_figures(each.text) for each in part.prints),
     )
-
-
-def _acts(part: Trial) -> tuple[str, ...]:
-    """Return what a program does in a part of a trial in words, in order."""
-    found = [
-        *((each.begin, each.act) for each in part.moves if each.act),
-        *((each.time, f"output {each.channel} {'on' if each.value else 'off'}") for each in part.outputs),
-        *((each.time, repr(each.text.strip())) for each in part.prints),
-    ]
-    return tuple(text for _, text in sorted(found, key=lambda each: each[0]))

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
 from motionlang.kernel.lang import DRIVES, Snapshot
-from motionlang.kernel.log import Printed, Switched, Waited
+from motionlang.kernel.log import Move, Printed, Switched, Waited
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
 # while an axis is on its way to an end.
@@ -197,18 +197,33 @@ class Recorder(Hook):
                 self.seen.add((self._at, self._comparisons, (left > right) - (left < right)))
 
 
+class Act(NamedTuple):
+    """What a program does: when, s, in which line, 0 if that is unknown, to what, and the rest in words.
+
+    It moves an axis, switches an output, or prints a line, which has no `subject`.
+    """
+
+    time: float
+    line: int
+    subject: str
+    words: str
+
+    def __str__(self) -> str:
+        return f"{self.subject} {self.words}".strip()
+
+
 class Motion(NamedTuple):
     """A move of a trial: when it began, s, its axis and its line, and how it was cut off, as in the log.
 
-    `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `act` is what it does,
-    with its target in user units if it has one; it is empty for an entry of the move buffer that moves nothing.
+    `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `words` are its target
+    if it has one, and its highest speed, both in user units; none for an entry of the move buffer that moves nothing.
     """
 
     begin: float
     end: float
     axis: int
     line: int
-    act: str
+    words: str
     ended: str
     is_homing: bool
 
@@ -401,6 +416,7 @@ class Trials:
         self.count += 1
         recorder = Recorder(inf)
         result = self._run(tables, until, recorder)
+        self.seen |= recorder.seen
         return result, {each for each in recorder.seen if isinstance(each, int)}
 
 
@@ -533,14 +549,26 @@ def _is_stuck(result: Run) -> bool:
 def _moves(result: Run) -> Iterator[Motion]:
     homes = result.dialect.table().homes
     for move in result.machine.log.moves:
-        profile, end, act = move.profile, inf, ""
-        if profile is not None:
-            act = f"axis {move.axis} {move.command}"
-            if profile.duration < inf:
-                act = f"axis {move.axis} to {move.to_user(profile.end):.4g}"
-                if profile.shape not in ENDLESS or homes(move.command):
-                    end = move.start_time + profile.duration
-        yield Motion(move.start_time, end, move.axis, move.line, act, move.ended, homes(move.command))
+        profile, end = move.profile, inf
+        is_homing = homes(move.command)
+        if profile is not None and profile.duration < inf and (profile.shape not in ENDLESS or is_homing):
+            end = move.start_time + profile.duration
+        yield Motion(
+            move.start_time, end, move.axis, move.line, described(move, is_homing), move.ended, is_homing
+        )
+
+
+def described(move: Move, is_homing: bool) -> str:
+    """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing."""
+    profile = move.profile
+    if profile is None:
+        return ""
+    words = [move.command] if is_homing or profile.duration == inf else []
+    if profile.duration < inf:
+        words.append(f"to {move.to_user(profile.end):.6g}")
+    if profile.peak_speed:
+        words.append(f"at {profile.peak_speed / abs(move.scale or 1.0):.6g}")
+    return " ".join(words)
 
 
 def _open_waits(result: Run) -> Iterator[Waited]:

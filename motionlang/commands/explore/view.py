@@ -10,7 +10,8 @@ from motionlang.commands.explore.rests import RestState, TaskRest
 from motionlang.commands.explore.search import Node, Transition
 from motionlang.commands.explore.world import World
 from motionlang.kernel import Program
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.lang import Structure
+from motionlang.kernel.tools import count_of, ranges
 
 # So many cycles are shown, and so many acts of a transition.
 MAX_CYCLES, MAX_ACTS = 3, 8
@@ -20,13 +21,14 @@ def exploration_text(
     program: Program, nodes: Sequence[Node], trials: int, cycles: Sequence[Cycle], world: World
 ) -> str:
     """Return the states of a program with their transitions, its likeliest cycles and a world."""
-    source, names = program.source, _Names(program.structure.line)
+    structure = program.structure
+    line = structure.line
     states = count_of(len(nodes) - 1, "state")
-    lines = [f"{source.name}: {states}, {count_of(trials, 'trial')}"]
+    lines = [f"{program.source.name}: {states}, {count_of(trials, 'trial')}"]
     for node in nodes:
-        lines += ["", names.head(node, source.line), *names.rows(node)]
+        lines += ["", _head(node, structure), *_rows(node, line)]
     if cycles:
-        lines += ["", "cycles", *(f"  {names.cycle(each)}" for each in cycles[:MAX_CYCLES])]
+        lines += ["", "cycles", *(f"  {_cycle(each, line)}" for each in cycles[:MAX_CYCLES])]
         lines += ["", *_world(world)]
     return "\n".join(lines) + "\n"
 
@@ -44,42 +46,45 @@ def _world(world: World) -> Iterator[str]:
         )
 
 
-class _Names:
-    """Names of states by their lines."""
-
-    def __init__(self, line: Callable[[int], int]) -> None:
-        self._line = line
-
-    def of(self, state: RestState | None) -> str:
-        """Return the lines of a state, with those of the calls that lead there."""
-        if state is None:
-            return "power-up"
-        return " and ".join(map(self._place, state))
-
-    def _place(self, place: TaskRest) -> str:
-        lines = ", ".join(map(str, sorted({self._line(at) for at in place.statements})))
-        calls = ", ".join(str(self._line(at)) for at in place.callers)
-        return f"{lines} called in {calls}" if calls else lines
-
-    def head(self, node: Node, text: Callable[[int], str]) -> str:
-        if node.state is None:
-            return "power-up"
-        heads = (text(min(map(self._line, place.statements))).strip() for place in node.state)
-        return f"waits in {self.of(node.state)}: {' | '.join(heads)}"
-
-    def rows(self, node: Node) -> Iterator[str]:
-        for each in node.transitions:
-            acts = ", ".join((*each.acts[:MAX_ACTS], *(["…"] if len(each.acts) > MAX_ACTS else [])))
-            target = "end" if each.target is None else self.of(each.target)
-            yield f"  {_causes(each)} → {target}, {each.seconds:.2f} s{': ' if acts else ''}{acts}"
-
-    def cycle(self, cycle: Cycle) -> str:
-        lines = ", ".join(map(str, dict.fromkeys(cycle.lines)))
-        steps = " → ".join(f"{self.of(each.source)} ({_causes(each)})" for each in cycle.transitions)
-        return f"{steps or 'work without a rest'}; lines {lines} move axes"
+def lines_of(state: RestState | None, line: Callable[[int], int]) -> str:
+    """Return the lines of a state, with those of the calls that lead there; `line` is that of a source offset."""
+    if state is None:
+        return "power-up"
+    return " and ".join(_place(each, line) for each in state)
 
 
-def _causes(transition: Transition) -> str:
+def _place(place: TaskRest, line: Callable[[int], int]) -> str:
+    lines = ranges(line(at) for at in place.statements)
+    calls = ", ".join(str(line(at)) for at in place.callers)
+    return f"{lines} called in {calls}" if calls else lines
+
+
+def statements_of(state: RestState, structure: Structure) -> str:
+    """Return the first statement of each place of a state."""
+    return " | ".join(structure.statements[min(place.statements)].text for place in state)
+
+
+def causes_of(transition: Transition) -> str:
+    """Return what leads to a transition, in words."""
     if not transition.causes:
         return f"by itself after {transition.seconds:.2f} s" if transition.source is not None else "by itself"
     return " and ".join(map(str, transition.causes))
+
+
+def _head(node: Node, structure: Structure) -> str:
+    if node.state is None:
+        return "power-up"
+    return f"waits in {lines_of(node.state, structure.line)}: {statements_of(node.state, structure)}"
+
+
+def _rows(node: Node, line: Callable[[int], int]) -> Iterator[str]:
+    for each in node.transitions:
+        acts = ", ".join((*map(str, each.acts[:MAX_ACTS]), *(["…"] if len(each.acts) > MAX_ACTS else [])))
+        target = "end" if each.target is None else lines_of(each.target, line)
+        yield f"  {causes_of(each)} → {target}, {each.seconds:.2f} s{': ' if acts else ''}{acts}"
+
+
+def _cycle(cycle: Cycle, line: Callable[[int], int]) -> str:
+    lines = ", ".join(map(str, dict.fromkeys(cycle.lines)))
+    steps = " → ".join(f"{lines_of(each.source, line)} ({causes_of(each)})" for each in cycle.transitions)
+    return f"{steps or 'work without a rest'}; lines {lines} move axes"

@@ -257,7 +257,7 @@ def _does(exploration: Exploration, channel: int) -> str:
         onward = (
             "the program ends" if each.target is None else f"waits in line {_line(exploration, each.target)}"
         )
-        acts = ", ".join(each.acts[:2]) or onward
+        acts = ", ".join(map(str, each.acts[:2])) or onward
         return f"line {_line(exploration, each.source)}{f', with {others}' if others else ''}: {acts}"
     return ""
 

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 from motionlang.commands.explore import Change, Exploration, Node, is_probe
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading
+from motionlang.commands.map.channels import only_named
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Structure
@@ -115,20 +116,13 @@ def _unmoved(structure: Structure, draft: Draft, guessed: Collection[int]) -> li
 
 
 def _unused(result: Run) -> list[str]:
-    """Return the inputs and outputs that comments name and the program does not use.
-
-    A channel whose number is only known while the program runs may be any of its kind.
-    """
+    """Return the inputs and outputs that comments name and the program does not use, a sentence each."""
     program = result.program or result.dialect.program(result.source)
-    used = channels_of(program, result.dialect)
-    known = {(each.kind, each.number) for each in used}
-    open_ended = {each.kind for each in used if not each.number.isdecimal()}
     return [
         f"{each.kind} {each.number} ({each.name}): named in the comment of line {each.line}, never used"
-        for each in names_in_comments(result.source, result.dialect)
-        if each.kind in ("input", "output")
-        and each.kind not in open_ended
-        and (each.kind, str(each.number)) not in known
+        for each in only_named(
+            names_in_comments(result.source, result.dialect), channels_of(program, result.dialect)
+        )
     ]
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
 from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Read, Structure
+from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
@@ -59,6 +60,11 @@ class Channel:
         return "in" if is_read or "input" in self.kind else ""
 
     @property
+    def is_used(self) -> bool:
+        """False if the program neither uses it nor is started by it."""
+        return bool(self.lines or self.starts)
+
+    @property
     def lines(self) -> list[int]:
         """All lines that use it."""
         return sorted({*self.reads, *self.writes, *self.waits, *self.set_up})
@@ -69,20 +75,9 @@ class Channel:
         for word, at in (("waited for", self.waits), ("read", self.reads), ("written", self.writes)):
             if at:
                 found.append(
-                    f"{word} at line {lines(at)}" if len(at) == 1 else f"{word} at lines {lines(at)}"
+                    f"{word} at line {ranges(at)}" if len(at) == 1 else f"{word} at lines {ranges(at)}"
                 )
         return found + [f"starts {each}" for each in self.starts]
-
-
-def lines(numbers: Iterable[int]) -> str:
-    """Return line numbers as text, with ranges: "3, 5-7"."""
-    ranges: list[list[int]] = []
-    for each in sorted(set(numbers)):
-        if ranges and each == ranges[-1][1] + 1:
-            ranges[-1][1] = each
-        else:
-            ranges.append([each, each])
-    return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in ranges)
 
 
 def channels(
@@ -90,16 +85,15 @@ def channels(
     settings: Mapping[str, object],
     names: Sequence[Named],
     comments: Mapping[int, str],
-    polled: Mapping[int, frozenset[Read]],
 ) -> list[Channel]:
     """Return the channels of a program, in the order of `CHANNELS` and their numbers.
 
     `names` are those of the comments that list channels, `comments` the comments at the end of lines with code.
-    `polled` has the readings of each statement of a loop that polls.
     """
     found: dict[tuple[str, str], Channel] = {}
+    in_loops = polled(structure)
     uses = [
-        (use, bool(statement.waits) or _is_polled(use, polled.get(statement.at, frozenset())))
+        (use, bool(statement.waits) or _is_polled(use, in_loops.get(statement.line, ())))
         for statement in structure.statements.values()
         for use in statement.channels
     ]
@@ -124,7 +118,43 @@ def channels(
             found.setdefault(place, Channel(*place)).starts.append(unit.title)
     for channel in found.values():
         _name(channel, settings, names, comments)
-    return sorted(found.values(), key=_place)
+    return sorted(found.values(), key=order_of)
+
+
+def polled(structure: Structure) -> dict[int, set[Read]]:
+    """Map the lines of each loop that waits for a reading to what it reads.
+
+    If it also waits in another way, only the readings that end it count.
+    """
+    elsewhere = {
+        each.line
+        for each in structure.statements.values()
+        if each.waits not in ("", "time") or any(use.role == "call" for use in each.uses)
+    }
+    found: dict[int, set[Read]] = {}
+    for at in structure.statements:
+        loop = structure.polls(at)
+        if loop is not None:
+            readings = loop.leaves if loop.lines & elsewhere else loop.leaves | loop.within
+            for line in loop.lines | {structure.line(at)}:
+                found.setdefault(line, set()).update(readings)
+    return found
+
+
+def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Named]:
+    """Return the inputs and outputs that comments name and a program does not use.
+
+    A channel whose number is only known while the program runs may be any of its kind.
+    """
+    used = {(each.kind, each.number) for each in channels}
+    open_ended = {kind for kind, number in used if not number.isdecimal()}
+    return [
+        each
+        for each in names
+        if each.kind in ("input", "output")
+        and each.kind not in open_ended
+        and (each.kind, str(each.number)) not in used
+    ]
 
 
 def _is_polled(use: ChannelUse, readings: Iterable[Read]) -> bool:
@@ -176,7 +206,8 @@ def _name(
         channel.name, channel.named_by = comments[lines[0]], f"comment, line {lines[0]}"
 
 
-def _place(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:
+def order_of(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:
+    """Return the place of a channel among others, by kind and number."""
     parts = channel.number.split(", ")
     numbers = [(not each.isdecimal(), int(each) if each.isdecimal() else 0, each) for each in parts]
     return CHANNELS.index(channel.kind) if channel.kind in CHANNELS else len(CHANNELS), numbers

@@ -24,7 +24,7 @@ _WORDS = {
     "analogue input": "adc|ai|ain|analogue? in(?:put)?s?",
     "analogue output": "dac|ao|aout|analogue? out(?:put)?s?",
     "axis": "ax(?:is|es)",
-    "register": "reg(?:ister)?s?",
+    "register": "r(?:eg(?:ister)?s?)?",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
 # A word that begins a list, with its first number: "IN 0", "in1", "out 33".
@@ -33,7 +33,8 @@ _ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name
 _UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
 # Where the name ends: at the next number of the list, at two blanks, or at a sign.
 _END = re.compile(
-    rf"\s{{2,}}|[,;|*]|\s+(?=\d{{1,3}}\s+(?!{_UNIT}\b)[A-Za-z])|\s+(?=\d{{1,3}}\s*=)|\.\s", re.IGNORECASE
+    rf"\s{{2,}}|[,;|*]|\s+(?=\d[\d.]*\s+{_UNIT}\b)|\s+(?=\d{{1,3}}\s+(?!{_UNIT}\b)[A-Za-z])|\s+(?=\d{{1,3}}\s*=)|\.\s",
+    re.IGNORECASE,
 )
 _MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*]*", re.IGNORECASE)
 # "X = 0" and "X=0": a letter for an axis.

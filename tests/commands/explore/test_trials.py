@@ -32,7 +32,7 @@ CHANGES = [
 
 def done(trial: Trial, since: float) -> list[object]:
     """Return what a trial did from a time on."""
-    moves = [(each.line, each.act) for each in trial.moves if each.begin >= since]
+    moves = [(each.line, each.words) for each in trial.moves if each.begin >= since]
     outputs = [
         (round(each.time, 6), each.channel, each.value) for each in trial.outputs if each.time >= since
     ]

@@ -2,61 +2,126 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from tests.cli.programs import Cell
 
 PROGRAM = """\
-' IN 1 part in place   IN 2 door    OUT 3 clamp
-PAUSE INX(1)
-OUTX(3) = 1
-MOVEA(0) = 50 : GO(0)
-PAUSE IDLE(0)
+' IN 1 part in place   IN 2 door    IN 5 ribbon low   OUT 3 clamp
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  PAUSE INX(1)
+  OUTX(3) = 1
+  MOVEA(0) = 50 : GO(0)
+  PAUSE IDLE(0)
+  MOVEA(0) = 0 : GO(0)
+  PAUSE IDLE(0)
+  OUTX(3) = 0
+  n = n + 1
+  PRINT "piece ", n
+  If n > 1000000 Then Spare
+  PAUSE INX(1) = 0
+End Loop
 Sub Spare
   OUTX(3) = 0
 End Sub
+Event IN2
+  STOP(0)
+End Event
 """
 SHOWN = """\
-a.mnt: Mint, 2 channels, 1 axis, 2 units, 6 states, 4 transitions
+a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 7 times
 
-Inputs and outputs
-channel   name           use  waited for  read  written  values  starts
-───────────────────────────────────────────────────────────────────────
-input 1   part in place  in   2
-output 3  clamp          out                    3, 7     1, 0
+Cycle
+2 s, 21 times (lines 5 to 12), cycle(print piece)
 
-Axes
-axis    what   statement   lines
-────────────────────────────────
-axis 0  moves  MOVEA = 50  4
+   at  line  what                        takes
+    s                                        s
+──────────────────────────────────────────────
+0.000     5  output 3 (clamp) on
+0.000     6  axis 0 from 0 to 50 at 100  0.600
+0.600     8  axis 0 from 50 to 0 at 100  0.600
+1.200    10  output 3 (clamp) off
+1.200    12  prints 'piece 20.0000'
+1.200     4  waits for an input          0.800
 
-Structure
-unit       line  called by
-─────────────────────────────────────────
-program
-sub Spare     6             never reached
+axis 0                   ██████████████████████████████████████████████·····························
+input 1 (part in place)  █████████████████████████████████████·····································█
+output 3 (clamp)         █████████████████████████████████████████████······························
 
-Variables
-no variables
-
-Never reached
-from line  to line  text
-───────────────────────────────
-        7        7  OUTX(3) = 0
+in this world, which motionlang init writes:
+  [[input]] channel = 1, at = 1.0, for = 1.0, every = 2.0
 
 States
+power-up
+  by itself → 4, 0.00 s
 
+waits in 4: PAUSE INX(1)   [input 1 (part in place)]
+  input 1 (part in place) on → 14, 1.20 s: output 3 (clamp) on; axis 0 to 50 at 100; axis 0 to 0 at 100; output 3
+      (clamp) off; 'piece 1.0000'
+
+waits in 14: PAUSE INX(1) = 0   [input 1 (part in place)]
+  input 1 (part in place) off → 4, 0.00 s
+
+Inputs and outputs
+channel   name           use  waited for  read  written    values  starts
+────────────────────────────────────────────────────────────────────────────────────────
+input 1   part in place  in   4, 14
+input 2   door           in                                        event IN2
+input 5   ribbon low     in                                                   never used
+output 3  clamp          out                    5, 10, 17  1, 0
+
+Axes
+axis    what              statement     lines
+─────────────────────────────────────────────
+axis 0  moves             MOVEA = 50    6
+        moves             MOVEA = 0     8
+        speeds and rates  SPEED = 100   2
+        speeds and rates  ACCEL = 1000  2
+        speeds and rates  DECEL = 1000  2
+        stopped           STOP          20
+
+Structure
+unit       line  called by     started by  calls
+────────────────────────────────────────────────────────────
+program                                    sub Spare (13)
+sub Spare    16  program (13)
+event IN2    19                input 2
+
+Variables
+name  kind      written  read
+─────────────────────────────────
+n     variable  11       11-13
+
+Never reached
+from line  to line  text         why
+────────────────────────────────────────────────────────
+       13       13  Spare        line 13: if n > 1000000
+       17       17  OUTX(3) = 0  sub Spare
+"""
+UNIT = """\
 program
-  begin
-      -> 2 PAUSE INX(1)
-     2  PAUSE INX(1)   [waits for input 1 (part in place)]
-      OUTX(3) = 1; MOVEA(0) = 50; GO(0); -> 5 PAUSE IDLE(0)
-     5  PAUSE IDLE(0)   [waits for axis 0]
-      -> end
-
-sub Spare, line 6
-  begin
-      OUTX(3) = 0; -> return
+line  statement          waits for
+────────────────────────────────────────────────
+   2  SPEED(0) = 100
+   2  ACCEL(0) = 1000
+   2  DECEL(0) = 1000
+   4  PAUSE INX(1)       input 1 (part in place)
+   5  OUTX(3) = 1
+   6  MOVEA(0) = 50
+   6  GO(0)
+   7  PAUSE IDLE(0)      axis 0
+   8  MOVEA(0) = 0
+   8  GO(0)
+   9  PAUSE IDLE(0)      axis 0
+  10  OUTX(3) = 0
+  11  n = n + 1
+  12  PRINT "piece ", n
+  13  If n > 1000000
+  13  Spare
+  14  PAUSE INX(1) = 0   input 1 (part in place)
 """
 
 
@@ -72,21 +137,41 @@ def test_the_map_as_text(program: Cell) -> None:
     assert [line.rstrip() for line in ran.out.splitlines()] == SHOWN.splitlines()
 
 
-def test_a_run_counts_transitions(program: Cell) -> None:
-    ran = program("map", "a.mnt", "--run", "--input", "1=1@0.5", "--unit", "program")
+def test_the_statements_of_a_unit(program: Cell) -> None:
+    assert program("map", "a.mnt", "--unit", "program").out == UNIT
+    assert program("map", "a.mnt", "--unit", "spare").out.splitlines()[0] == "sub Spare, line 16"
+
+
+def test_without_a_run_the_map_has_what_the_text_says(program: Cell) -> None:
+    ran = program("map", "a.mnt", "--no-run")
+    begin = SHOWN.index("Inputs and outputs")
+    end = SHOWN.index("Never reached")
     assert ran.out == (
-        "program\n  begin\n      -> 2 PAUSE INX(1) (once)\n"
-        "     2  PAUSE INX(1)   [waits for input 1 (part in place)]\n"
-        "      OUTX(3) = 1; MOVEA(0) = 50; GO(0); -> 5 PAUSE IDLE(0) (once)\n"
-        "     5  PAUSE IDLE(0)   [waits for axis 0]\n      -> end (once)\n"
+        "a.mnt: Mint, 4 channels, 1 axis, 3 units\n\n"
+        f"{SHOWN[begin:end]}Never reached\nevery statement can be reached\n"
     )
 
 
-def test_a_run_that_is_stuck_still_has_a_map(program: Cell) -> None:
-    ran = program("map", "a.mnt", "--run", "--unit", "program")
-    assert "-> 2 PAUSE INX(1) (once)" in ran.out
-    assert "-> 5 PAUSE IDLE(0) (not taken)" in ran.out
-    assert "error[never]" in ran.err
+def test_a_choice_is_played_too(cell: Cell) -> None:
+    """The keys 1 and 2 lead to the same question, and move another axis each."""
+    cell.write(
+        "menu.prg",
+        '#MENU\nk = INKEY\nIF k = 49 OR k = 50 THEN GOTO ASK\nGOTO MENU\n#ASK\nINPUT "HOW FAR ",n\n'
+        'IF n > 50 THEN ? "TOO FAR" : GOTO ASK\n'
+        "IF k = 49 THEN MOVER.0 = n : GO.0 : PAUSE IDLE.0\nIF k = 50 THEN MOVER.1 = n : GO.1 : PAUSE IDLE.1\n"
+        "GOTO MENU\n",
+    )
+    shown = " ".join(cell("map", "menu.prg").out.split())
+    assert "key 1 (or 2) → 6" in shown
+    assert "'HOW FAR' 100 → the same question, 0.00 s: 'HOW FAR 100'; 'TOO FAR'" in shown
+    assert "Choices key 2, waiting in 2-4: 'HOW FAR 10'; axis 1 to 10 at 1000" in shown
+
+
+def test_a_machine_that_nothing_moves(cell: Cell) -> None:
+    cell.write("a.mnt", "Loop\n  PAUSE INX(1)\n  PRINT 1\n  PAUSE INX(1) = 0\nEnd Loop\n")
+    assert cell("map", "a.mnt").out.splitlines()[2:4] == ["Cycle", "none: no axis moved"]
+    cell.write("a.mnt", "PRINT 1\n")
+    assert "the program waits for nothing around it" in cell("map", "a.mnt").out
 
 
 @pytest.mark.parametrize(
@@ -106,10 +191,16 @@ def test_the_extension_of_the_output_chooses_the_form(name: str, begins: str, pr
     assert (program.folder / name).read_text(encoding="utf-8").startswith(begins)
 
 
+def test_values_of_the_program_are_those_of_set(program: Cell) -> None:
+    made = json.loads(program("map", "a.mnt", "--set", "SPEED[0]@2=50", "--format", "json").out)
+    assert [each["what"] for each in made["cycle"]][1] == "axis 0 from 0 to 50 at 50"
+
+
 def test_what_is_wrong_with_the_command_line(program: Cell) -> None:
-    assert "need --run" in program("map", "a.mnt", "--until", "5").err
-    assert "need --run" in program("map", "a.mnt", "--set", "spare=5").err
-    ran = program("map", "a.mnt", "--run", "--set", "spares=5")
+    assert (
+        "names of the program in --set need a run" in program("map", "a.mnt", "--no-run", "--set", "n=5").err
+    )
+    ran = program("map", "a.mnt", "--set", "spares=5")
     assert (ran.status, ran.out) == (1, "")
     assert "the program has no constant or variable spares" in ran.err
     ran = program("map", "a.mnt", "--unit", "Spar")
@@ -124,14 +215,3 @@ def test_a_program_with_errors_has_no_map(program: Cell) -> None:
     ran = program("map", "b.mnt")
     assert (ran.status, ran.out) == (1, "")
     assert "error[syntax]" in ran.err
-
-
-def test_a_run_that_goes_on_after_an_error_says_where(cell: Cell) -> None:
-    cell.write(
-        "a.mnt", 'n = 0\nWAIT = 5\nPRINT 1 / n\nWAIT = 10\nEvent ONERROR\n  PRINT "error"\nEnd Event\n'
-    )
-    assert cell("map", "a.mnt", "--run", "--unit", "program").out == (
-        "program\n  begin\n      n = 0; -> 2 WAIT = 5 (once)\n     2  WAIT = 5\n"
-        "      PRINT 1 / n; -> 4 WAIT = 10 (not taken)\n"
-        "     4  WAIT = 10   [goes on here after an error, 1 time]\n      -> end (once)\n"
-    )

@@ -10,7 +10,9 @@ from tests.cases import cases
 
 
 def made(text: str, language: str = "mint", **settings: object) -> Any:
-    return motionlang.map(Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", text), machine=settings)
+    return motionlang.map(
+        Source(f"a.{'mnt' if language == 'mint' else 'mcl'}", text), machine=settings, run=False
+    )
 
 
 def channel(text: str, title: str, language: str = "mint", **settings: object) -> Any:

@@ -7,7 +7,7 @@ from io import StringIO
 
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
-from motionlang.commands.map.view.mermaid import dot, mermaid
+from motionlang.commands.map.view.graph import dot, mermaid
 from motionlang.commands.map.view.page import page
 from motionlang.commands.map.view.text import headline, markdown, render
 from motionlang.commands.map.view.timing import timing
@@ -53,8 +53,8 @@ def _timing(made: ProgramMap) -> str:
 _FORMS: dict[str, Callable[[ProgramMap], str]] = {
     "text": lambda made: render(made, width=80),
     "markdown": markdown,
-    "mermaid": lambda made: "\n".join(mermaid(made)) + "\n",
-    "dot": dot,
+    "mermaid": lambda made: "\n".join(mermaid(made.played)) + "\n",
+    "dot": lambda made: dot(made.source.name, made.played),
     "json": lambda made: document(made).json(),
     "csv": _csv,
     "html": lambda made: page(made, _timing(made)),

@@ -9,25 +9,12 @@ from importlib.resources import files
 
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
-from motionlang.commands.map.view.mermaid import COLOURS
-from motionlang.commands.map.view.svg import picture
-from motionlang.commands.map.view.text import headline
-from motionlang.commands.map.view.words import CAUSES
+from motionlang.commands.map.view.text import cycle_line, headline, world_lines
 from motionlang.views.html_table import html_table
 from motionlang.views.table import Table
 
-_KEY = (
-    '<p class="key">'
-    + "".join(
-        f'<span style="background:{colour};border-radius:8px">waits for {CAUSES[cause]}</span>'
-        for cause, colour in COLOURS.items()
-    )
-    + '<span style="background:#fff;border-width:2px">runs another unit</span></p>'
-)
 # Columns whose cells are text of the program, and those whose cells are lines.
-_CODE = frozenset(
-    ("statement", "value", "state", "from", "to", "when", "does", "text", "values", "meanwhile")
-)
+_CODE = frozenset(("statement", "value", "text", "values", "waits in"))
 _LINES = frozenset(("waited for", "read", "written", "assigned", "lines", "line", "from line", "to line"))
 # Columns whose cells are units with lines in brackets.
 _UNITS = frozenset(("called by", "calls"))
@@ -36,49 +23,34 @@ MAX_SHORT = 40
 _LINES_IN_TEXT = re.compile(r"\((\d[\d, -]*)\)")
 
 
-def _style() -> str:
-    """Return the style sheet, with the colours of states."""
-    colours = "".join(
-        f"svg .state.{cause} {{ fill: {colour}; }} svg .state.{cause} ~ text {{ fill: #111; }}\n"
-        for cause, colour in COLOURS.items()
-    )
-    return files(__name__.rpartition(".")[0]).joinpath("style.css").read_text(encoding="utf-8") + colours
-
-
-def page(made: ProgramMap, timing: str = "", *, graphviz: bool | None = None) -> str:
-    """Return the page; `timing` is the SVG of a cycle, `graphviz` as for `svg.picture`."""
-    sections = [
-        ("channels", tables.channels(made)),
-        ("axes", tables.axes(made)),
-        ("structure", tables.units(made)),
-        ("variables", tables.variables(made)),
-        ("never", tables.unreached(made)),
-    ]
+def page(made: ProgramMap, timing: str = "") -> str:
+    """Return the page; `timing` is the SVG of a cycle."""
     name = escape(made.source.name)
     body = [f"<h1>{name}</h1>", f'<p class="head">{escape(headline(made))}</p>']
-    for key, table in sections:
-        body += [f'<h2 id="{key}">{escape(table.head)}</h2>', *_table(table)]
-    body += ['<h2 id="states">States</h2>', _KEY]
-    for k, diagram in enumerate(made.diagrams.diagrams):
-        at = f' <a href="#L{diagram.unit.line}">line {diagram.unit.line}</a>' if diagram.unit.line else ""
-        body += [f'<h3 id="U{k}">{escape(diagram.unit.title)}{at}</h3>', '<div class="scroll">']
-        body += [picture(made, diagram, graphviz=graphviz), "</div>"]
-    if timing:
-        body += ['<h2 id="cycle">One cycle</h2>', '<div class="scroll">', timing, "</div>"]
-    body += ['<h2 id="transitions">Transitions</h2>', *_table(tables.transitions(made))]
+    links = []
+    played = made.played
+    if played is not None:
+        world = "\n".join(world_lines(played))
+        body += ['<h2 id="cycle">Cycle</h2>', f"<p>{escape(cycle_line(played))}</p>"]
+        body += ['<div class="scroll">', timing, "</div>", *_table(tables.cycle(played))]
+        body += (
+            [f"<p>In this world, which motionlang init writes:</p><pre>{escape(world)}</pre>"]
+            if world
+            else []
+        )
+        body += ['<h2 id="states">States</h2>', *_table(tables.transitions(played))]
+        body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(played))]
+        body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(played))]
+        links = [("cycle", "Cycle"), ("states", "States"), ("handlers", "Handlers")]
+    for table in tables.of_text(made):
+        body += [f'<h2 id="{table.name}">{escape(table.head)}</h2>', *_table(table)]
+        links.append((table.name, table.head))
     body += ['<h2 id="program">Program</h2>', *_program(made)]
-    links = [
-        ("channels", "Inputs and outputs"),
-        ("axes", "Axes"),
-        ("structure", "Structure"),
-        ("states", "States"),
-    ]
-    links += [("cycle", "One cycle")] if timing else []
-    links += [("transitions", "Transitions"), ("program", "Program")]
-    nav = "".join(f'<a href="#{key}">{title}</a>' for key, title in links)
+    nav = "".join(f'<a href="#{key}">{title}</a>' for key, title in [*links, ("program", "Program")])
     head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+    style = files(__name__.rpartition(".")[0]).joinpath("style.css").read_text(encoding="utf-8")
     return (
-        f'<!doctype html>\n<html lang="en"><head>{head}<title>Map of {name}</title><style>{_style()}</style></head>\n'
+        f'<!doctype html>\n<html lang="en"><head>{head}<title>Map of {name}</title><style>{style}</style></head>\n'
         f"<body><nav>{nav}</nav><main>\n" + "\n".join(body) + "\n</main></body></html>\n"
     )
 
@@ -108,7 +80,7 @@ def _linked(numbers: str) -> str:
 
 def _program(made: ProgramMap) -> list[str]:
     """Return the lines of the program, each a target of links."""
-    never = {line for first, last in made.unreached for line in range(first, last + 1)}
+    never = {line for each in tables.unreached(made).rows for line in range(each.first, each.last + 1)}
     rows = []
     for number, line in made.source.numbered():
         style = "row never" if number in never else "row"

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
-from motionlang.commands.map.channels import lines
+from motionlang.commands.map.channels import DEVICES, polled
+from motionlang.commands.map.played import CAUSES, Played, State, Unreached, Way
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.commands.map.states import Transition
-from motionlang.commands.map.view.words import does, name_of, then, waits_for, when
+from motionlang.kernel.lang import KINDS, READ, Statement, Unit
+from motionlang.kernel.tools import ranges
 from motionlang.views.table import Column, Table
 
 
@@ -26,25 +26,18 @@ class AxisRow:
         return self.axis.title if self.fact is self.axis.facts[0] else ""
 
 
-@dataclass(eq=False, slots=True)
-class TransitionRow:
-    """A transition as a row, with its unit."""
-
-    unit: str
-    transition: Transition
-
-
 def tables(made: ProgramMap) -> list[Table]:
-    """Return all tables of a map, the most asked for first."""
-    return [
-        channels(made),
-        axes(made),
-        units(made),
-        variables(made),
-        states(made),
-        transitions(made),
-        unreached(made),
-    ]
+    """Return all tables of a map, the channels first."""
+    found = of_text(made)
+    if made.played is not None:
+        found += [cycle(made.played), states(made.played), transitions(made.played)]
+        found += [choices(made.played), handlers(made.played)]
+    return found
+
+
+def of_text(made: ProgramMap) -> list[Table]:
+    """Return the tables of what the text says, the most asked for first."""
+    return [channels(made), axes(made), units(made), variables(made), unreached(made)]
 
 
 def channels(made: ProgramMap) -> Table:
@@ -61,6 +54,7 @@ def channels(made: ProgramMap) -> Table:
         Column("values", "values", text=", ".join, left=True, drop=4),
         _lines("set_up", "assigned"),
         Column("starts", text="; ".join, left=True),
+        Column("is_used", "", text=lambda is_used: "" if is_used else "never used", left=True),
         Column("named_by", data=True),
     ]
     return Table("channels", columns, made.channels, empty="no inputs or outputs", head="Inputs and outputs")
@@ -78,7 +72,7 @@ def axes(made: ProgramMap) -> Table:
         Column("keyword", get=lambda row: row.fact.keyword, data=True),
         Column("value", get=lambda row: row.fact.value, data=True),
         Column("computed", "", get=lambda row: row.fact.is_computed, text=_computed, left=True, drop=2),
-        Column("lines", get=lambda row: row.fact.lines, text=lines, left=True),
+        Column("lines", get=lambda row: row.fact.lines, text=ranges, left=True),
     ]
     return Table("axes", columns, rows, empty="no axes", head="Axes")
 
@@ -114,65 +108,141 @@ def variables(made: ProgramMap) -> Table:
     return Table("variables", columns, made.variables, empty="no variables", head="Variables")
 
 
-def states(made: ProgramMap) -> Table:
+def cycle(played: Played) -> Table:
+    """Return the table of what happens in one cycle."""
+    columns = [
+        Column("time", "at", unit="s", text="{:.3f}".format),
+        Column("line", text=lambda line: str(line) if line else ""),
+        Column("what", left=True),
+        Column("seconds", "takes", unit="s", decimals=3),
+    ]
+    return Table("cycle", columns, played.happenings)
+
+
+def states(played: Played) -> Table:
     """Return the table of all states."""
-    rows = [(diagram.unit.title, state) for diagram in made.diagrams.diagrams for state in diagram.states]
     columns = [
-        Column("id", get=lambda row: row[1].id, data=True),
-        Column("unit", get=lambda row: row[0], left=True),
-        Column("line", get=lambda row: row[1].line or None),
-        Column("kind", get=lambda row: row[1].kind, left=True),
-        Column("text", "state", get=lambda row: row[1].text, left=True),
-        Column("cause", get=lambda row: row[1].cause, data=True),
-        Column("waits_for", "waits for", get=lambda row: waits_for(made, row[1]), left=True),
-        Column("meanwhile", get=lambda row: does(row[1].meanwhile), left=True, drop=1),
+        Column("name", "state", left=True),
+        Column("statement", left=True),
+        Column("reads", left=True, text=", ".join),
     ]
-    return Table("states", columns, rows, head="States")
+    return Table("states", columns, played.states, head="States")
 
 
-def transitions(made: ProgramMap) -> Table:
-    """Return the table of all transitions; those that a run took have a count and times."""
-    rows = [
-        TransitionRow(diagram.unit.title, each)
-        for diagram in made.diagrams.diagrams
-        for each in diagram.transitions
-    ]
+def transitions(played: Played) -> Table:
+    """Return the table of all transitions."""
+    rows = [(state, way) for state in played.states for way in state.ways]
 
-    def taken(row: TransitionRow, name: str) -> Any:
-        found = made.taken(row.transition)
-        return None if found is None else getattr(found, name)
+    def name(row: tuple[State, Way]) -> str:
+        return f"{row[0].name}: {row[0].statement}".removesuffix(": ")
 
     columns = [
-        Column("unit", get=lambda row: row.unit, left=True),
-        Column("source", get=lambda row: row.transition.source.id, data=True),
-        Column("target", get=lambda row: row.transition.target.id, data=True),
-        Column("from", get=lambda row: name_of(row.transition.source), left=True),
-        Column("to", get=lambda row: name_of(row.transition.target), left=True),
-        Column("when", get=lambda row: when(row.transition), left=True),
-        Column("does", get=lambda row: then(row.transition), left=True),
+        Column("state", get=lambda row: row[0].name, data=True),
+        Column(
+            "waits_in", "waits in", get=lambda row: name(row) if row[1] is row[0].ways[0] else "", left=True
+        ),
+        Column("until", get=lambda row: row[1].until, left=True),
+        Column("seconds", "takes", unit="s", get=lambda row: row[1].seconds, text="{:.2f}".format),
+        Column("to", "goes on in", get=lambda row: row[1].to, left=True),
+        Column("then", get=lambda row: list(row[1].then), text="; ".join, left=True),
     ]
-    if made.observed is not None:
-        columns += [
-            Column("count", "taken", get=lambda row: taken(row, "count")),
-            Column("first", unit="s", get=lambda row: taken(row, "first"), decimals=3),
-            Column("shortest", unit="s", get=lambda row: taken(row, "shortest"), decimals=3),
-            Column("longest", unit="s", get=lambda row: taken(row, "longest"), decimals=3),
-        ]
     return Table("transitions", columns, rows, head="Transitions")
 
 
-def unreached(made: ProgramMap) -> Table:
-    """Return the table of lines that nothing reaches."""
-    rows = [
-        {"first": first, "last": last, "text": made.source.line(first).strip()}
-        for first, last in made.unreached
+def handlers(played: Played) -> Table:
+    """Return the table of what handlers do."""
+    columns = [
+        Column("unit", "handler", left=True),
+        Column("start", "started by", left=True),
+        Column("states", "waiting in", get=lambda row: list(row.states), text=", ".join, left=True),
+        Column("to", "goes on in", left=True),
+        Column("then", text="; ".join, left=True),
     ]
-    columns = [Column("first", "from line"), Column("last", "to line"), Column("text", left=True)]
-    return Table("never_reached", columns, rows, empty="every statement can be reached", head="Never reached")
+    return Table("handlers", columns, played.handlers, empty="no handler was started", head="Handlers")
+
+
+def choices(played: Played) -> Table:
+    """Return the table of what happens with other keys, answers and numbers of a host in the cycle."""
+    columns = [
+        Column("instead", "with", left=True),
+        Column("state", "waiting in", left=True),
+        Column("then", text="; ".join, left=True),
+    ]
+    return Table("choices", columns, played.choices, empty="no choice moves another line", head="Choices")
+
+
+def unreached(made: ProgramMap) -> Table:
+    """Return the table of lines that nothing reaches, or that no trial has carried out."""
+    if made.played is not None:
+        rows, empty = made.played.unreached, "every statement ran"
+    else:
+        rows = [
+            Unreached(first, last, made.source.line(first).strip(), "nothing leads here")
+            for first, last in made.unreached
+        ]
+        empty = "every statement can be reached"
+    columns = [
+        Column("first", "from line"),
+        Column("last", "to line"),
+        Column("text", left=True),
+        Column("why", left=True),
+    ]
+    return Table("never_reached", columns, rows, empty=empty, head="Never reached")
+
+
+def statements(made: ProgramMap, unit: Unit) -> Table:
+    """Return the table of the statements of a unit, and what a task waits for at each."""
+    in_loops = polled(made.structure)
+    rows = [
+        (each, _waits_for(made, each, in_loops.get(each.line, set()))) for each in _statements_of(made, unit)
+    ]
+    columns = [
+        Column("line", get=lambda row: row[0].line),
+        Column("statement", get=lambda row: row[0].text, left=True),
+        Column("waits_for", "waits for", get=lambda row: row[1], left=True),
+    ]
+    at = f", line {unit.line}" if unit.line else ""
+    meaning = next((each.meaning for each in made.units if each.title == unit.title), "")
+    head = f"{unit.title}{at}{f': {meaning}' if meaning else ''}"
+    return Table("statements", columns, rows, empty="no statements", head=head)
+
+
+def _statements_of(made: ProgramMap, unit: Unit) -> list[Statement]:
+    """Return the statements that a unit carries out itself, in the order of the text."""
+    points, others = made.structure.points, {each.entry for each in made.structure.units} - {unit.entry}
+    seen, stack = set[int](), [unit.entry]
+    while stack:
+        p = stack.pop()
+        if p not in seen and p not in others:
+            seen.add(p)
+            stack += points[p].next
+    ats = sorted({points[p].at for p in seen})
+    found = (made.structure.statements.get(at) for at in ats)
+    return [each for each in found if each is not None and not each.is_silent]
+
+
+def _waits_for(made: ProgramMap, statement: Statement, readings: set[tuple[str, int | None]]) -> str:
+    """Return what a task waits for at a statement, with the names of channels and axes; "" if it does not wait."""
+    cause, is_polled = statement.waits, False
+    used = {(use.channel, use.number) for use in statement.channels if use.access == READ}
+    read = {(DEVICES[kind], str(n)) for kind, n in readings if kind in DEVICES}
+    if not cause:
+        is_polled = bool(used & read)
+        cause = next((KINDS[kind] for kind, n in sorted(readings, key=str) if kind in DEVICES), "")
+    if not cause or not (statement.waits or is_polled):
+        return ""
+    if cause == "operator":
+        return "the operator"
+    known = [
+        each.known_as for each in made.channels if (each.kind, each.number) in used and each.kind != "answer"
+    ]
+    titles = {each.axis: each.title for each in made.axes}
+    known += [titles.get(axis, f"axis {axis}") for axis in sorted(statement.what)]
+    return ", ".join(dict.fromkeys(known)) or CAUSES[cause]
 
 
 def _lines(key: str, title: str) -> Column:
-    return Column(key, title, text=lines, left=True, drop=5 if key == "set_up" else 0)
+    return Column(key, title, text=ranges, left=True, drop=5 if key == "set_up" else 0)
 
 
 def _computed(is_computed: bool) -> str:
@@ -180,4 +250,4 @@ def _computed(is_computed: bool) -> str:
 
 
 def _titles(units: Mapping[str, list[int]]) -> str:
-    return "; ".join(f"{title} ({lines(at)})" if at else title for title, at in units.items())
+    return "; ".join(f"{title} ({ranges(at)})" if at else title for title, at in units.items())

@@ -2,113 +2,154 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from textwrap import wrap
 
+from motionlang.commands.map.played import Played, State, Way
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.commands.map.states import Diagram, State, Transition
 from motionlang.commands.map.view import tables
-from motionlang.commands.map.view.mermaid import clipped, mermaid
-from motionlang.commands.map.view.words import does, name_of, then, waits_for, when
+from motionlang.commands.map.view.graph import mermaid
+from motionlang.commands.map.view.timing import drawn
+from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
+
+# So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
+MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_HAPPENINGS = 10, 5, 3, 40
 
 
 def headline(made: ProgramMap) -> str:
     """Return one line about the size of a program."""
-    states = sum(len(diagram.states) for diagram in made.diagrams.diagrams)
-    transitions = sum(len(diagram.transitions) for diagram in made.diagrams.diagrams)
-    return (
-        f"{made.source.name}: {made.language.title}, {count_of(len(made.channels), 'channel')}, "
-        f"{count_of(len([each for each in made.axes if each.axis is not None]), 'axis', 'axes')}, "
-        f"{count_of(len(made.units), 'unit')}, {count_of(states, 'state')}, {count_of(transitions, 'transition')}"
-    )
+    parts = [
+        made.language.title,
+        count_of(len(made.channels), "channel"),
+        count_of(len([each for each in made.axes if each.axis is not None]), "axis", "axes"),
+        count_of(len(made.units), "unit"),
+    ]
+    if made.played is not None:
+        parts += [
+            count_of(len(made.played.states) - 1, "state"),
+            f"played {count_of(made.played.exploration.trials, 'time')}",
+        ]
+    return f"{made.source.name}: {', '.join(parts)}"
 
 
 def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
     """Return a map as text."""
     found = [headline(made)]
-    for table in (tables.channels(made), tables.axes(made), tables.units(made), tables.variables(made)):
+    if made.played is not None:
+        found += ["", *_cycle(made, made.played, width, colour), "", styled("States", "bold", colour)]
+        if len(made.played.states) == 1:
+            found.append("the program waits for nothing around it")
+        for state in made.played.states:
+            found += _state(state, width, colour)
+        if made.played.choices:
+            found += ["", styled("Choices", "bold", colour)]
+        for choice in made.played.choices:
+            text = f"{choice.instead}, waiting in {choice.state}: {_then(choice.then)}"
+            found += _wrapped(text, "  ", width)
+        if made.played.handlers:
+            found += ["", styled("Handlers", "bold", colour)]
+        for each in made.played.handlers:
+            then = f": {_then(each.then)}" if each.then else ""
+            text = f"{each.unit}: {each.start}, waiting in {', '.join(each.states)} → {each.to}{then}"
+            found += _wrapped(text, "  ", width)
+    for table in tables.of_text(made):
         found += ["", *table.lines(width, colour=colour)]
-    found += ["", *tables.unreached(made).lines(width, colour=colour)]
-    found += ["", styled("States", "bold", colour), "", ""]
-    return "\n".join(found) + render_states(made, width=width, colour=colour)
+    return "\n".join(found) + "\n"
 
 
-def render_states(made: ProgramMap, *, width: int, colour: bool = False) -> str:
-    """Return the states of all units, each with the transitions from it."""
-    diagrams = (_diagram(made, diagram, width, colour) for diagram in made.diagrams.diagrams)
-    return "\n\n".join("\n".join(lines) for lines in diagrams) + "\n"
+def cycle_line(played: Played) -> str:
+    """Return one line about the cycle of a machine."""
+    run = played.run
+    if run.cycle is not None:
+        return f"{run.cycle}"
+    if not len(run.machine.log.moves):
+        return "none: no axis moved"
+    return f"none; one run takes {run.time:.5g} s"
 
 
-def _diagram(made: ProgramMap, diagram: Diagram, width: int, colour: bool) -> list[str]:
-    """Return the states of a unit, each with the transitions from it."""
-    title = diagram.unit.title
-    heading = f"{title}, line {diagram.unit.line}" if diagram.unit.line else title
-    meaning = made.meaning(title)
-    found = [styled(f"{heading}: {meaning}" if meaning else heading, "bold", colour)]
-    leaving: dict[int, list[Transition]] = {}
-    for each in diagram.transitions:
-        leaving.setdefault(id(each.source), []).append(each)
-    for state in diagram.states:
-        if state.kind in ("return", "end", "jump"):
-            continue
-        found += _wrapped(_state(made, state), "  ", width)
-        for each in leaving.get(id(state), ()):
-            found += _wrapped(_transition(made, each), "      ", width)
+def world_lines(played: Played) -> Iterator[str]:
+    """Yield the world of the cycle, in the form of a machine file."""
+    for table, entries in played.exploration.world.settings.items():
+        assert isinstance(entries, list)
+        given = Counter(", ".join(f"{key} = {value!r}" for key, value in each.items()) for each in entries)
+        for entry, count in given.items():
+            yield f"[[{table}]] {entry}{f'  ({count} times)' if count > 1 else ''}"
+
+
+def _cycle(made: ProgramMap, played: Played, width: int, colour: bool) -> list[str]:
+    """Return the cycle: its time, what happens in it, a picture, and the world in which it runs."""
+    found = [styled("Cycle", "bold", colour), cycle_line(played)]
+    table = tables.cycle(played)
+    left = len(table.rows) - MAX_HAPPENINGS
+    if left > 0:
+        table.rows = table.rows[:MAX_HAPPENINGS]
+        table.notes.append(f"… and {left} more: -o FILE.html or FILE.json has all")
+    found += ["", *table.lines(width, colour=colour)] if table.rows else []
+    picture = list(drawn(made, width, colour))
+    if picture:
+        found += ["", *picture]
+    world = list(world_lines(played))
+    if world:
+        found += ["", "in this world, which motionlang init writes:"]
+        for each in world:
+            found += _wrapped(each, "  ", width)
     return found
 
 
-def _state(made: ProgramMap, state: State) -> str:
-    if state.kind == "start":
-        return "begin"
-    what = {"call": f"runs {state.unit}", "loop": "runs for ever"}.get(state.kind, "")
-    if state.cause and state.cause != "time":
-        what = f"waits for {waits_for(made, state)}"
-    elif state.readings:
-        what = f"polls {waits_for(made, state)}"
-    notes = [what, f"meanwhile {does(state.meanwhile)}" if state.meanwhile else ""]
-    again = made.observed.recovered.get(state, 0) if made.observed is not None else 0
-    if again:
-        notes.append(f"goes on here after an error, {count_of(again, 'time')}")
-    shown = "; ".join(note for note in notes if note)
-    return f"{state.line:4}  {state.text}" + (f"   [{shown}]" if shown else "")
+def _state(state: State, width: int, colour: bool) -> list[str]:
+    if not state.statement and not state.ways:
+        return []
+    if not state.statement:
+        return [styled(state.name, "bold", colour), *_ways(state.ways, width)]
+    reads = f"   [{', '.join(state.reads)}]" if state.reads else ""
+    head = _wrapped(f"waits in {state.name}: {state.statement}{reads}", "", width)
+    return ["", *(styled(line, "bold", colour) for line in head), *_ways(state.ways, width)]
 
 
-def _transition(made: ProgramMap, each: Transition) -> str:
-    condition, actions = when(each), then(each)
-    target = each.target
-    goes = target.text if target.kind in ("return", "end", "jump") else clipped(name_of(target))
-    end = "" if not actions or actions.endswith(":") else ";"
-    parts = [f"{condition}:" if condition else "", f"{actions}{end}", f"-> {goes}"]
-    taken = made.taken(each)
-    if taken is not None:
-        parts.append(f"({taken.count} x)" if taken.count > 1 else "(once)")
-    elif made.observed is not None:
-        parts.append("(not taken)")
-    return " ".join(part for part in parts if part)
+def _ways(ways: Sequence[Way], width: int) -> Iterator[str]:
+    for each in ways:
+        then = f": {_then(each.then)}" if each.then else ""
+        yield from _wrapped(f"{each.until} → {each.to}, {each.seconds:.2f} s{then}", "  ", width)
+
+
+def _then(acts: Sequence[str]) -> str:
+    """Return what happens; of a long list the begin, the end, and the last lines that are printed."""
+    if len(acts) <= MAX_ACTS:
+        return "; ".join(acts)
+    printed = [k for k, each in enumerate(acts) if each.startswith(("'", '"'))]
+    shown = sorted({*range(FIRST_ACTS), *printed[-LAST_ACTS:], *range(len(acts) - LAST_ACTS, len(acts))})
+    found = []
+    for before, k in pairwise((-1, *shown)):
+        found += [f"… {k - before - 1} more …"] if k > before + 1 else []
+        found.append(acts[k])
+    return "; ".join(found)
 
 
 def _wrapped(text: str, indent: str, width: int) -> list[str]:
     return wrap(
-        printable(text), width, initial_indent=indent, subsequent_indent=indent + "    ", break_long_words=False,
-        break_on_hyphens=False, drop_whitespace=True,
+        printable(text), min(width, 120), initial_indent=indent, subsequent_indent=indent + "    ",
+        break_long_words=False, break_on_hyphens=False,
     )  # fmt: skip
 
 
+def unit_text(made: ProgramMap, unit: Unit, *, width: int, colour: bool = False) -> str:
+    """Return the statements of one unit, with what each waits for."""
+    return "\n".join(tables.statements(made, unit).lines(width, colour=colour)) + "\n"
+
+
 def markdown(made: ProgramMap) -> str:
-    """Return a map as Markdown, with diagrams that GitHub and others draw."""
+    """Return a map as Markdown, with a diagram that GitHub and others draw."""
     found = [f"# {made.source.name}", "", headline(made)]
-    for table in (tables.channels(made), tables.axes(made), tables.units(made), tables.variables(made)):
+    played = made.played
+    if played is not None:
+        found += ["", "## Cycle", "", cycle_line(played), "", *tables.cycle(played).markdown()]
+        found += ["", "## States", "", "```mermaid", *mermaid(played), "```"]
+        for table in (tables.transitions(played), tables.choices(played), tables.handlers(played)):
+            found += ["", f"### {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
+    for table in tables.of_text(made):
         found += ["", f"## {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
-    unreached = tables.unreached(made)
-    found += [
-        "",
-        f"## {unreached.head}",
-        "",
-        *(unreached.markdown() if unreached.rows else [unreached.empty]),
-    ]
-    found += ["", "## States"]
-    for diagram in made.diagrams.diagrams:
-        at = f" (line {diagram.unit.line})" if diagram.unit.line else ""
-        found += ["", f"### {diagram.unit.title}{at}", "", "```mermaid", *mermaid(made, [diagram]), "```"]
     return "\n".join(found) + "\n"

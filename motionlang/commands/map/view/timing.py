@@ -1,56 +1,39 @@
-"""One cycle of a run as a timing diagram: inputs, outputs, velocities, and what each task waits for.
-
-The cycle is the longest one that the run repeats: of all statements at which a task waited more than once, the one
-whose waits are furthest apart. The diagram shows the last whole period but one, so that the first ones, which may
-include homing, do not count.
-"""
+"""One cycle of a machine as a timing diagram: inputs, outputs, velocities, and what each task waits for."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
-from statistics import median
 
+from motionlang.commands.map.played import CAUSES, Played
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.commands.map.view.words import CAUSES
 from motionlang.kernel import Axis, Run, WholeTrack
-from motionlang.kernel.log import Waited
 from motionlang.kernel.tracks import axes_of
 from motionlang.views.figure import COLOURS, Curve, Figure, Lane, Panel
 from motionlang.views.lanes import Lane as Channel
 from motionlang.views.lanes import lanes
+from motionlang.views.terminal import cells, styled
 
-# Waits that are read to find the cycle, and points of a curve.
+# Waits that are read, and points of a curve.
 MAX_WAITS = 20_000
 POINTS = 600
+# An axis that is slower stands still, uu/s.
+STANDING = 1e-6
+# The longest name of a lane in text, and the cells of one that is on or off.
+MAX_NAME = 28
+ON, OFF = "█", "·"
 _PREFIXES = {"in": "input", "out": "output"}
 
 
-def cycle(run: Run) -> tuple[float, float] | None:
-    """Return begin and end of a period of a run, s; None if it repeats nothing."""
-    begun: dict[tuple[str, int, tuple[int, ...]], list[float]] = {}
-    for wait in islice(run.machine.log.waits, MAX_WAITS):
-        begun.setdefault((wait.task, wait.at, wait.callers), []).append(wait.since)
-    periods = {key: [b - a for a, b in pairwise(times)] for key, times in begun.items() if len(times) > 1}
-    if not periods:
-        return None
-    longest = max(periods, key=lambda key: (median(periods[key]), -begun[key][0]))
-    times = begun[longest]
-    last = len(times) - 1 if len(times) < 4 else len(times) - 2
-    return times[last - 1], times[last]
-
-
 def timing(made: ProgramMap) -> Figure | None:
-    """Return the figure of one cycle of the run of a map; None if the run repeats nothing."""
-    run = made.run
-    span = cycle(run) if run is not None else None
-    if run is None or span is None or span[1] <= span[0]:
+    """Return the figure of one cycle of a machine; None if it was not played, or nothing moved."""
+    played = made.played
+    if played is None or not len(played.run.machine.log.moves) or played.span[1] <= played.span[0]:
         return None
-    begin, end = span
-    channels = [_named(made, each, span) for each in lanes(run.controller) if each.is_digital]
+    run, (begin, end) = played.run, played.span
     panels = [
-        Panel(lanes=[each for each in channels if each is not None], title="inputs and outputs"),
+        Panel(lanes=_channels(made, played), title="inputs and outputs"),
         *(
             Panel(
                 [Curve(*_velocity(run.controller.axes[axis], begin, end), COLOURS[k % len(COLOURS)])],
@@ -65,20 +48,54 @@ def timing(made: ProgramMap) -> Figure | None:
         Panel(lanes=_waits(made, run, begin, end), title="waits of the tasks"),
     ]
     shown = [panel for panel in panels if panel.lanes or panel.curves]
+    what = "one run" if run.cycle is None else "one cycle"
     return Figure(
         [[_from_zero(panel, begin, end)] for panel in shown],
-        x_label="time from the begin of the cycle (s)",
-        title=f"one cycle of {made.source.name}",
+        x_label="time from the begin (s)",
+        title=f"{what} of {made.source.name}",
         subtitle=f"{begin:.3f} to {end:.3f} s, {end - begin:.3f} s",
     )
+
+
+def drawn(made: ProgramMap, width: int, colour: bool) -> Iterator[str]:
+    """Yield one cycle as lines of text: a row for each axis that moves, each output and each input that changes."""
+    played = made.played
+    if played is None or played.span[1] <= played.span[0]:
+        return
+    begin, end = played.span
+    rows = [
+        Lane(_title(made, axis), spans)
+        for axis in axes_of(played.run.controller)
+        if (spans := _moving(played.run.controller.axes[axis], begin, end))
+    ]
+    rows += [
+        each for each in _channels(made, played) if 0.0 < sum(b - a for a, b in each.spans) < end - begin
+    ]
+    if not rows:
+        return
+    names = [each.name if cells(each.name) <= MAX_NAME else f"{each.name[: MAX_NAME - 1]}…" for each in rows]
+    most = max(map(cells, names))
+    columns = max(10, min(width, 100) - most - 2)
+    for name, row in zip(names, rows, strict=True):
+        marks = [OFF] * columns
+        for a, b in row.spans:
+            first = int((a - begin) / (end - begin) * columns)
+            last = max(first + 1, round((b - begin) / (end - begin) * columns))
+            marks[first:last] = ON * (min(last, columns) - first)
+        yield f"{name}{' ' * (most - cells(name))}  {styled(''.join(marks), 'cyan', colour)}"
 
 
 def _title(made: ProgramMap, axis: int) -> str:
     return next((each.title for each in made.axes if each.axis == axis), f"axis {axis}")
 
 
+def _channels(made: ProgramMap, played: Played) -> list[Lane]:
+    """Return the digital channels by their names, without those that are off all the time and not in the program."""
+    found = (_named(made, each, played.span) for each in lanes(played.run.controller) if each.is_digital)
+    return [each for each in found if each is not None]
+
+
 def _named(made: ProgramMap, lane: Channel, span: tuple[float, float]) -> Lane | None:
-    """Return a channel by its name in the program; None if it is off all the time and the program does not use it."""
     prefix = lane.name.rstrip("0123456789")
     number = lane.name[len(prefix) :]
     kind = _PREFIXES.get(prefix, prefix)
@@ -107,12 +124,17 @@ def _velocity(axis: Axis, begin: float, end: float) -> tuple[list[float], list[f
     return times, values
 
 
+def _moving(axis: Axis, begin: float, end: float) -> list[tuple[float, float]]:
+    """Return the spans in which an axis moves."""
+    times, values = _velocity(axis, begin, end)
+    return [(a, b) for (a, b), value in zip(pairwise(times), values, strict=False) if abs(value) > STANDING]
+
+
 def _waits(made: ProgramMap, run: Run, begin: float, end: float) -> list[Lane]:
     """Return a lane for each task and each cause of its waits; the text says what a condition is about."""
     found: dict[tuple[str, str], list[tuple[float, float]]] = {}
-    waits: list[Waited] = [wait for wait in islice(run.machine.log.waits, MAX_WAITS) if wait.until > begin]
-    for wait in waits:
-        if wait.since < end:
+    for wait in islice(run.machine.log.waits, MAX_WAITS):
+        if wait.until > begin and wait.since < end:
             statement = made.structure.statements.get(wait.at)
             known = statement.waits if statement is not None and wait.cause == "condition" else ""
             found.setdefault((wait.task, known or wait.cause), []).append((wait.since, wait.until))

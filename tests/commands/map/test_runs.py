@@ -1,47 +1,62 @@
-"""Compare the map of a program with runs of it: `python -m tests.commands.map.proof FIRST COUNT`."""
+"""The channels that runs use are in the maps of their programs, those of the gallery and generated ones."""
 
 from __future__ import annotations
 
-import signal
-import sys
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 
-from motionlang.commands.map.observed import Observed
+import pytest
+
 from motionlang.commands.map.program_map import ProgramMap, program_map
-from motionlang.commands.map.units import UnitMap
-from motionlang.kernel import Machine, ProgramError, Run, Source, dialect_for, run
+from motionlang.kernel import Machine, ProgramError, Run, Source, dialect_for, run, settings_next_to
 from motionlang.kernel.mint.keywords.relays import FIRST
+from tests.cases import examples
 from tests.generated import handlers, polls, tasks
 from tests.generated.motion import generate
 
+ROOT = Path(__file__).parents[3]
+GALLERY = sorted(
+    path
+    for folder in ("scripts/mint", "scripts/mccl", "examples/old")
+    for path in (ROOT / folder).iterdir()
+    if path.suffix in (".mnt", ".mcl", ".mccl", ".prg")
+)
+SLICE = 200
 UNTIL = 6.0
-# Those of programs that poll at every statement.
+# The end of programs that poll at every statement.
 MAX_POLLS = 0.4
-# Seconds of real time that a program may take.
-PATIENCE = 20
-# The families of generated programs in turn, and how often each is drawn.
+# The families of generated programs in turn.
 FAMILIES = ("motion", "words", "tasks", "handlers", "polls")
 
 
-def problems(source: Source, settings: Mapping[str, object], until: float = UNTIL) -> list[str]:
-    """Return what a run does that is not in the map, as sentences."""
+@pytest.mark.slow
+def test_channels_of_the_gallery_are_in_their_maps() -> None:
+    found = {path.name: unlisted(Source.read(path), settings_next_to(path)) for path in GALLERY}
+    assert {name: each for name, each in found.items() if each} == {}
+    assert len(found) > 100
+
+
+@pytest.mark.slow
+def test_channels_of_generated_programs_are_in_their_maps() -> None:
+    assert {seed: found for seed in range(examples(SLICE)) if (found := unlisted(*drawn(seed)))} == {}
+
+
+def unlisted(source: Source, settings: Mapping[str, object], until: float = UNTIL) -> list[str]:
+    """Return the channels that a run uses and the map does not list, as sentences."""
     language = dialect_for(source, None)
     try:
         made = program_map(language.program(source, settings), language)
     except ProgramError:
         return []
-    observed = Observed(made.diagrams)
     read: list[set[int]] = [set(), set()]
-
-    def begun(machine: Machine) -> None:
-        observed.attach(machine)
-        _watch_inputs(machine, *read)
-
-    result = run(source, dialect=language, machine=settings, until=until, observer=observed, begun=begun)
-    found = [f"transition {a} to {b} is not in a diagram" for a, b in dict.fromkeys(observed.strays)]
-    found += _missing_channels(made, result, *read)
-    found += _missing_calls(made, observed)
-    return found
+    result = run(
+        source,
+        dialect=language,
+        machine=settings,
+        until=until,
+        begun=lambda machine: _watch_inputs(machine, *read),
+    )
+    return list(_missing_channels(made, result, *read))
 
 
 def _watch_inputs(machine: Machine, digital: set[int], analogue: set[int]) -> None:
@@ -86,27 +101,6 @@ def _numbered(kind: str, other: str, channel: int) -> tuple[str, int]:
     return (other, channel - FIRST) if channel >= FIRST else (kind, channel)
 
 
-def _missing_calls(made: ProgramMap, observed: Observed) -> Iterator[str]:
-    units = {each.title: each for each in made.units}
-    titles = [each.title for each in made.structure.units]
-    for caller, callee in sorted(observed.calls):
-        if not units[titles[callee]].is_reached:
-            yield f"{titles[callee]} ran and is listed as never reached"
-        if caller >= 0 and titles[callee] not in _called(units, titles[caller]):
-            yield f"{titles[caller]} called {titles[callee]}, which the graph does not have"
-
-
-def _called(units: Mapping[str, UnitMap], title: str) -> set[str]:
-    """Return the units that a unit calls, also through others."""
-    found, stack = set[str](), [title]
-    while stack:
-        for each in units[stack.pop()].calls:
-            if each not in found:
-                found.add(each)
-                stack.append(each)
-    return found
-
-
 def drawn(seed: int) -> tuple[Source, Mapping[str, object], float]:
     """Return a generated program, its machine, and the end of its run; five families take turns."""
     family = FAMILIES[seed % len(FAMILIES)]
@@ -117,30 +111,3 @@ def drawn(seed: int) -> tuple[Source, Mapping[str, object], float]:
     text, machine = {"tasks": tasks, "handlers": handlers, "polls": polls}[family].program(seed)
     suffix = "mcl" if family == "polls" and text.lstrip()[:1].isdigit() else "mnt"
     return Source(f"drawn.{suffix}", text), machine, MAX_POLLS
-
-
-def main(first: int, count: int) -> int:
-    """Check programs of seeds; print each finding."""
-    wrong = late = 0
-    signal.signal(signal.SIGALRM, _give_up)
-    for seed in range(first, first + count):
-        signal.alarm(PATIENCE)
-        try:
-            found = problems(*drawn(seed))
-        except TimeoutError:
-            found, late = [], late + 1
-        finally:
-            signal.alarm(0)
-        wrong += bool(found)
-        for each in found[:3]:
-            print(f"seed {seed} ({FAMILIES[seed % len(FAMILIES)]}): {each}", flush=True)
-    print(f"{count} programs, {wrong} with findings, {late} given up after {PATIENCE} s")
-    return 1 if wrong else 0
-
-
-def _give_up(signum: int, frame: object) -> None:
-    raise TimeoutError
-
-
-if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))

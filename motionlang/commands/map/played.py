@@ -1,0 +1,420 @@
+"""What a machine does when its program is played, in words: its cycle, its states, its handlers, what never ran.
+
+A row is a transition of the exploration. One that happens with fewer changes as well is left out, and so is one that
+happens by itself all the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from math import inf
+from operator import attrgetter
+
+from motionlang.commands.explore import (
+    Act,
+    Change,
+    Exploration,
+    Node,
+    RestState,
+    Transition,
+    described,
+    entries,
+    is_probe,
+    plain,
+    without_figures,
+)
+from motionlang.commands.explore.view import lines_of, statements_of
+from motionlang.commands.map.axes import AxisMap
+from motionlang.commands.map.channels import Channel
+from motionlang.commands.map.units import Reachability
+from motionlang.kernel import Run, Source
+from motionlang.kernel.lang import Structure
+
+# What a task waits for, by cause.
+CAUSES = {
+    "time": "a time",
+    "axis": "motion",
+    "input": "an input",
+    "operator": "the operator",
+    "task": "another task",
+    "host": "a host",
+    "condition": "a condition",
+}
+# A wait that is shorter is not shown, and what happens so soon after something else happens then, s.
+SHORTEST = 0.001
+
+
+@dataclass(eq=False, slots=True)
+class Way:
+    """A transition in words: what leads on, what happens then, in order, how long it takes, s, and where it leads."""
+
+    until: str
+    then: Sequence[str]
+    seconds: float
+    to: str
+
+
+@dataclass(eq=False, slots=True)
+class State:
+    """A state: its lines with the calls that lead there, its first statement, what it reads, and what leads on."""
+
+    name: str
+    statement: str
+    reads: Sequence[str]
+    ways: Sequence[Way]
+
+
+@dataclass(eq=False, slots=True)
+class Handled:
+    """What a handler does: what starts it, what happens then, the states in which that was seen, and where it leads."""
+
+    unit: str
+    start: str
+    then: Sequence[str]
+    states: dict[str, None]
+    to: str
+
+
+@dataclass(eq=False, slots=True)
+class Choice:
+    """Another key, answer or number of a host in the cycle, where it is given, and what happens then, in order."""
+
+    instead: str
+    state: str
+    then: Sequence[str]
+
+
+@dataclass(eq=False, slots=True)
+class Happening:
+    """Something in the cycle: s since its begin, the line, what it is, and how long it takes, None for no time."""
+
+    time: float
+    line: int
+    what: str
+    seconds: float | None = None
+
+
+@dataclass(eq=False, slots=True)
+class Unreached:
+    """Lines that never ran, with the text of the first one, and the reason: a condition, a handler, or no way there."""
+
+    first: int
+    last: int
+    text: str
+    why: str
+
+
+@dataclass(eq=False, slots=True)
+class Played:
+    """What a machine does: its states, power-up first, its handlers, choices and cycle, and what never ran.
+
+    `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
+    """
+
+    exploration: Exploration
+    states: list[State]
+    handlers: list[Handled]
+    choices: list[Choice]
+    happenings: list[Happening]
+    unreached: list[Unreached]
+    span: tuple[float, float]
+
+    @property
+    def run(self) -> Run:
+        """The run in the world of the likeliest cycle."""
+        return self.exploration.world.run
+
+
+class Names:
+    """Channels and axes by the names that a reader knows."""
+
+    def __init__(self, channels: Iterable[Channel], axes: Iterable[AxisMap]) -> None:
+        self._known = {each.title: each.known_as for each in channels}
+        self._known |= {f"axis {each.axis}": each.title for each in axes}
+
+    def __getitem__(self, subject: str) -> str:
+        return self._known.get(subject, subject)
+
+    def change(self, change: Change) -> str:
+        """Return a change with the name of its channel."""
+        return self._named(change.subject, str(change))
+
+    def act(self, act: Act) -> str:
+        """Return an act with the name of its axis or output."""
+        return self._named(act.subject, str(act))
+
+    def _named(self, subject: str, text: str) -> str:
+        return f"{self[subject]}{text[len(subject) :]}" if text.startswith(subject) else text
+
+
+def played(
+    exploration: Exploration, structure: Structure, names: Names, unreached: Iterable[tuple[int, int]]
+) -> Played:
+    """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
+    run = exploration.world.run
+    cycle = run.cycle
+    span = (0.0, run.time) if cycle is None else (cycle.begin, cycle.end)
+    words = _Words(exploration, structure, names)
+    return Played(
+        exploration,
+        [words.state(each) for each in exploration.nodes],
+        words.handlers(),
+        words.choices(),
+        _joined(sorted(_happenings(exploration, structure, names, *span), key=attrgetter("time"))),
+        sorted(
+            (*_never_run(exploration, structure), *_without_way(structure.source, unreached)),
+            key=attrgetter("first"),
+        ),
+        span,
+    )
+
+
+class _Words:
+    """The states and transitions of an exploration in words."""
+
+    def __init__(self, exploration: Exploration, structure: Structure, names: Names) -> None:
+        self.exploration, self.names = exploration, names
+        self.line, self.structure = structure.line, structure
+        # The handlers that the change of a channel starts, by the name of the channel.
+        self.started = {
+            f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
+        }
+
+    def lines(self, state: RestState | None) -> str:
+        return lines_of(state, self.line)
+
+    def state(self, node: Node) -> State:
+        """Return a state with what leads on from it, but for handlers."""
+        shown = [each for each in kept(node.transitions) if not self.handler(each)]
+        state = node.state
+        if state is None:
+            return State("power-up", "", (), [self.way(each, shown) for each in shown])
+        reads = [self.names[each] for each in self.exploration.reads(state)]
+        ways = [*(self.way(each, shown) for each in shown), *self.refused(node)]
+        return State(self.lines(state), statements_of(state, self.structure), reads, ways)
+
+    def way(self, each: Transition, others: Sequence[Transition]) -> Way:
+        to = "the end" if each.target is None else self.lines(each.target)
+        return Way(self.until(each, others), self.then(each), each.seconds, to)
+
+    def refused(self, node: Node) -> Iterator[Way]:
+        """Yield what happens with answers after which the program asks again; of the same several once."""
+        found: dict[tuple[str, ...], list[Change]] = {}
+        for causes, acts in node.refused.items():
+            words = tuple(without_figures(each.words) for each in acts)
+            found.setdefault(words, []).extend(causes)
+        for changes in found.values():
+            first = min(changes, key=is_probe)
+            acts = node.refused[(first,)]
+            yield Way(
+                self.values(first, changes), [self.names.act(act) for act in acts], 0.0, "the same question"
+            )
+
+    def until(self, each: Transition, others: Sequence[Transition]) -> str:
+        """Return what leads on, with the other values that do the same, and with levels that make a difference."""
+        if not each.causes:
+            found = "by itself"
+        else:
+            given = [one for causes in each.variants for one in causes]
+            found = " and ".join(self.values(one, given) for one in each.causes)
+        levels, read = each.visit.levels, set(self.exploration.reads(each.target or ()))
+        differing: dict[str, None] = {}
+        for other in others:
+            if other is not each and other.causes == each.causes:
+                others_levels = other.visit.levels
+                differing |= dict.fromkeys(
+                    self.names.change(Change("input", channel, levels.get(channel, 0.0)))
+                    for channel in sorted({*levels, *others_levels})
+                    if f"input {channel}" in read | set(self.exploration.reads(other.target or ()))
+                    and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
+                )
+        return f"{found}, with {' and '.join(differing)}" if differing else found
+
+    def then(self, each: Transition) -> list[str]:
+        return [self.names.act(act) for act in each.acts]
+
+    def values(self, change: Change, others: Iterable[Change]) -> str:
+        """Return a change, with the other values of the same channel among some."""
+        same = (change.table, change.number, change.prompt)
+        values = dict.fromkeys(
+            str(one.value)
+            for one in others
+            if (one.table, one.number, one.prompt) == same and one != change and not is_probe(one)
+        )
+        return self.names.change(change) + (f" (or {', '.join(values)})" if values else "")
+
+    def handler(self, each: Transition) -> str:
+        """Return the handler that a change of a transition starts, "" for none; the state does not wait for it."""
+        reads = set(self.exploration.reads(each.source or ()))
+        subjects = {one.subject for one in each.causes} - reads
+        found = (unit for subject, unit in self.started.items() if subject in subjects)
+        return next(found, "") if each.is_cut else ""
+
+    def handlers(self) -> list[Handled]:
+        """Return what handlers do, those first that are seen in most states."""
+        found: dict[tuple[str, ...], Handled] = {}
+        for node in self.exploration.nodes:
+            for each in kept(node.transitions):
+                unit = self.handler(each)
+                if not unit:
+                    continue
+                start, then = " and ".join(map(self.names.change, each.causes)), self.then(each)
+                to = "the end" if each.target is None else self.lines(each.target)
+                key = unit, start, to, *then
+                found.setdefault(key, Handled(unit, start, then, {}, to)).states[self.lines(node.state)] = (
+                    None
+                )
+        return sorted(found.values(), key=lambda each: (each.unit, each.start, -len(each.states)))
+
+    def choices(self) -> list[Choice]:
+        """Return the keys, answers and numbers of a host with which lines move an axis that no transition runs."""
+        exploration = self.exploration
+        moved = {line for node in exploration.nodes for each in node.transitions for line in each.lines}
+        found = []
+        for cycle, trial in exploration.variants():
+            lines = {each.line for each in trial.moves}
+            if lines <= moved:
+                continue
+            moved |= lines
+            for each in cycle.transitions:
+                if each.causes in each.variants:
+                    acts = [self.names.act(act) for act in exploration.acts(trial, cycle.visit.time)]
+                    instead = " and ".join(map(self.names.change, each.causes))
+                    found.append(Choice(instead, self.lines(each.source), acts))
+        return found
+
+
+def kept(transitions: Iterable[Transition]) -> list[Transition]:
+    """Return the transitions with fewer changes first, without those that happen by fewer changes, or none, as well."""
+    given = sorted(transitions, key=lambda each: len(each.causes))
+    return [each for each in given if not any(_replaces(other, each) for other in given)]
+
+
+def _replaces(other: Transition, each: Transition) -> bool:
+    """True if the same happens by fewer changes, or by itself before the changes make a difference."""
+    if other.target != each.target or not set(other.causes) < set(each.causes):
+        return False
+    if other.does == each.does:
+        return True
+    waited = each.visit.change_time - each.visit.time
+    return (
+        not other.causes
+        and other.lines == each.lines
+        and abs(other.seconds - each.seconds - waited) < SHORTEST
+    )
+
+
+# ------------------------------------------------------------------------------------------------------- the cycle
+
+
+def _happenings(
+    exploration: Exploration, structure: Structure, names: Names, begin: float, end: float
+) -> Iterator[Happening]:
+    """Yield what happens between two times in the run of a cycle, but for the tasks beside the work."""
+    run, beside = exploration.world.run, exploration.beside
+    log, line, homes = run.machine.log, structure.line, run.dialect.table().homes
+    within = partial(_is_within, begin=begin, end=end)
+    inputs = entries(exploration.world.settings, "input")
+    # What comes and goes by itself is none of the work.
+    periodic = {each["channel"] for each in inputs if "every" in each}
+    for each in log.inputs:
+        if within(each.time) and each.channel not in periodic:
+            level = "on" if each.value else "off"
+            yield Happening(each.time - begin, 0, f"{names[f'input {each.channel}']} {level}")
+    for wait in log.waits.written():
+        seconds = wait.until - wait.since
+        statement = structure.statements.get(wait.at)
+        is_condition = statement is not None and wait.cause == "condition" and statement.waits
+        cause = statement.waits if statement is not None and is_condition else wait.cause
+        if wait.at not in beside and within(wait.since) and cause != "axis" and SHORTEST <= seconds < inf:
+            what = "waits" if cause == "time" else f"waits for {CAUSES[cause]}"
+            yield Happening(wait.since - begin, line(wait.at), what, seconds)
+    for move in log.moves:
+        if within(move.start_time) and move.profile is not None:
+            start = move.to_user(move.profile.start)
+            words = f"{names[f'axis {move.axis}']} from {start:.6g} {described(move, homes(move.command))}"
+            seconds = move.profile.duration
+            yield Happening(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
+    for output in log.outputs:
+        if output.at not in beside and within(output.time):
+            level = "on" if output.value else "off"
+            yield Happening(
+                output.time - begin, line(output.at), f"{names[f'output {output.channel}']} {level}"
+            )
+    for print_ in log.prints:
+        if print_.at not in beside and within(print_.time):
+            yield Happening(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
+
+
+def _joined(happenings: Iterable[Happening]) -> list[Happening]:
+    """Return what happens with the waits of a loop in which nothing else happens as one."""
+    found: list[Happening] = []
+    for each in happenings:
+        last = found[-1] if found else None
+        if (
+            last is not None
+            and each.seconds
+            and last.seconds
+            and (each.line, each.what) == (last.line, last.what)
+        ):
+            last.seconds = each.time + each.seconds - last.time
+        else:
+            found.append(each)
+    return found
+
+
+def _is_within(time: float, begin: float, end: float) -> bool:
+    return begin - 1e-9 <= time < end - 1e-9
+
+
+# ------------------------------------------------------------------------------------------------- what never ran
+
+
+def _never_run(exploration: Exploration, structure: Structure) -> Iterator[Unreached]:
+    """Yield the lines that something leads to and that no trial has carried out."""
+    points, statements, counted = structure.points, structure.statements, set(exploration.program.offsets)
+    begun = exploration.begun
+    why: dict[int, str] = {}
+    for unit in structure.units:
+        why |= dict.fromkeys(_first(structure, counted, unit.entry), unit.title)
+    for point in points:
+        statement = statements.get(point.at)
+        if point.at in begun and statement is not None and point.branches:
+            condition = statement.condition or statement.text
+            for side, following in enumerate(point.next):
+                text = f"line {statement.line}: {'unless' if side else 'if'} {condition}"
+                for at in _first(structure, counted, following):
+                    why.setdefault(at, text)
+    reached = Reachability(structure).reached
+    found: Unreached | None = None
+    for at in sorted(counted.intersection(reached) - begun):
+        line, reason = structure.line(at), why.get(at, "")
+        if found is not None and not reason and line <= found.last + 1:
+            found.last = line
+            continue
+        if found is not None:
+            yield found
+        found = Unreached(line, line, statements[at].text, reason)
+    if found is not None:
+        yield found
+
+
+def _first(structure: Structure, counted: Collection[int], start: int) -> Iterator[int]:
+    """Yield the offsets of the first statements from a point on."""
+    points, seen, stack = structure.points, set[int](), [start]
+    while stack:
+        p = stack.pop()
+        if p in seen:
+            continue
+        seen.add(p)
+        if points[p].at in counted:
+            yield points[p].at
+        else:
+            stack += points[p].next
+
+
+def _without_way(source: Source, unreached: Iterable[tuple[int, int]]) -> Iterator[Unreached]:
+    for first, last in unreached:
+        yield Unreached(first, last, source.line(first).strip(), "nothing leads here")

@@ -1,0 +1,92 @@
+"""The states of a machine as a Mermaid flowchart and as a DOT graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from motionlang.commands.map.played import Played, Way
+
+# The longest text of a node or an edge; the tables have the rest.
+MAX_LINES, MAX_TEXT = 5, 48
+# The node of a program that has ended.
+END = "the end"
+
+
+def mermaid(played: Played | None) -> list[str]:
+    """Return the lines of a Mermaid flowchart; without states it has no node."""
+    found = ["flowchart TD"]
+    for name, lines in _nodes(played):
+        opening, closing = ("[", "]") if len(lines) > 1 else ("([", "])")
+        found.append(f"    {name}{opening}{_quoted(lines)}{closing}")
+    for source, target, lines in _edges(played):
+        found.append(f"    {source} -->|{_quoted(lines)}| {target}")
+    return found
+
+
+def dot(title: str, played: Played | None) -> str:
+    """Return a DOT graph; without states it has no node."""
+    found = [
+        f"digraph {_string('map of ' + title)} {{",
+        '  graph [fontname="sans-serif" fontsize=12 rankdir=TB nodesep=0.35 ranksep=0.4]',
+        '  node [fontname="sans-serif" fontsize=11 shape=box style="rounded,filled" fillcolor=white]',
+        '  edge [fontname="sans-serif" fontsize=10 color="#5b6770"]',
+    ]
+    for name, lines in _nodes(played):
+        text = _string("\\n".join(map(_escaped, lines)), is_escaped=True)
+        found.append(f"    {name} [label={text}]")
+    for source, target, lines in _edges(played):
+        text = "".join(f"\u00a0{_escaped(line)}\\l" for line in lines)
+        found.append(f"    {source} -> {target} [label={_string(text, is_escaped=True)}]")
+    return "\n".join([*found, "}"]) + "\n"
+
+
+def _nodes(played: Played | None) -> Iterator[tuple[str, list[str]]]:
+    """Yield the name of each node and the lines of its text."""
+    states = played.states if played is not None else []
+    for number, state in enumerate(states):
+        yield f"n{number}", [_clipped(each) for each in (state.name, state.statement) if each]
+    if any(way.to == END for state in states for way in state.ways):
+        yield "n_end", [END]
+
+
+def _edges(played: Played | None) -> Iterator[tuple[str, str, list[str]]]:
+    """Yield the nodes of each edge, and the lines of its text: what leads on, and what happens then."""
+    states = played.states if played is not None else []
+    numbers = {state.name: f"n{number}" for number, state in enumerate(states)} | {END: "n_end"}
+    for state in states:
+        for way in state.ways:
+            yield numbers[state.name], numbers.get(way.to, numbers[state.name]), _label(way)
+
+
+def _label(way: Way) -> list[str]:
+    found = [f"{way.until}, {way.seconds:.2f} s", *way.then]
+    if len(found) > MAX_LINES:
+        found[MAX_LINES:] = [f"… {len(found) - MAX_LINES} more"]
+    return [_clipped(each) for each in found]
+
+
+def _clipped(text: str) -> str:
+    return text if len(text) <= MAX_TEXT else text[: MAX_TEXT - 1] + "…"
+
+
+def _quoted(lines: Iterable[str]) -> str:
+    """Return lines as a text of Mermaid, which has codes for signs with a meaning."""
+    signs = {
+        "#": "#35;",
+        '"': "#quot;",
+        "<": "#lt;",
+        ">": "#gt;",
+        "&": "#amp;",
+        "`": "#96;",
+        "|": "#124;",
+        "\\": "#92;",
+    }
+    return '"' + "<br>".join("".join(signs.get(sign, sign) for sign in line) for line in lines) + '"'
+
+
+def _escaped(text: str) -> str:
+    return text.replace("\\", "\\\\").replace('"', '\\"')
+
+
+def _string(text: str, is_escaped: bool = False) -> str:
+    return f'"{text if is_escaped else _escaped(text)}"'
