@@ -120,7 +120,7 @@ def _raises(program: Program | None, machine: Machine) -> str:
     if handler is None or handler.channel is None:
         return ""
     level, at = 1 - machine.controller.inputs[handler.channel], round(machine.clock.now + SOON, 1)
-    option = f"--input {handler.channel}={level:d}@{at:.10g}"
+    option = f"--input {handler.channel}={level:.10g}@{at:.10g}"
     return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
 
 
