@@ -91,9 +91,11 @@ class Search:
         transitions = [each for node in exploration.nodes for each in node.transitions if each.causes]
         transitions.sort(key=lambda each: len(each.visit.timeline) + len(each.causes))
         for each in transitions:
-            time = each.visit.change_time
-            timeline = (*each.visit.timeline, *((time, one) for one in each.causes))
-            yield self._name(each.causes), settings(tables_of(timeline), time + each.seconds + BEYOND)
+            tables = tables_of(each.visit.changed(each.causes))
+            yield (
+                self._name(each.causes),
+                settings(tables, each.visit.change_time + each.seconds + BEYOND),
+            )
         for cycle, trial in exploration.variants():
             varied = next(each for each in cycle.transitions if each.causes)
             yield self._name(varied.causes), settings(tables_of(trial.timeline), trial.time)

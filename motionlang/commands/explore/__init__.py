@@ -14,16 +14,19 @@ on is a transition. Transitions that return to a state are a cycle.
 Search. The states with the fewest changes come first. A change that leads a state to something new, or moves an axis,
 may depend on the other inputs that are read there, so it is tried again together with each of those. A state that was
 known with an end of its own, and is found as one that lasts, is tried again with its levels. Levels of analogue inputs,
-numbers of a host and keys come from comparisons: an unusual value is played, and both sides of the comparisons that
-follow are solved for it (`values.py`).
+numbers of a host, Modbus registers and keys come from comparisons: an unusual value is played, and both sides of the
+comparisons that follow are solved for it (`values.py`).
+
+An input that is read while an axis moves, or whose change starts a handler, is changed in the middle of the move, too:
+once for each line that moves an axis and what moves after it. If the comparisons of a program count how often an input
+comes, in a move or at rest, it comes as often as they ask for.
 
 A question is a state, and an answer is a change; where several tasks rest, their places together are one state.
 Without a choice are the switches of an axis that homes for ever (`switches.py`).
 
 The world of the likeliest cycle that repeats when it is played is then described by simple rules (`world.py`).
 
-Not simulated yet: changes in the middle of a move, Modbus registers, and inputs that follow a position or stay on for a
-time.
+Not simulated yet: changes of anything but an input in the middle of a move.
 
 Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
 (`trials.py`). The same program gives the same result, unless the user ends the exploration.

@@ -2,35 +2,54 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter, defaultdict
-from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import chain
 from math import inf
+from operator import attrgetter
 from typing import NamedTuple
 
 from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
 from motionlang.commands.explore.switches import Switches
 from motionlang.commands.explore.trials import (
+    AT_REST,
     HANDLERS,
     Act,
     Change,
+    Moment,
+    Motion,
     Timeline,
     Trial,
     Trials,
     given_in,
     levels_at,
+    made_at,
     plain,
     without_figures,
 )
-from motionlang.commands.explore.values import ANSWERS, is_probe, printed_for, probes, solved, usual_answers
+from motionlang.commands.explore.values import (
+    ANSWERS,
+    counts,
+    is_probe,
+    printed_for,
+    probes,
+    solved,
+    usual_answers,
+)
 from motionlang.kernel import Program
-from motionlang.kernel.lang import Structure
+from motionlang.kernel.lang import WRITE, Structure, Unit
 from motionlang.kernel.log import Printed, Switched
 
 MAX_TRIALS = 500
 # A change comes so long after the program is at rest, s.
 DELAY = 0.3
+# So many trials show that a program counts how often an input comes: without it, once, twice.
+ENOUGH = 3
+# The period of an input that comes and goes at rest, s.
+PERIOD = 0.4
 
 Causes = tuple[Change, ...]
 
@@ -64,6 +83,11 @@ class Visit(NamedTuple):
         """The levels of the inputs that have changed by then."""
         return levels_at(self.timeline, self.change_time)
 
+    def changed(self, causes: Causes) -> Timeline:
+        """Return the timeline with changes of the stay."""
+        time = self.change_time
+        return (*(each for each in self.timeline if each[0] <= time), *made_at(time, causes))
+
 
 def delay(begin: float, end: float) -> float:
     """Return the time from the begin of a rest to a change: it comes before the rest ends by itself."""
@@ -76,11 +100,11 @@ class Transition:
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
     those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts`
-    are the moves, outputs and printed lines, in order. `is_cut` is True if a handler ran, or a fault cut off a move.
-    `visit` is that of the source from which it was found, `is_later` if that is no shortest one. `is_by_itself` is True
-    if the stay ends without the changes at that time. Two transitions do the same if `does` is equal: the lines that
-    move, the outputs that are switched, and words. `variants` are other values of the same channels with which the same
-    happens.
+    are the moves, outputs and printed lines in order. `is_cut` is True if a handler ran that commands anything, or a
+    fault cut off a move. `visit` is that of the source from which it was found, `is_later` if that is no shortest one.
+    `is_by_itself` is True if the stay ends without the changes at that time. Two transitions do the same if `does` is
+    equal: the lines that move, how they were cut off, the outputs that are switched, and words. `variants` are other
+    values of the same channels with which the same happens.
     """
 
     source: RestState | None
@@ -136,7 +160,7 @@ class Node:
         return self.first.moved
 
     def knows(self, causes: Causes, target: RestState | None, does: Hashable) -> bool:
-        """True if the same happens by these causes, by some of them, or by other values of their channels.
+        """True if the same happens by these causes, by some of them, or by other values or moments of their channels.
 
         Other values are noted, since what they do may differ later.
         """
@@ -144,7 +168,9 @@ class Node:
         for each in self.transitions:
             known = {one.kind for one in each.causes}
             if each.target == target and each.does == does and known <= kinds:
-                if known == kinds and each.causes != causes and not any(map(is_probe, causes)):
+                values = [one._replace(moment=AT_REST) for one in causes]
+                others = [one._replace(moment=AT_REST) for one in each.causes]
+                if known == kinds and others != values and not any(map(is_probe, causes)):
                     each.variants[causes] = None
                 return True
         return False
@@ -157,6 +183,27 @@ class Work(NamedTuple):
     period: float
     lines: frozenset[int]
     outputs: frozenset[int]
+
+
+class Chance(NamedTuple):
+    """An input that may change in the middle of a move; `onward` are the lines that move an axis later."""
+
+    change: Change
+    motion: Motion
+    onward: frozenset[int]
+
+    @property
+    def key(self) -> Hashable:
+        """The input, the line that moves the axis, and what comes after it: the change is tried once in each."""
+        return self.change.number, self.motion.line, self.onward
+
+    def added(self, causes: Causes, since: float, times: int = 0) -> Causes:
+        """Return changes at a time, and this one in the middle of the move after it, or so many times in the move."""
+        begin, end, axis, line = self.motion[:4]
+        every = (end - begin) / times if times else 0.0
+        first = begin + (every / 4 if times else (end - begin) / 2)
+        moment = Moment(round(first - since, 4), axis, line, times or 1, every)
+        return (*causes, self.change._replace(moment=moment))
 
 
 class Explorer:
@@ -202,18 +249,18 @@ class Explorer:
             if any(use.channel == "input" and not use.number.isdecimal() for use in statement.channels)
         }
         # The statements of the handlers that more than time starts.
-        graph, units = program.structure.graph, program.structure.units
-        entries = (unit.entry for unit in units if unit.kind == "event" and not unit.is_timed)
-        self.handlers = {program.structure.points[point].at for point in graph.reached(*entries)} - {-1}
+        units = program.structure.units
+        events = [unit for unit in units if unit.kind == "event" and not unit.is_timed]
+        self.handlers = frozenset[int]().union(*(_reached(program.structure, each) for each in events))
         self.beside = _beside(program.structure)
         # The inputs whose changes start a handler.
-        self.triggers = {
-            int(each.number)
-            for unit in units
-            if unit.kind == "event"
-            for each in unit.triggers
-            if each.channel == "input" and each.number.isdecimal()
-        }
+        self.triggers = _triggers(events)
+        # Handlers that command nothing count or take note.
+        quiet = [each for each in events if not _commands(program.structure, each)]
+        self.counters = _triggers(quiet)
+        self._quiet = frozenset[int]().union(*(_reached(program.structure, each) for each in quiet))
+        # The changes in the middle of a move that were tried.
+        self._changed_in: set[Hashable] = set()
         # The lines that move an axis in any transition.
         self._moved: set[int] = set()
         # Two unusual values of each channel that has more than two, and the lines that read it.
@@ -321,7 +368,10 @@ class Explorer:
         """Yield each change once, and those of several inputs that one line reads."""
         levels = visit.levels
         for channel in self.channels:
-            yield (Change("input", channel, 1 - levels.get(channel, 0.0)),)
+            change = Change("input", channel, 1 - levels.get(channel, 0.0))
+            yield (change,)
+            if channel in self.counters and node.state is not None:
+                yield from self._counted(node, visit, (), partial(_pulses, change))
         yield from self._read_together(node, levels)
         yield from self._values(node, visit) if visit.question is None else self._answers(node, visit)
 
@@ -353,9 +403,7 @@ class Explorer:
 
     def _changed(self, visit: Visit, causes: Causes) -> Trial:
         """Play the changes from a visit on."""
-        time = visit.change_time
-        timeline = tuple(each for each in visit.timeline if each[0] <= time)
-        return self.play((*timeline, *((time, each) for each in causes)), time, self._is_settled)
+        return self.play(visit.changed(causes), visit.change_time, self._is_settled)
 
     def _behind(self, trial: Trial, rest: Rest | None) -> list[int]:
         """Return the lines that run behind a change until the next rest, without those of the rest."""
@@ -373,6 +421,65 @@ class Explorer:
             for channel in dict.fromkeys(read)
             if channel not in changed
         ]
+
+    def _in_moves(
+        self, node: Node, visit: Visit, causes: Causes, chances: Sequence[Chance]
+    ) -> Iterator[Causes]:
+        """Play the changes with one more in the middle of a move, where none was yet; yield those that are counted."""
+        for each in chances:
+            if self.trials.is_over:
+                return
+            if each.key in self._changed_in:
+                continue
+            self._changed_in.add(each.key)
+            once = each.added(causes, visit.change_time)
+            self._arrive(node, visit, once, self._changed(visit, once))
+            if each.change.number in self.triggers - self.counters:
+                continue
+            yield from self._counted(node, visit, causes, partial(each.added, causes, visit.change_time))
+
+    def _counted(
+        self, node: Node, visit: Visit, causes: Causes, often: Callable[[int], Causes]
+    ) -> Iterator[Causes]:
+        """Yield changes with one more, which comes as often as a program counts it."""
+        tried = [causes, *map(often, range(1, ENOUGH))]
+        trials: list[Trial] = []
+        for each in tried:
+            if self.trials.is_over:
+                return
+            trials.append(self._changed(visit, each))
+            if len(trials) > 1 and not counts(trials):
+                return
+        yield from map(often, counts(trials))
+        # Last, so that what too few do is known of enough.
+        for each, trial in zip(tried[1:], trials[1:], strict=True):
+            self._arrive(node, visit, each, trial)
+
+    def _chances(self, trial: Trial, since: float, until: float) -> list[Chance]:
+        """Return the inputs that are read while an axis moves, or that start a handler."""
+        motions: dict[int, Motion] = {}
+        for each in trial.part(since, until).motions:
+            if each.words and each.end - each.begin > SHORTEST:
+                motions.setdefault(each.line, each)
+        found = []
+        for motion in motions.values():
+            levels = levels_at(trial.timeline, motion.begin)
+            onward = frozenset(each.line for each in motions.values() if each.begin > motion.begin)
+            for channel in dict.fromkeys((*self._read_between(trial, motion), *sorted(self.triggers))):
+                change = Change("input", channel, 1 - levels.get(channel, 0.0))
+                chance = Chance(change, motion, onward)
+                if channel in self.channels and chance.key not in self._changed_in:
+                    found.append(chance)
+        return found
+
+    def _read_between(self, trial: Trial, motion: Motion) -> Iterator[int]:
+        """Yield the inputs that statements read while a move goes on."""
+        begun = chain.from_iterable(trial.statements.values())
+        places = [each.at for each in begun if motion.begin <= each.time < motion.end]
+        places += [each.at for each in trial.waits if each.since < motion.end and motion.begin < each.until]
+        for at in dict.fromkeys(places):
+            known = self._read_in.get(self.line(at), {})
+            yield from (channel for channel in trial.readings.get(at, ()) if channel in known)
 
     def _values_behind(
         self, node: Node, visit: Visit, behind: Sequence[int], causes: Causes
@@ -422,15 +529,33 @@ class Explorer:
                     if any(each.table == "answer" for each in how):
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST
+                handled = self._handled(trial, since, inf if first is None else since)
+                if how and handled:
+                    self._link(source, back, how, rest.state, trial, since, max(handled), known, is_over)
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
             first = first or rest
-            news |= self._link(source, back, how, reached.state, trial, since, rest.begin, known, is_over)
+            until = self._arrival(trial, rest)
+            news |= self._link(source, back, how, reached.state, trial, since, until, known, is_over)
             is_over = False
             source, back, how, since = reached, way, (), rest.end if rest.end < inf else trial.time
         if trial.has_ended and node.state is not None:
             news |= self._link(source, back, how, None, trial, since, trial.time, known, is_over)
         return news, first
+
+    def _arrival(self, trial: Trial, rest: Rest) -> float:
+        """Return when a rest is reached: what begins soon after the last move, and is none of the rest, leads there."""
+        until = rest.begin
+        for place in rest.state:
+            begun = trial.statements.get(place.task, ())
+            first, last = (
+                bisect_left(begun, time, key=attrgetter("time"))
+                for time in (rest.begin, min(rest.begin + BODY, rest.end))
+            )
+            until = max(
+                [until, *(each.time for each in begun[first:last] if each.at not in place.statements)]
+            )
+        return until
 
     def _note_work(self, trial: Trial) -> None:
         """Take note of what the last trial repeats without a rest."""
@@ -489,11 +614,12 @@ class Explorer:
         known: Collection[RestState | None],
         is_over: bool,
     ) -> bool:
-        """Add a transition; True if it is new, and leads elsewhere or moves an axis."""
+        """Add a transition; True if it is new, and leads elsewhere, moves an axis, or starts a handler."""
         part = self.part(trial, since, until)
         lines = tuple(each.line for each in part.moves)
-        does = _does(part)
-        if source.knows(causes, target, does) or (target == source.state and not lines):
+        does = _does(part, until)
+        handled = self._handled(trial, since, until)
+        if source.knows(causes, target, does) or (target == source.state and not lines and not handled):
             return False
         is_later = visit is source.later
         if is_later and target in known and self._moved.issuperset(lines):
@@ -501,8 +627,11 @@ class Explorer:
         self._moved.update(lines)
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
-        handled = {each.at for each in trial.statements.get(HANDLERS, ()) if since <= each.time <= until}
         fails = any(each.ended == "fault" for each in part.moves)
+        chances = self._chances(trial, since, until)
+        if chances and (source.state is not None or not causes):
+            changes = self._in_moves(source, visit, causes, chances)
+            source.left.append(Departure(visit, changes))
         source.transitions.append(
             Transition(
                 source.state,
@@ -513,7 +642,7 @@ class Explorer:
                 frozenset(each.line for each in part.moves if not each.is_homing),
                 frozenset(each.channel for each in part.outputs if each.value),
                 self.acts(part),
-                fails or bool(handled & self.handlers),
+                fails or bool(handled),
                 visit,
                 is_later,
                 is_over or not causes,
@@ -521,6 +650,12 @@ class Explorer:
             )
         )
         return True
+
+    def _handled(self, trial: Trial, since: float, until: float) -> list[float]:
+        """Return when statements of handlers began that command anything, between two times."""
+        wanted = self.handlers - self._quiet
+        begun = trial.statements.get(HANDLERS, ())
+        return [each.time for each in begun if each.at in wanted and since <= each.time <= until]
 
     def part(self, trial: Trial, since: float, until: float) -> Trial:
         """Return the trial with only what the tasks that work do between two times."""
@@ -548,6 +683,35 @@ class Explorer:
 
     def _act(self, each: Switched | Printed, subject: str, words: str) -> Act:
         return Act(each.time, self.line(each.at) if each.at >= 0 else 0, subject, words)
+
+
+def _reached(structure: Structure, unit: Unit) -> frozenset[int]:
+    """Return the statements of a unit, and of what it calls."""
+    return frozenset(structure.points[point].at for point in structure.graph.reached(unit.entry)) - {-1}
+
+
+def _commands(structure: Structure, unit: Unit) -> bool:
+    """True if a unit commands an axis, or switches an output."""
+    statements = (structure.statements.get(at) for at in _reached(structure, unit))
+    return any(
+        each is not None and (each.axes or any(use.access == WRITE for use in each.channels))
+        for each in statements
+    )
+
+
+def _triggers(units: Iterable[Unit]) -> set[int]:
+    """Return the inputs whose changes start handlers."""
+    return {
+        int(each.number)
+        for unit in units
+        for each in unit.triggers
+        if each.channel == "input" and each.number.isdecimal()
+    }
+
+
+def _pulses(change: Change, times: int) -> Causes:
+    """Return an input that comes and goes so many times at rest."""
+    return (change._replace(moment=Moment(times=times, every=PERIOD)),)
 
 
 def _beside(structure: Structure) -> frozenset[int]:
@@ -586,10 +750,10 @@ def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
     return any(since <= move.begin < rest.begin for move in trial.moves)
 
 
-def _does(part: Trial) -> Hashable:
+def _does(part: Trial, until: float) -> Hashable:
     """Return what a program does in a part of a trial, but for figures and for how often a lamp blinks."""
     return (
-        tuple(each.line for each in part.moves),
+        tuple((each.line, each.ended if each.end <= until else "") for each in part.moves),
         frozenset((each.channel, bool(each.value)) for each in part.outputs),
         frozenset(without_figures(each.text) for each in part.prints),
     )

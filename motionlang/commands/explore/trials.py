@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from math import inf
 from operator import attrgetter
 from typing import NamedTuple
@@ -20,6 +20,7 @@ from typing import NamedTuple
 from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
 from motionlang.kernel.lang import DRIVES, Snapshot
 from motionlang.kernel.log import Move, Printed, Switched, Waited
+from motionlang.kernel.tools import count_of
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
 # while an axis is on its way to an end.
@@ -34,9 +35,11 @@ MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
 # The tables of the machine file with the changes of the world, and those of them that have texts, and no numbers.
-TABLES = ("input", "analogue", "comms", "netdata", "dpr", "coil", "key", "answer")
+TABLES = ("input", "analogue", "comms", "netdata", "dpr", "modbus.register", "coil", "key", "answer")
 TEXTS = ("key", "answer")
 Entry = dict[str, object]
+# The number of a Modbus register is that in its server, and so many for each number of the server.
+REGISTERS = 65536
 # Where the name of a task would be, in a record of what handlers do.
 HANDLERS = "!"
 
@@ -44,32 +47,69 @@ _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f
 _FIGURE = re.compile(r"[-+]?\d[\d.]*")
 
 
-class Change(NamedTuple):
-    """A change of the world: an input, an analogue input, a number of a host, a key, or an answer.
+class Moment(NamedTuple):
+    """The moment of a change of an input: so long after a change at rest, s, while a line moves an axis.
 
-    A key and an answer have the number 0, and their text as the value; `prompt` is the question.
+    With a period, `every`, s, the input comes and goes so many times. `line` is 0 at rest.
+    """
+
+    delay: float = 0.0
+    axis: int = 0
+    line: int = 0
+    times: int = 1
+    every: float = 0.0
+
+    def __str__(self) -> str:
+        often = f" {count_of(self.times, 'time')}" if self.every else ""
+        return f"{often} while axis {self.axis} moves (line {self.line})" if self.line else often
+
+
+AT_REST = Moment()
+
+
+class Change(NamedTuple):
+    """A change of the world: an input, an analogue input, a number of a host, a Modbus register, a key, or an answer.
+
+    A key and an answer have the number 0, and their text as the value; `prompt` is the question. `keys_of` splits the
+    number of a register. Only an input changes at another `moment` than at rest.
     """
 
     table: str
     number: int
     value: float | str
     prompt: str = ""
+    moment: Moment = AT_REST
 
     @property
     def kind(self) -> Hashable:
-        """An input and its level, or another channel and any value of it."""
-        return self if self.table == "input" else (self.table, self.number, self.prompt)
+        """An input and its level, or another channel and any value of it, at whatever moment."""
+        value = self.value if self.table == "input" else None
+        return self.table, self.number, self.prompt, value
+
+    def levels(self, time: float) -> list[tuple[float, float]]:
+        """Return the times and levels of an input that changes at a time, and comes and goes from then on."""
+        assert isinstance(self.value, (int, float))
+        every = self.moment.every
+        if not every:
+            return [(time, self.value)]
+        return [
+            each
+            for start in (time + k * every for k in range(self.moment.times))
+            for each in ((start, self.value), (start + every / 2, 1 - self.value))
+        ]
 
     @property
     def subject(self) -> str:
         """The name of what is changed."""
         if self.table in TEXTS:
             return "a key" if self.table == "key" else f"an answer to {self.prompt!r}"
-        return f"{DRIVES[self.table][0]} {self.number}"
+        keys = keys_of(self.table, self.number)
+        server = f" of server {keys['server']}" if "server" in keys else ""
+        return f"{DRIVES[self.table][0]} {keys[DRIVES[self.table][1]]}{server}"
 
     def __str__(self) -> str:
         if self.table == "input":
-            return f"{self.subject} {'on' if self.value else 'off'}"
+            return f"{self.subject} {'on' if self.value else 'off'}{self.moment}"
         if self.table == "key":
             return "key Enter" if self.value == "\r" else f"key {self.value}"
         if self.table == "answer":
@@ -78,8 +118,21 @@ class Change(NamedTuple):
         return f"{self.subject} = {self.value:.10g}"
 
 
+def in_words(changes: Iterable[Change]) -> str:
+    """Return changes in words; those in the middle of a move come later."""
+    text = ""
+    for each in changes:
+        text += f"{', then ' if each.moment.line else ' and '}{each}" if text else str(each)
+    return text
+
+
 # Changes with their times, in order.
 Timeline = tuple[tuple[float, Change], ...]
+
+
+def made_at(time: float, changes: Iterable[Change]) -> Timeline:
+    """Return changes with their times: at rest at a time, or at another moment that counts from it."""
+    return tuple((time + each.moment.delay, each) for each in changes)
 
 
 class Begun(NamedTuple):
@@ -118,6 +171,8 @@ class Recorder(Hook):
         # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
         self.seen: set[int | tuple[int, int, int]] = set()
         self._comparisons = 0  # of the present statement
+        # The statement that handlers have interrupted; -1 if none runs.
+        self._interrupted = -1
         self._is_recorded = False
         # The places since `since`, the moves so far, and the number of the last statement with something new.
         self._places: set[int] = set()
@@ -151,15 +206,27 @@ class Recorder(Hook):
         return True
 
     def _reads(self, channel: int) -> None:
+        self._come_back()
         if self._at >= 0:
             self.readings[self._at][channel] = None
+
+    def _come_back(self) -> None:
+        """Go back to the statement that handlers have interrupted when they have ended."""
+        if self._interrupted >= 0 and self._machine is not None:
+            scheduler = self._machine.scheduler
+            if scheduler is None or not scheduler.interrupts:
+                self._at, self._interrupted, self._comparisons = self._interrupted, -1, 0
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
         """Record a statement, and end the run if it only repeats."""
         self.count += 1
-        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         assert self._machine is not None
         scheduler = self._machine.scheduler
+        if scheduler is None or not scheduler.interrupts:
+            self._interrupted = -1
+        elif self._interrupted < 0:
+            self._interrupted = self._at
+        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         if not self._is_recorded:
             self.seen.add(offset)
             self._news = self.count
@@ -190,6 +257,7 @@ class Recorder(Hook):
 
     def compared(self, left: object, right: object) -> None:
         assert self._machine is not None
+        self._come_back()
         if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
             self.comparisons[self._at].append((left, right))
             if isinstance(left, (int, float)) and isinstance(right, (int, float)):
@@ -342,7 +410,7 @@ class Trials:
         It ends earlier if `is_settled` is true of what it has done so far.
         """
         self.count += 1
-        last = max((since, *(at for at, _ in timeline)))
+        last = max((since, *(at + each.moment.times * each.moment.every for at, each in timeline)))
         horizons = iter(HORIZONS)
         until = last + next(horizons)
         if since > 0.0:
@@ -437,19 +505,34 @@ def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
 
 def given_in(settings: Mapping[str, object]) -> set[tuple[str, int]]:
     """Return the channels that settings have entries for, as table and number; answers and keys have the number 0."""
-    return {
-        (table, int(each[number]) if (number := DRIVES[table][1]) else 0)  # type: ignore[call-overload]
-        for table in TABLES
-        for each in entries(settings, table)
-    }
+    return {(table, number_in(table, each)) for table in TABLES for each in entries(settings, table)}
+
+
+def keys_of(table: str, number: int) -> Entry:
+    """Return the keys of an entry that name a channel by its number, none for a key or an answer."""
+    if table == "modbus.register":
+        server, number = divmod(number, REGISTERS)
+        return {"server": server, "register": number}
+    return {DRIVES[table][1]: number} if DRIVES[table][1] else {}
+
+
+def number_in(table: str, entry: Entry) -> int:
+    """Return the number of the channel of an entry, 0 for a key or an answer."""
+    server: int = entry.get("server", 0)  # type: ignore[assignment]
+    number: int = entry.get(DRIVES[table][1], 0)  # type: ignore[assignment]
+    return server * REGISTERS + number
 
 
 def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
     """Return the tables of a machine file with the changes of a timeline; their times count from `since`."""
     tables: dict[str, list[dict[str, object]]] = defaultdict(list)
     for time, change in timeline:
-        number = DRIVES[change.table][1]
-        entry: dict[str, object] = {number: change.number} if number else {}
+        entry = keys_of(change.table, change.number)
+        if change.table == "input":
+            tables["input"] += (
+                entry | {"at": at - since, "value": level} for at, level in change.levels(time)
+            )
+            continue
         if change.table != "answer":
             entry["at"] = time - since
         elif change.prompt:
@@ -464,16 +547,18 @@ def _value_key(table: str) -> str:
 
 def is_about(change: Change, entry: Entry) -> bool:
     """True if an entry makes a change."""
-    number = DRIVES[change.table][1]
-    return entry[_value_key(change.table)] == change.value and (not number or entry[number] == change.number)
+    value = entry[_value_key(change.table)]
+    return value == change.value and number_in(change.table, entry) == change.number
 
 
 def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
     """Return the levels of the inputs that a timeline has changed by a time."""
     return {
-        change.number: float(change.value)
+        change.number: level
         for at, change in timeline
-        if change.table == "input" and at <= time + 1e-9
+        if change.table == "input"
+        for start, level in change.levels(at)
+        if start <= time + 1e-9
     }
 
 

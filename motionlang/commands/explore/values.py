@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 from math import inf, isfinite
 
-from motionlang.commands.explore.trials import Change, Trial
+from motionlang.commands.explore.trials import REGISTERS, TABLES, Change, Trial
 from motionlang.kernel import Program
 from motionlang.kernel.lang import DRIVES
 
@@ -28,11 +29,14 @@ USUAL: dict[str, Sequence[float | str]] = {
     "comms": (10.0,),
     "netdata": (10,),
     "dpr": (10,),
+    "modbus.register": (10,),
 }
 # So many values are tried of one channel.
 MAX_VALUES = 24
+# An input comes so often at most.
+MAX_TIMES = 50
 # The tables whose whole numbers are integers.
-WHOLE = ("netdata", "dpr", "coil")
+WHOLE = ("netdata", "dpr", "modbus.register", "coil")
 # The tables of what has more than two levels, by the device that a statement reads.
 _TABLES = {DRIVES[table][0]: table for table in ("key", "analogue", "comms", *WHOLE)}
 
@@ -43,8 +47,8 @@ def probes(program: Program) -> list[tuple[Change, Change, frozenset[int]]]:
     for statement in program.structure.statements.values():
         for use in statement.channels:
             if use.access == "read" and use.channel in _TABLES:
-                number = int(use.number) if use.number.isdecimal() and use.channel != "key" else 0
-                found.setdefault((_TABLES[use.channel], number), set()).add(statement.line)
+                table = _TABLES[use.channel]
+                found.setdefault((table, _number_of(table, use.number) or 0), set()).add(statement.line)
     made = []
     unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS}
     for table in WHOLE:
@@ -64,10 +68,19 @@ def written(program: Program) -> set[tuple[str, int]]:
     """Return the channels with more than two levels that a program writes, as table and number."""
     uses = (use for each in program.structure.statements.values() for use in each.channels)
     return {
-        (_TABLES[use.channel], int(use.number))
+        (table, number)
         for use in uses
-        if use.access != "read" and use.channel in _TABLES and use.number.isdecimal()
+        if use.access != "read" and (table := _TABLES.get(use.channel, "")) in TABLES
+        if (number := _number_of(table, use.number)) is not None
     }
+
+
+def _number_of(table: str, text: str) -> int | None:
+    """Return the number of a channel from the text of a program, such as "1, 5" for a register of a server."""
+    numbers = [int(each) for each in text.split(", ") if each.isdecimal()]
+    if table == "key" or len(numbers) != (2 if table == "modbus.register" else 1):
+        return None
+    return numbers[0] * REGISTERS + numbers[1] if table == "modbus.register" else numbers[0]
 
 
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
@@ -85,6 +98,24 @@ def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Chan
     if found or first.table == "key":
         changes += [first._replace(value=each) for each in USUAL.get(first.table, ())]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
+
+
+def counts(trials: Sequence[Trial]) -> list[int]:
+    """Return how often an input must come for comparisons to turn that count it, from trials with 0, 1, 2 … times.
+
+    What counts it differs by the same from each trial to the next one.
+    """
+    first, *others = ({at: each[-1] for at, each in _margins(trial).items() if each} for trial in trials)
+    found: dict[int, None] = {}
+    for at, margin in first.items():
+        known = [margin, *(other[at] for other in others if at in other)]
+        steps = {after - before for before, after in pairwise(known)}
+        if len(known) < len(trials) or len(steps) > 1 or 0.0 in steps:
+            continue
+        root = -margin / steps.pop()
+        if root.is_integer():
+            found |= dict.fromkeys((int(root), int(root) + 1))
+    return [each for each in found if len(trials) <= each <= MAX_TIMES]
 
 
 def _margins(trial: Trial) -> dict[int, list[float]]:

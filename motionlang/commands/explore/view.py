@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from motionlang.commands.explore.cycles import Cycle
 from motionlang.commands.explore.rests import RestState, TaskRest
 from motionlang.commands.explore.search import Node, Transition
+from motionlang.commands.explore.trials import in_words
 from motionlang.commands.explore.world import World
 from motionlang.kernel import Program
 from motionlang.kernel.lang import Structure
@@ -68,7 +69,7 @@ def causes_of(transition: Transition) -> str:
     """Return what leads to a transition, in words."""
     if not transition.causes:
         return f"by itself after {transition.seconds:.2f} s" if transition.source is not None else "by itself"
-    return " and ".join(map(str, transition.causes))
+    return in_words(transition.causes)
 
 
 def _head(node: Node, structure: Structure) -> str:

@@ -2,6 +2,7 @@
 
     on from the start          where it makes no difference, also if the cycle does not need it
     on from a time             a change that is made once
+    follows a position         it changes in the middle of moves: where the axis passes again, or at steps along its way
     follows an output          each of its changes comes after one of the output; inverted, too
     on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
@@ -24,20 +25,23 @@ from motionlang.commands.explore.cycles import Cycle
 from motionlang.commands.explore.rests import BODY, Rest, RestState
 from motionlang.commands.explore.search import DELAY, Causes, Explorer, delay
 from motionlang.commands.explore.trials import (
+    AT_REST,
     HANDLERS,
     Change,
     Entry,
+    Moment,
     Motion,
     Timeline,
     Trial,
     entries,
     is_about,
     levels_at,
+    made_at,
     tables_of,
     without_figures,
 )
 from motionlang.commands.explore.values import written
-from motionlang.kernel import Run
+from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
 
 # So often a cycle is played, with so many changes that lead back to it; it repeats if each of its lines does so often.
@@ -60,8 +64,10 @@ LONGER = 1.5
 EVERY = 2.0
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
+# So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
+MARKS, SAME = 1000, 0.01
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
-NUMBERS = ("comms", "netdata", "dpr")
+NUMBERS = ("comms", "netdata", "dpr", "modbus.register")
 WRITES = (*NUMBERS, "coil", "key")
 
 
@@ -159,17 +165,25 @@ def played(explorer: Explorer, cycle: Cycle, others: Causes = (), times: int = T
             break
         before, begin = due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
-        timeline = (*timeline, *((at, each) for each in changes))
+        timeline = (*timeline, *made_at(at, changes))
         trial = explorer.play(timeline, at, is_due)
     return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and _count(cycle, trial) >= COMPARED)
 
 
 def _missing(causes: Causes, timeline: Timeline) -> Causes:
-    """Return the changes of some that change anything at the end of a timeline."""
+    """Return the changes of some that change anything at the end of a timeline.
+
+    An input that changes in a move, and has that level already, has the other one until then.
+    """
     levels = levels_at(timeline, inf)
-    return tuple(
-        each for each in causes if each.table != "input" or levels.get(each.number, 0.0) != each.value
-    )
+    missing: list[Change] = []
+    for each in causes:
+        is_there = each.table == "input" and levels.get(each.number, 0.0) == each.value
+        if is_there and each.moment != AT_REST:
+            missing.append(each._replace(value=1 - levels[each.number], moment=AT_REST))
+        if not is_there or each.moment != AT_REST:
+            missing.append(each)
+    return tuple(missing)
 
 
 def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | None, Causes]) -> Causes:
@@ -213,7 +227,7 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
     flips: dict[int, list[tuple[float, float]]] = defaultdict(list)
     for time, change in trial.timeline:
         if change.table == "input":
-            flips[change.number].append((time, float(change.value)))
+            flips[change.number] += change.levels(time)
     writes: dict[Change, list[float]] = defaultdict(list)
     for time, change in trial.timeline:
         if change.table in WRITES:
@@ -235,14 +249,22 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
             wanted, orders.of(moves, log.outputs, log.prints)
         )
 
+    along = _along(explorer, trial)
     switched = _switched(trial)
     blinking = _blinking(switched, trial, explorer.rests(trial))
     for _ in range(PASSES):  # what is on too early for one input may be in time when another one is on, too
         for number, changes in sorted(flips.items(), key=lambda each: (len(each[1]), each[0])):
-            for entry in _rules(number, changes, switched, blinking):
+            for entry in _rules(number, changes, along.get(number), switched, blinking):
                 if chosen[number] == [entry] or holds(_settings({**chosen, number: [entry]}, others)):
                     chosen[number] = [entry]
                     break
+    left = [number for number, each in chosen.items() if len(each) > 1]
+    if (
+        len(left) > 1
+    ):  # the times of one fit those of the others, so all of them must come and go by themselves
+        together: dict[int, list[Entry]] = {number: [{"channel": number, **PULSES}] for number in left}
+        if holds(_settings(chosen | together, others)):
+            chosen |= together
     for change, times in writes.items():
         for entry in _repetitions(change, times, switched, blinking) if len(times) > 1 else ():
             rest = [each for each in entries(others, change.table) if not is_about(change, each)]
@@ -388,14 +410,50 @@ def _blinking(switched: Switches, trial: Trial, found: list[Rest]) -> set[int]:
     }
 
 
+def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
+    """Return the entries by the position of an axis for inputs that change in the middle of moves."""
+    changes: dict[tuple[int, int], list[tuple[float, Moment]]] = defaultdict(list)
+    for time, each in trial.timeline:
+        if each.moment.line and each.value:
+            changes[each.number, each.moment.axis].append((time, each.moment))
+    if not changes:
+        return {}
+    axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
+    found: dict[int, Entry] = {}
+    for (number, axis), moments in changes.items():
+
+        def position(time: float, a: Axis = axes[axis]) -> float:
+            return a.position(time) / a.scale.counts
+
+        begins = [position(time) for time, _ in moments]
+        time, (_, _, _, times, every) = moments[0]
+        move = next(each for each in trial.motions if each.axis == axis and each.begin <= time < each.end)
+        end = position(time + every / 2 if every else (time + move.end) / 2)
+        between = [round(each, 2) for each in sorted((begins[0], end))]
+        entry: Entry = {"channel": number, "axis": axis, "between": between}
+        if max(begins) - min(begins) > SAME:
+            entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
+        elif times > 1:
+            entry |= {"every": round((position(move.end) - position(move.begin)) / times, 2), "times": times}
+        if entry.get("every", SAME) >= SAME:  # type: ignore[operator]
+            found[number] = entry
+    return found
+
+
 def _rules(
-    number: int, changes: list[tuple[float, float]], switched: Switches, blinking: set[int]
+    number: int,
+    changes: list[tuple[float, float]],
+    along: Entry | None,
+    switched: Switches,
+    blinking: set[int],
 ) -> Iterator[Entry]:
     """Yield the rules that may explain the changes of an input, the simplest first; outputs that blink are last."""
     if changes[0][1]:
         yield {"channel": number, "at": 0.0}
         if len(changes) == 1:
             yield {"channel": number, "at": round(changes[0][0], 1)}
+    if along is not None:
+        yield along
     latest = sorted(switched, key=lambda each: (each in blinking, _lead(changes, switched[each]), each))
     for output in latest if len(changes) > 1 else ():
         for inverted in (0, 1):

@@ -67,6 +67,9 @@ NETDATA = """
 DPR = """
 # Words of the dual-port RAM that the host writes.
 """
+REGISTERS = """
+# Registers of Modbus servers that the program reads.
+"""
 COILS = """
 # Modbus coils that the host writes.
 """
@@ -76,6 +79,7 @@ HEADS = {
     "comms": COMMS,
     "netdata": NETDATA,
     "dpr": DPR,
+    "modbus.register": REGISTERS,
     "coil": COILS,
     "answer": ANSWERS,
     "key": KEYS,
@@ -239,7 +243,8 @@ def leading(exploration: Exploration) -> dict[int, dict[int, None]]:
     """Return the lines of the states that each input leads on from, alone or with others that are needed, too."""
     found: dict[int, dict[int, None]] = {}
     for node in exploration.nodes:
-        ways = [set(each.causes) for each in node.transitions if each.causes and each.source is not None]
+        onward = (each for each in node.transitions if each.lines or each.target != node.state)
+        ways = [set(each.causes) for each in onward if each.causes and each.source is not None]
         least = [way for way in ways if not any(other < way for other in ways)]
         for channel in sorted({one.number for way in least for one in way if one.table == "input"}):
             found.setdefault(channel, {})[_line(exploration, node.state)] = None
@@ -253,12 +258,13 @@ def _does(exploration: Exploration, channel: int) -> str:
         each for each in _transitions(exploration) if on in [(one[:3]) for one in each.causes] and each.source
     ]
     for each in sorted(found, key=lambda each: len(each.causes)):
+        moment = next(one.moment for one in each.causes if one[:3] == on)
         others = " and ".join(str(one) for one in each.causes if one[:3] != on)
         onward = (
             "the program ends" if each.target is None else f"waits in line {_line(exploration, each.target)}"
         )
         acts = ", ".join(map(str, each.acts[:2])) or onward
-        return f"line {_line(exploration, each.source)}{f', with {others}' if others else ''}: {acts}"
+        return f"line {_line(exploration, each.source)}{moment}{f', with {others}' if others else ''}: {acts}"
     return ""
 
 

@@ -111,6 +111,7 @@ class Played:
     """What a machine does: its states, power-up first, its handlers, choices and cycle, and what never ran.
 
     `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
+    `ending` is what happens in that run behind its last move, if the program ends.
     """
 
     exploration: Exploration
@@ -120,6 +121,7 @@ class Played:
     happenings: list[Happening]
     unreached: list[Unreached]
     span: tuple[float, float]
+    ending: Sequence[str]
 
     @property
     def run(self) -> Run:
@@ -168,6 +170,7 @@ def played(
             key=attrgetter("first"),
         ),
         span,
+        _ending(exploration, structure, names),
     )
 
 
@@ -260,8 +263,12 @@ class _Words:
                 unit = self.handler(each)
                 if not unit:
                     continue
-                start, then = " and ".join(map(self.names.change, each.causes)), self.then(each)
+                start = " and ".join(map(self.names.change, each.causes))
+                then = [self.names.act(act) for act in _after(each)]
+                if each.target == node.state and not then:
+                    continue  # nothing is seen of it
                 to = "the end" if each.target is None else self.lines(each.target)
+                to = "the same state" if each.target == node.state else to
                 key = unit, start, to, *then
                 found.setdefault(key, Handled(unit, start, then, {}, to)).states[self.lines(node.state)] = (
                     None
@@ -284,6 +291,14 @@ class _Words:
                     instead = " and ".join(map(self.names.change, each.causes))
                     found.append(Choice(instead, self.lines(each.source), acts))
         return found
+
+
+def _after(each: Transition) -> list[Act]:
+    """Return what happens from the last change of a transition on, and before it the move that it meets."""
+    last = max(each.causes, key=lambda change: change.moment.delay)
+    time = each.visit.change_time + last.moment.delay
+    before = [act for act in each.acts if act.time < time and act.subject == f"axis {last.moment.axis}"]
+    return [*before[-1:], *(act for act in each.acts if act.time >= time)]
 
 
 def kept(transitions: Iterable[Transition]) -> list[Transition]:
@@ -346,6 +361,17 @@ def _happenings(
     for print_ in log.prints:
         if print_.at not in beside and within(print_.time):
             yield Happening(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
+
+
+def _ending(exploration: Exploration, structure: Structure, names: Names) -> list[str]:
+    """Return what happens behind the last move of a run that ends by itself and has a cycle."""
+    run = exploration.world.run
+    moves = run.machine.log.moves
+    if run.status != "ended" or run.cycle is None:
+        return []
+    last = max(each.start_time for each in moves)
+    found = sorted(_happenings(exploration, structure, names, last, run.time + 1.0), key=attrgetter("time"))
+    return [each.what for each in found if each.seconds is None]
 
 
 def _joined(happenings: Iterable[Happening]) -> list[Happening]:

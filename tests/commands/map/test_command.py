@@ -32,7 +32,7 @@ Event IN2
 End Event
 """
 SHOWN = """\
-a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 7 times
+a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 9 times
 
 Cycle
 2 s, 21 times (lines 5 to 12), cycle(print piece)
@@ -64,6 +64,12 @@ waits in 4: PAUSE INX(1)   [input 1 (part in place)]
 
 waits in 14: PAUSE INX(1) = 0   [input 1 (part in place)]
   input 1 (part in place) off → 4, 0.00 s
+
+Handlers
+  event IN2: input 1 (part in place) on and input 2 (door) on while axis 0 moves (line 6), waiting in 4 → 14: axis 0 to
+      29.997 at 100; axis 0 to 0 at 100; output 3 (clamp) off; 'piece 1.0000'
+  event IN2: input 1 (part in place) on and input 2 (door) on while axis 0 moves (line 8), waiting in 4 → 14: axis 0 to
+      19.995 at 100; output 3 (clamp) off; 'piece 1.0000'
 
 Inputs and outputs
 channel   name           use  waited for  read  written    values  starts

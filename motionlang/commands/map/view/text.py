@@ -65,7 +65,8 @@ def cycle_line(played: Played) -> str:
     """Return one line about the cycle of a machine."""
     run = played.run
     if run.cycle is not None:
-        return f"{run.cycle}"
+        then = f"; then the program ends: {_then(played.ending)}" if played.ending else ""
+        return f"{run.cycle}{then}"
     if not len(run.machine.log.moves):
         return "none: no axis moved"
     return f"none; one run takes {run.time:.5g} s"
@@ -82,7 +83,7 @@ def world_lines(played: Played) -> Iterator[str]:
 
 def _cycle(made: ProgramMap, played: Played, width: int, colour: bool) -> list[str]:
     """Return the cycle: its time, what happens in it, a picture, and the world in which it runs."""
-    found = [styled("Cycle", "bold", colour), cycle_line(played)]
+    found = [styled("Cycle", "bold", colour), *_wrapped(cycle_line(played), "", width)]
     table = tables.cycle(played)
     left = len(table.rows) - MAX_HAPPENINGS
     if left > 0:
