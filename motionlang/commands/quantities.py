@@ -17,7 +17,7 @@ It is the median of these times; `.least`, `.most` and `.count` are the others.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from statistics import median
@@ -94,12 +94,22 @@ def cycle_of(run: Run, name: str) -> float | int | None:
     if not (line or output or text):
         found = run.cycle
         return None if found is None else found.period
-    periods = [after - before for before, after in pairwise(_times(run, line, output, text))]
+    periods = [after - before for before, after in pairwise(cycle_times(run, name))]
     if figure == "count":
         return len(periods)
     if not periods:
         return None
     return {"least": min, "most": max}.get(figure, median)(periods)
+
+
+def cycle_times(run: Run, name: str) -> Sequence[float]:
+    """Return the times at which a cycle begins, by its name."""
+    form = CYCLE.fullmatch(name)
+    assert form is not None
+    if form[0] == "cycle":
+        found = run.cycle
+        return () if found is None else found.times
+    return _times(run, *form.groups()[:3])
 
 
 def no_cycle_notes(run: Run, values: Mapping[str, object]) -> list[str]:

@@ -8,9 +8,9 @@ as a run allows: the text is edited, run, certified against `[axis.N.limits]`, a
 is changed after the other, on top of what was gained, until none gains more. Of these edits the fewest are chosen that
 reach the wanted gain, by trying all sets of one, of two, and so on.
 
-    must not change    the order of outputs and prints of each task (their figures may), the moves and where those of
-                       the work end, the final positions, the status, limits met and faults (`behaviour.py`), the
-                       expectations of scenarios
+    must not change    what each task does and in which order: moves with their ends, outputs, prints (their figures
+                       may); the place of an output in a move; the final positions, the status, limits met and faults
+                       (`behaviour.py`), the expectations of scenarios
     must hold          every limit of the machine file, also that of the motor's torque if there is one
 
 Each change is found by doubling and bisection, because more of a speed is never slower, until it is not allowed. Of
@@ -30,10 +30,11 @@ from math import ceil, floor, fsum, inf, isclose, log10
 from typing import Any
 
 from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
-from motionlang.commands.improve.behaviour import SAME, Behaviour, lines_beside
+from motionlang.commands.improve.behaviour import SAME, Behaviour
+from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.commands.quantities import cycle_of, no_cycle_notes
+from motionlang.commands.quantities import cycle_of, cycle_times, no_cycle_notes
 from motionlang.commands.scenarios import Entry, Scenario, scenario_files, unmet
 from motionlang.commands.sweep.job import Job, Worker
 from motionlang.kernel import (
@@ -188,14 +189,21 @@ class Improver:
             )
         assert self._base.program is not None
         self._structure = self._base.program.structure
-        self._beside = lines_beside(self._structure)
-        self._behaviour = Behaviour(self._base, self._beside)
+        self._tasks = Tasks(self._base, () if found is None else found.lines)
+        self._behaviour = Behaviour(self._base, self._tasks, self._starts(self._base))
         self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
-        wrong = [each for each in self._limits if each.verdict == "exceeded"]
-        if wrong:
-            raise NotPossible(
-                f"the {wrong[0].name} of axis {wrong[0].axis} exceeds its limit already",
-                "motionlang certify lists the limits",
+        # What the program exceeds already is no edit's, as long as no edit makes it worse: an edit moves no position.
+        self._exceeded = {
+            (each.axis, each.name): each.margin for each in self._limits if each.verdict == "exceeded"
+        }
+        for axis, name in self._exceeded:
+            if "position" not in name:
+                raise NotPossible(
+                    f"the {name} of axis {axis} exceeds its limit already",
+                    "motionlang certify lists the limits",
+                )
+            self.skipped.append(
+                f"the {name} of axis {axis} exceeds its limit already: see motionlang certify"
             )
         self._unmet = [unmet(self._run(each), list(each.expected)) for each in (world, *others)]
 
@@ -210,7 +218,7 @@ class Improver:
         after = self._cost(result)
         self._share(chosen)
         limits = certificate(result.controller, result.machine.settings, result.time)
-        waits = list(dict.fromkeys(_waits(result, self._beside)))
+        waits = list(dict.fromkeys(_waits(result, self._tasks)))
         made = {each.literal.address for each in edits}
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
@@ -287,7 +295,7 @@ class Improver:
                 "nothing bounds a faster cycle: the machine file has no limits",
                 missing_limits(self.source.name, self.machine, self.language.first_axis),
             )
-        self.skipped = [
+        self.skipped += [
             f"axis {axis} has no limits{self._in}, so its speeds stay" for axis in sorted(axes - limited)
         ]
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
@@ -420,7 +428,7 @@ class Improver:
         """Return the cycle with some values, and why they are not allowed; "" if they are."""
         result = self._trial(self.world, values)
         cost = self._cost(result)
-        reason = self._behaviour.difference(result) or self._beyond(result)
+        reason = self._behaviour.difference(result, self._starts(result)) or self._beyond(result)
         if reason or not 0.0 < cost < inf:
             return cost, reason or "nothing repeats any more"
         for world, before in zip((self.world, *self.others), self._unmet, strict=True):
@@ -435,7 +443,8 @@ class Improver:
     def _beyond(self, result: Run) -> str:
         """Return the first limit that a run exceeds; "" if it keeps all."""
         for each in certificate(result.controller, result.machine.settings, result.time):
-            if each.verdict == "exceeded":
+            before = self._exceeded.get((each.axis, each.name))
+            if each.verdict == "exceeded" and (before is None or (each.margin or 0.0) < before - SAME):
                 return f"{each.name} of axis {each.axis}: {each.limit:.6g} {each.unit}"
         return ""
 
@@ -454,6 +463,10 @@ class Improver:
     def _count(self) -> None:
         self._runs += 1
         self._progress(self._runs)
+
+    def _starts(self, result: Run) -> Sequence[float]:
+        """Return the times at which the cycles of a run begin; none if it has none."""
+        return cycle_times(result, self.cycle) if self.cycle else ()
 
     def _cost(self, result: Run) -> float:
         """Return the cycle of a run, s; infinite if it has none."""
@@ -529,7 +542,7 @@ def _roundest(one: float, other: float) -> float:
     """Return the value with the fewest digits between two of the same sign, both included."""
     low, high = sorted((one, other))
     for places in range(-floor(log10(max(abs(low), abs(high)))), 12):
-        value = ceil(low * 10.0**places - 1e-9) / 10.0**places
+        value = float(f"{ceil(low * 10.0**places - 1e-9) / 10.0**places:.12g}")
         if value <= high * (1.0 + 1e-12 * (high > 0.0)):
             return value
     return one
@@ -545,20 +558,22 @@ def _rounded(value: float, grows: bool) -> float:
     return float(f"{whole * size:.3g}")
 
 
-def _waits(run: Run, beside: Mapping[int, str]) -> Iterator[str]:
-    """Yield a remark on each fixed wait of the work that is longer than the motion that goes on during it."""
+def _waits(run: Run, tasks: Tasks) -> Iterator[str]:
+    """Yield a remark on each fixed wait of a task that is longer than its own motion that goes on during it."""
     found: dict[int, tuple[float, float, int]] = {}
+    moves = list(run.moves)
     for wait in run.machine.log.waits:
+        if wait.cause != "time":
+            continue
+        line = run.dialect.locate(run.source, wait.at)[0]
         ends = [
             (move.start_time + move.duration, move.axis)
-            for move in run.moves
+            for move in moves
             if move.start_time < wait.until and wait.since < move.start_time + move.duration < wait.until
+            if tasks.at(move.line) == tasks.at(line)
         ]
-        if wait.cause == "time" and ends and wait.until - max(ends)[0] > SHORT:
+        if ends and wait.until - max(ends)[0] > SHORT:
             end, axis = max(ends)
-            line = run.dialect.locate(run.source, wait.at)[0]
-            if line in beside:
-                continue
             left = min(wait.until - end, found.get(line, (inf,))[0])
             found[line] = left, wait.until - wait.since, axis
     for line, (left, length, axis) in sorted(found.items()):

@@ -1,101 +1,120 @@
-"""The behaviour that no edit may change: outcome, outputs, prints, and where its moves end.
+"""The behaviour that no edit may change: each task and each handler does the same things in the same order.
 
-The order of outputs and prints counts by task: a task that commands no axis, starts no other, and switches what no
-other reads, such as one that blinks a lamp, runs beside the work. How often it blinks in a cycle does not count. Where
-a homing search or a jog comes to rest does not count either, since the switch or the program's stop decides; what moves
-from there counts.
+Its moves with their ends, its outputs and its prints are compared, up to the shorter of two runs, counted in cycles.
+Figures in prints may differ, and so may the rest of a homing or of a stopped motion. Two things bind tasks that read
+what others set to these, and each task to its own moves:
+
+    overlap   an output or the begin of a move that never came while an axis moved must not come while it moves
+    place     an output that comes at the same place of a move in every cycle stays there
+
+An act that does not come equally often in every cycle, such as that of a thermostat, is bound to no other task.
 """
 
 from __future__ import annotations
 
-import re
+from bisect import bisect_right
+from collections.abc import Sequence
+from math import inf
 
+from motionlang.commands.improve.acts import LATE, Act, Place, acts_of, polls_of
+from motionlang.commands.improve.tasks import Tasks
 from motionlang.kernel import Run
-from motionlang.kernel.lang import READ, WRITE, Structure, Unit
 from motionlang.kernel.log import GRAVE
 
 # Positions are equal within this, user units.
 SAME = 1e-6
-_FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+# A statement is late by no more, s.
+EXACT = 1e-4
 
 
 class Behaviour:
-    """The behaviour of a run; `beside` maps the lines of tasks beside the work to the names of these tasks."""
+    """The behaviour of a run, whose cycles begin at `starts`."""
 
-    def __init__(self, run: Run, beside: dict[int, str]) -> None:
-        self._beside = beside
-        self._status = run.status
-        self._happened = self._by_task(run)
-        self._moves = _moves(run)
-        self._ends = _ends(run) if run.status == "ended" else {}
-        self._grave = _grave(run)
+    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float]) -> None:
+        self._tasks, self._starts, self._status = tasks, starts, run.status
+        self._ends, self._grave = _ends(run), _grave(run)
+        self._acts = acts_of(run, tasks)
+        self._polls = polls_of(run, tasks, self._acts)
+        # By task, line and text: the axes that move as it comes, and its places by cycle.
+        self._overlaps: dict[tuple[str, int, str], set[int]] = {}
+        cycles: dict[tuple[str, int, str], list[list[Act]]] = {}
+        whole = max(len(starts) - 1, 1)
+        for task, acts in self._acts.items():
+            for act in acts:
+                key = task, act.line, act.text
+                self._overlaps.setdefault(key, set()).update(act.moving)
+                at = bisect_right(starts, act.time) - 1 if len(starts) > 1 else 0
+                if 0 <= at < whole:
+                    cycles.setdefault(key, [[] for _ in range(whole)])[at].append(act)
+        self._steady = {key: each for key, each in cycles.items() if len(set(map(len, each))) == 1}
 
-    def difference(self, run: Run) -> str:
+    def difference(self, run: Run, starts: Sequence[float]) -> str:
         """Return what another run does differently; "" if nothing that matters."""
         if run.status != self._status:
             errors = [each.message for each in run.diagnostics if each.severity == "error"]
             return errors[0] if errors else f"the run {run.status}, not {self._status}"
         if _grave(run) != self._grave:
             return "a limit, a fault or a clamp comes or goes"
-        others = self._by_task(run)
-        for task, happened in self._happened.items():
-            for was, is_ in zip(happened, others.get(task, []), strict=False):
-                if was != is_:
-                    where = f" of {task}" if task else ""
-                    return f"the order of outputs and prints{where}: {is_} in place of {was}"
-        moved = _moves(run)
-        for axis, moves in self._moves.items():
-            for move, other in zip(moves, moved.get(axis, []), strict=False):
-                if move[:2] != other[:2] or abs(move[2] - other[2]) > SAME:
-                    return f"the move of line {move[1]} no longer ends at {move[2]:.6g}"
-        if self._ends and any(abs(end - self._ends[axis]) > SAME for axis, end in _ends(run).items()):
-            return "the final positions"
+        own_until = until = inf
+        if len(starts) != len(self._starts):
+            common = min(len(starts), len(self._starts))
+            own_until, until = ((each[common - 1] if common else 0.0) for each in (self._starts, starts))
+        others = acts_of(run, self._tasks)
+        for task, acts in self._acts.items():
+            for was, is_ in zip(acts, others.get(task, []), strict=False):
+                if was.time >= own_until or is_.time >= until:
+                    break
+                reason = self._changed(task, was, is_)
+                if reason:
+                    return reason
+        is_whole = run.status == "ended" and until == inf
+        if is_whole and len(self._acts.get("program", [])) != len(others.get("program", [])):
+            return "the number of outputs, prints and moves of the program"
+        return "the final positions" if is_whole and not self._is_at_rest(run) else ""
+
+    def _changed(self, task: str, was: Act, is_: Act) -> str:
+        """Return how an act differs from the one in its place; "" if it does not."""
+        if (was.line, was.text) != (is_.line, is_.text):
+            where = "" if task == "program" else f" of {task}"
+            return f"the order of outputs and prints{where}: {is_.text} in place of {was.text}"
+        if was.end is not None and is_.end is not None and abs(was.end - is_.end) > SAME:
+            return f"the move of line {was.line} no longer ends at {was.end:.6g}"
+        key = task, was.line, was.text
+        for axis, place in is_.moving.items():
+            mover = self._tasks.at(place.line)
+            is_bound = key in self._steady and (
+                self._tasks.reads(task, mover) or self._tasks.reads(mover, task)
+            )
+            if axis not in self._overlaps[key] and (task == mover or is_bound):
+                return f"line {was.line}: {was.text} while axis {axis} moves"
+        for axis, place in was.moving.items():
+            mover = self._tasks.at(place.line)
+            places = self._places(key, was, axis) if task == mover or self._tasks.reads(task, mover) else []
+            other = is_.moving.get(axis)
+            is_there = other is not None and other.line == place.line
+            if places and not (is_there and any(self._is_same(key, other, each, EXACT) for each in places)):
+                return f"line {was.line}: {was.text} not at {place.distance:.6g} of the move of line {place.line}"
         return ""
 
-    def _by_task(self, run: Run) -> dict[str, list[str]]:
-        """Return outputs and prints in the order of time, by task beside the work; figures of prints do not count."""
-        log, found, lines = run.machine.log, dict[str, list[str]](), {-1: 0}
-        spans = _spans(run)
-        records = [
-            (each.time, 0, each.at, f"output {each.channel} = {each.value}{_moving(spans, each.time)}")
-            for each in log.outputs
-        ]
-        records += [(each.time, 1, each.at, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
-        for _, _, at, text in sorted(records, key=lambda each: each[:2]):
-            if at not in lines:
-                lines[at] = run.dialect.locate(run.source, at)[0]
-            found.setdefault(self._beside.get(lines[at], ""), []).append(text)
-        return found
+    def _places(self, key: tuple[str, int, str], act: Act, axis: int) -> list[Place]:
+        """Return where an output comes in the move of an axis in each cycle, none if that is not the same place."""
+        cycles = self._steady.get(key, [])
+        number = next((each.index(act) for each in cycles if act in each), None)
+        if number is None or not act.text.startswith("output"):
+            return []
+        places = [place for each in cycles if (place := each[number].moving.get(axis)) is not None]
+        line = act.moving[axis].line
+        is_same = all(each.line == line and self._is_same(key, each, places[0], LATE) for each in places)
+        return places if is_same and len(places) == len(cycles) else []
 
+    def _is_same(self, key: tuple[str, int, str], one: Place | None, other: Place, late: float) -> bool:
+        """True if places are as near as the time between two looks allows."""
+        assert one is not None
+        late += self._polls.get(key[:2], 0.0)
+        return abs(one.distance - other.distance) <= SAME + late * max(one.speed, other.speed)
 
-def _moves(run: Run) -> dict[int, list[tuple[str, int, float]]]:
-    """Return command, line and end of the moves that were over, by axis; an end that does not count is 0."""
-    found: dict[int, list[tuple[str, int, float]]] = {}
-    table = run.dialect.table()
-    for move in run.machine.log.moves:
-        if move.profile is None or move.start_time + move.profile.duration > run.time:
-            continue
-        counts = not move.ended and not table.homes(move.command)
-        end = move.to_user(move.profile.end) if counts else 0.0
-        found.setdefault(move.axis, []).append((move.command, move.line, end))
-    return found
-
-
-def _spans(run: Run) -> dict[int, list[tuple[float, float]]]:
-    """Return when each axis begins and ends to move, without its homing."""
-    found: dict[int, list[tuple[float, float]]] = {}
-    table = run.dialect.table()
-    for move in run.machine.log.moves:
-        if move.profile is not None and not table.homes(move.command):
-            end = move.start_time + move.profile.duration
-            found.setdefault(move.axis, []).append((move.start_time, end))
-    return found
-
-
-def _moving(spans: dict[int, list[tuple[float, float]]], time: float) -> str:
-    """Return which axes move at a time, in words."""
-    axes = [axis for axis, times in sorted(spans.items()) if any(a < time < b for a, b in times)]
-    return f" while axis {', '.join(map(str, axes))} moves" if axes else ""
+    def _is_at_rest(self, run: Run) -> bool:
+        return all(abs(end - self._ends.get(axis, end)) <= SAME for axis, end in _ends(run).items())
 
 
 def _ends(run: Run) -> dict[int, float]:
@@ -106,41 +125,3 @@ def _ends(run: Run) -> dict[int, float]:
 
 def _grave(run: Run) -> list[str]:
     return sorted({f"{each.kind} {each.axis}" for each in run.machine.log.events if each.kind in GRAVE})
-
-
-# ------------------------------------------------------------------------------------------ tasks beside the work
-
-
-def lines_beside(structure: Structure) -> dict[int, str]:
-    """Return the lines of tasks that run beside the work, with the names of these tasks."""
-    started = {name.lower() for each in structure.statements.values() for name in each.starts}
-    tasks = [
-        unit
-        for unit in structure.units
-        if unit.kind == "task" or (unit.kind == "macro" and unit.name.lower() in started)
-    ]
-    others = [unit for unit in structure.units if unit not in tasks and unit.kind in ("program", "event")]
-    work = {at for unit in others for at in _reached(structure, unit)}
-    found: dict[int, str] = {}
-    for task in tasks:
-        rest = work.union(*(_reached(structure, each) for each in tasks if each is not task))
-        own = _reached(structure, task)
-        if own and not own & rest and _is_beside(structure, own, set(structure.statements) - own):
-            found |= dict.fromkeys(map(structure.line, own), task.title)
-    return found
-
-
-def _reached(structure: Structure, unit: Unit) -> set[int]:
-    """Return the offsets of the statements that a unit reaches, also through calls."""
-    points = structure.points
-    return {points[p].at for p in structure.graph.reached(unit.entry)} - {-1}
-
-
-def _is_beside(structure: Structure, own: set[int], rest: set[int]) -> bool:
-    """True if statements command no axis, start no task, and switch nothing that the others read."""
-    mine = [structure.statements[at] for at in own if at in structure.statements]
-    if any(each.axes or each.starts or each.ends for each in mine):
-        return False
-    written = {use.number for each in mine for use in each.channels if use.access != READ}
-    read = {use.number for at in rest for use in structure.statements[at].channels if use.access != WRITE}
-    return "?" not in written | read and not written & read

@@ -157,7 +157,7 @@ def played(
     """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
     run = exploration.world.run
     cycle = run.cycle
-    span = (0.0, run.time) if cycle is None else (cycle.begin, cycle.end)
+    span = (0.0, run.time) if cycle is None else cycle.span
     words = _Words(exploration, structure, names)
     return Played(
         exploration,

@@ -66,15 +66,20 @@ class Cycle:
 
     `period` is the median time from one to the next, s, `count` the number of whole ones. `lines` are those of its
     moves, outputs and prints. `name` is a quantity such as "cycle(48)" or "cycle(print PART)", "" if nothing that has
-    such a name happens once in it. `begin` and `end` are those of the last one of usual length, s.
+    such a name happens once in it. `times` are those at which one begins, s.
     """
 
     name: str
     period: float
     count: int
     lines: tuple[int, ...]
-    begin: float
-    end: float
+    times: tuple[float, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Begin and end of the last one of usual length, s."""
+        usual = median(_gaps(self.times))
+        return min(reversed(list(pairwise(self.times))), key=lambda each: abs(each[1] - each[0] - usual))
 
     @property
     def where(self) -> str:
@@ -446,11 +451,7 @@ class _Sequence:
         lines = sorted({line for k in found.typical for line in self.keys[k].lines})
         ends = self._is_first_whole(found, has_ended) + self._is_last_whole(found, has_ended)
         count = found.blocks + (ends or self._are_ends_one(found, has_ended))
-        usual = median(_gaps(found.times))
-        begin, end = min(
-            reversed(list(pairwise(found.times))), key=lambda each: abs(each[1] - each[0] - usual)
-        )
-        return Cycle(name, median(_gaps(times)), count, tuple(lines), begin, end)
+        return Cycle(name, median(_gaps(times)), count, tuple(lines), tuple(found.times))
 
     def _is_first_whole(self, found: _Repetition, has_ended: bool) -> bool:
         """True if all of a cycle precedes its key, which ends it then, and the last one is not a move under way."""

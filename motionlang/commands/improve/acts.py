@@ -1,0 +1,102 @@
+"""What the tasks of a run do: outputs, prints and moves in the order of time, with the moves that go on meanwhile."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from motionlang.commands.improve.tasks import Tasks
+from motionlang.kernel import Run
+from motionlang.kernel.log import CONTINUED, Move, Waited
+
+# A task that others share the processor with is late by so much, s.
+LATE = 2e-3
+_FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+
+
+class Place(NamedTuple):
+    """How far a move has come: its line, the distance and the speed, user units."""
+
+    line: int
+    distance: float
+    speed: float
+
+
+class Act(NamedTuple):
+    """An output, a print or the begin of a move, with the moves in progress by axis.
+
+    `end` is that of a move, None if it does not count or is not known.
+    """
+
+    time: float
+    line: int
+    text: str
+    moving: dict[int, Place]
+    end: float | None = None
+
+
+def acts_of(run: Run, tasks: Tasks) -> dict[str, list[Act]]:
+    """Return what each task does, in the order of time."""
+    log, lines = run.machine.log, {-1: 0}
+    homes = run.dialect.table().homes
+    spans: dict[int, list[tuple[float, Move]]] = {}
+    found: list[tuple[float, int, int, str, float | None]] = []
+    continued: set[int] = set()
+    for move in log.moves:
+        if move.profile is None:
+            continue
+        is_over = move.start_time + move.profile.duration <= run.time and not move.ended
+        if not homes(move.command):
+            spans.setdefault(move.axis, []).append((move.start_time, move))
+        if move.axis not in continued:
+            end = move.to_user(move.profile.end) if is_over and not homes(move.command) else None
+            found.append((move.start_time, 0, move.line, f"{move.command} of axis {move.axis}", end))
+        (continued.add if move.ended == CONTINUED else continued.discard)(move.axis)
+    happened = [(each.time, 1, each.at, f"output {each.channel} = {each.value}") for each in log.outputs]
+    happened += [(each.time, 2, each.at, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
+    for time, kind, at, text in happened:
+        if at not in lines:
+            lines[at] = run.dialect.locate(run.source, at)[0]
+        found.append((time, kind, lines[at], text, None))
+    acts: dict[str, list[Act]] = {}
+    for time, _, line, text, end in sorted(found, key=lambda each: each[:2]):
+        mine = acts.setdefault(tasks.at(line), [])
+        # A homing has as many phases as it needs.
+        if not (mine and homes(text.partition(" ")[0]) and mine[-1].text == text):
+            mine.append(Act(time, line, text, dict(_moving(spans, time)), end))
+    return acts
+
+
+def _moving(spans: dict[int, list[tuple[float, Move]]], time: float) -> Iterator[tuple[int, Place]]:
+    """Yield the axes that move at a time, without homing, and their moves."""
+    for axis, moves in sorted(spans.items()):
+        at = bisect_right(moves, time, key=lambda each: each[0]) - 1
+        begin, move = moves[max(at, 0)]
+        profile = move.profile
+        if profile is not None and begin < time < begin + profile.duration:
+            scale = abs(move.scale or 1.0)
+            state = profile.state(time - begin)
+            yield (
+                axis,
+                Place(move.line, (state.position - profile.start) / scale, abs(state.velocity) / scale),
+            )
+
+
+def polls_of(run: Run, tasks: Tasks, acts: Mapping[str, Sequence[Act]]) -> dict[tuple[str, int], float]:
+    """Return the time between two looks of a task that polls, by the line of the act that the loop leads to."""
+    times = {task: [each.time for each in mine] for task, mine in acts.items()}
+    last: dict[str, Waited] = {}
+    found: dict[tuple[str, int], float] = {}
+    for wait in run.machine.log.waits:
+        if wait.cause != "time":
+            continue
+        task = tasks.at(run.dialect.locate(run.source, wait.at)[0])
+        before, last[task] = last.get(task), wait
+        k = bisect_left(times.get(task, []), wait.until)
+        is_repeated = before is not None and before.at == wait.at and wait.since - before.until < LATE
+        is_last = k < len(times.get(task, [])) and times[task][k] < wait.until + LATE
+        if before is not None and is_repeated and is_last:
+            found[task, acts[task][k].line] = wait.until - before.until
+    return found
