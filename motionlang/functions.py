@@ -6,7 +6,7 @@ Each function only checks its arguments and calls the layer that does the work, 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from motionlang.kernel import (
@@ -264,17 +264,18 @@ def improve(
     by: float = 0.0,
     edits: int = 0,
     cycle: str = "",
+    also: Iterable[str] = (),
 ) -> Improvement:
     """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
 
     `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how
-    many edits there may be. `cycle` names what repeats, such as "cycle(12)". Raises ValueError if there is no cycle or
-    no limit, and the errors of `run`.
+    many edits there may be. `cycle` names what repeats, such as "cycle(12)". `also` are numbers of the process that are
+    changed, too, such as "SPEED[0]@9". Raises ValueError if there is no cycle or no limit, and the errors of `run`.
     """
     from motionlang.commands.improve import improver_of
 
     program = program if isinstance(program, Source) else os.fspath(program)
-    return improver_of(program, machine, cycle=cycle).improved(by, edits)
+    return improver_of(program, machine, cycle=cycle, also=also).improved(by, edits)
 
 
 def prove(program: Program | Run) -> Proof:

@@ -25,12 +25,13 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations, cycle, pairwise
-from math import ceil, floor, fsum, inf, isclose, log10
+from itertools import combinations, cycle
+from math import ceil, floor, inf, log10
 from typing import Any
 
 from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour
+from motionlang.commands.improve.process import AS_SAID, Process
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import TimeProfile
@@ -49,7 +50,8 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
-from motionlang.kernel.lang import Literal, number, number_text, replaced
+from motionlang.kernel.lang import Literal, canonical, number, number_text, replaced
+from motionlang.kernel.log import Move
 
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
@@ -65,10 +67,10 @@ MAX_FACTOR, STEPS = 16.0, 7
 UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
 # Of more edits than this not all sets are tried, but those of the best ones.
 MAX_EDITS = 8
-# A comment that keeps the numbers of its line.
-_HOLD = re.compile(r"(?:['\";!]|\brem\b).*\bimprove:\s*hold\b", re.IGNORECASE)
-# An output that is on for less than this share of a run, and for more than it in motion, is on for the motion.
-USUAL = 0.8
+# A speed is made lower by this factor to see which moves it is that of.
+SLOWER = 0.97
+# The name that frees all numbers of a process.
+ALL = "all"
 # A wait that ends less than this after the motion is not too long, s.
 SHORT = 1e-3
 
@@ -77,14 +79,22 @@ SHORT = 1e-3
 class Edit:
     """Another value of a literal; `share` is the gain of the cycle in seconds, `bound` is why there is not more.
 
-    `outputs` are those that are on just while its axes move, such as that of a glue gun: the value may be meant.
+    `outputs` are the names of those that are on during its moves: the value may be that of the process.
     """
 
     literal: Literal
     value: float
     share: float = 0.0
     bound: str = ""
-    outputs: tuple[int, ...] = ()
+    outputs: tuple[str, ...] = ()
+
+
+@dataclass
+class Held:
+    """A literal that stays as it is, and the reason."""
+
+    literal: Literal
+    reason: str
 
 
 @dataclass
@@ -93,9 +103,9 @@ class Improvement:
 
     `cycle` says what repeats, "" if it is the whole run.
 
-    `skipped` are the remarks about what could not be changed, `waits` those about waits that could go, `refused` has
-    why each other literal stays. `edits` is empty if nothing can be gained; `sets` then says what sets the cycle.
-    `trials` is the number of runs.
+    `held` are the numbers of the process, which stay. `skipped` are the remarks about what could not be changed,
+    `waits` those about waits that could go, `refused` has why each other literal stays. `edits` is empty if nothing
+    can be gained; `sets` then says what sets the cycle. `trials` is the number of runs.
     """
 
     source: Source
@@ -106,6 +116,7 @@ class Improvement:
     edits: list[Edit]
     result: Run
     limits: list[Limit]
+    held: list[Held] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)
     waits: list[str] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
@@ -135,8 +146,8 @@ class Improver:
 
     `others` are its scenarios. `cycle` is the name of the cycle as a quantity; without one it is the cycle of the run,
     or the whole run if that ends and repeats nothing. `progress` is called with the number of runs so far.
-    `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that are
-    meant, in addition to those of the machine file and of comments.
+    `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that stay, in
+    addition to those of the machine file and of comments; `also` those of the process that are tried all the same.
     """
 
     def __init__(
@@ -151,6 +162,7 @@ class Improver:
         progress: Callable[[int], object] = lambda runs: None,
         machine: str | None = None,
         hold: Iterable[str] = (),
+        also: Iterable[str] = (),
     ) -> None:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
@@ -161,11 +173,15 @@ class Improver:
         program = self._worker.program(world.settings)
         self.literals = [*program.constants, *program.literals]
         named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
-        self._hold = {each.replace(" ", "").lower() for each in (*hold, *named_in_file)}
+        self._hold, self._also = (
+            {canonical(each) or each.lower() for each in names} for names in ((*hold, *named_in_file), also)
+        )
+        self.held: list[Held] = []
         self.skipped: list[str] = []
         self._refused: dict[str, str] = {}
-        # The axes whose speed a literal sets, and the literals that are a speed or a rate by themselves.
+        # The axes whose speed a literal sets, and its moves; the literals that are a speed or a rate by themselves.
         self._axes: dict[str, set[int]] = {}
+        self._moves: dict[str, list[Move]] = {}
         self._rates: set[str] = set()
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
@@ -191,6 +207,7 @@ class Improver:
         self._structure = self._base.program.structure
         self._tasks = Tasks(self._base, () if found is None else found.lines)
         self._behaviour = Behaviour(self._base, self._tasks, self._starts(self._base))
+        self._process = Process(self._base, self._tasks, self._starts(self._base))
         self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
         # What the program exceeds already is no edit's, as long as no edit makes it worse: an edit moves no position.
         self._exceeded = {
@@ -223,14 +240,13 @@ class Improver:
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
         return Improvement(
-            self.source, patched, self._repeats, self.before, after, chosen, result, limits, self.skipped, waits,
-            refused, sets, self._runs,
+            self.source, patched, self._repeats, self.before, after, chosen, result, limits, self.held, self.skipped,
+            waits, refused, sets, self._runs,
         )  # fmt: skip
 
     def _all(self) -> list[Edit]:
         """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
-        candidates = self._candidates()
-        self._numbers = {each.address: each.value for each in candidates}
+        candidates = self._free(self._candidates())
         edits: dict[str, Edit] = {}
         best, last = self.before, ""
         # Once around without a gain since the last edit, none is left.
@@ -276,10 +292,10 @@ class Improver:
             cost = self._judge(values)[0]
             each.share, last = last - cost, cost
         for each in edits:
-            was = each.literal.value
-            further = each.value * (FURTHER if abs(each.value) > abs(was) else 1.0 / FURTHER)
+            is_larger = abs(each.value) > abs(each.literal.value)
+            further = each.value * (FURTHER if is_larger else 1.0 / FURTHER)
             cost, reason = self._judge({**values, each.literal.address: further})
-            each.outputs = tuple(_on_in_motion(self._base, self._axes.get(each.literal.address, set()), was))
+            each.outputs = tuple(self._process.outputs(self._moves.get(each.literal.address, ())))
             each.bound = reason or (each.bound if cost < last * (1.0 - NOTHING) else SATED)
 
     # ------------------------------------------------------------------------------------------------ candidates
@@ -331,9 +347,7 @@ class Improver:
             ]
             free.update(dict.fromkeys(without))
             self._axes[literal.address] = {axis for axis, name in needed if name == "speed"}
-            if mine and self._is_held(literal):
-                self.skipped.append(f"{literal.address} is held, as you said")
-            elif mine and literal.is_write and not without:
+            if mine and literal.is_write and not without:
                 found.append(literal)
                 if all(use.row.unit in RATES and use.value in (literal.text, literal.base) for use in mine):
                     self._rates.add(literal.address)
@@ -341,6 +355,35 @@ class Improver:
             f"axis {axis} has no limit of its {name}{self._in}, so that stays" for axis, name in free
         ]
         return found
+
+    def _free(self, candidates: Sequence[Literal]) -> list[Literal]:
+        """Return the literals that may be changed: those that the process does not need as they are."""
+        self._numbers = {each.address: each.value for each in candidates}
+        speeds = [each for each in candidates if self._axes[each.address]]
+        free = []
+        for literal in candidates:
+            if literal in speeds:
+                slower = self._trial(self.world, {literal.address: literal.value * SLOWER})
+                self._moves[literal.address] = self._process.moves(slower, self._axes[literal.address])
+            reason = self._why_held(literal, speeds)
+            if reason:
+                self.held.append(Held(literal, reason))
+            else:
+                free.append(literal)
+        return free
+
+    def _why_held(self, literal: Literal, speeds: Sequence[Literal]) -> str:
+        """Return why a literal stays as it is; "" if it may be changed."""
+        names = {canonical(literal.address) or literal.address, literal.base.lower()}
+        names |= {each.lower() for each in names}
+        if names & self._hold:
+            return AS_SAID
+        if names & self._also:
+            return ""
+        comment = self._process.comment(literal, speeds)
+        if comment == AS_SAID or ALL in self._also:
+            return comment if comment == AS_SAID else ""
+        return self._process.reason(self._moves.get(literal.address, ())) or comment
 
     # -------------------------------------------------------------------------------------------------- searching
 
@@ -410,11 +453,6 @@ class Improver:
         else:
             cost = made
         return cost, Edit(literal, round_, bound=bound), bound
-
-    def _is_held(self, literal: Literal) -> bool:
-        """True if a number is meant: by its name, or by a comment of its line."""
-        names = {each.replace(" ", "").lower() for each in (literal.address, literal.base)}
-        return bool(names & self._hold) or _HOLD.search(self.source.line(literal.line)) is not None
 
     def _patched(self, values: Mapping[str, float]) -> Source:
         edits = {
@@ -494,25 +532,6 @@ def _quantity(row: Keyword) -> str:
     if row.unit == "uu/s3" or "jerk" in row.gives:
         return "jerk"
     return "speed" if row.unit == "uu/s" else "acceleration"
-
-
-def _on_in_motion(run: Run, axes: set[int], speed: float) -> Iterator[int]:
-    """Yield the outputs that are on for some of a run, and then mostly while one of some axes moves at a speed."""
-    spans = [
-        (move.start_time, move.start_time + min(move.profile.duration, run.time - move.start_time))
-        for move in run.machine.log.moves
-        if move.axis in axes and move.profile is not None
-        if isclose((move.commanded_speed or 0.0) / abs(move.scale or 1.0), abs(speed), rel_tol=SAME)
-    ]
-    changes: dict[int, list[tuple[float, float]]] = {}
-    for each in run.machine.log.outputs:
-        changes.setdefault(each.channel, []).append((each.time, each.value))
-    for channel, switched in sorted(changes.items()):
-        on = [(time, end) for (time, value), (end, _) in pairwise(switched) if value]
-        length = fsum(end - begin for begin, end in on)
-        moved = fsum(max(0.0, min(end, b) - max(begin, a)) for begin, end in on for a, b in spans)
-        if 0.0 < length < USUAL * run.time and moved > USUAL * length:
-            yield channel
 
 
 def _works(run: Run) -> bool:

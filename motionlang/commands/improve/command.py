@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from dataclasses import dataclass
 from typing import ClassVar
@@ -37,6 +38,12 @@ def percent(text: str) -> float:
     return share
 
 
+def names(text: str) -> tuple[str, ...]:
+    """Return names that are separated by commas, none of which is within brackets."""
+    found = re.split(r",(?![^\[(]*[\])])", text)
+    return tuple(each.strip() for each in found if each.strip())
+
+
 def cycle(text: str) -> str:
     """Return the name of a cycle."""
     if CYCLE.fullmatch(text) is None:
@@ -51,9 +58,10 @@ class Improve(Output, shared.World, ProgramOptions):
     title: ClassVar[str] = "improvement"
     epilog: ClassVar[str] = """\
 Changed are the numbers that set speeds, rates, jerks and blend distances of
-axes with limits, as far as no limit is exceeded, the order of outputs and
-prints, the moves and their ends stay, and no scenario fails. The program itself
-is not changed: apply the difference with patch.
+axes with limits, as far as no limit is exceeded, each task does the same in the
+same order, and no scenario fails. The speeds of the process stay, such as that
+of a homing, a glue gun or a drill; --also SPEED[0]@9 tries one. The program
+itself is not changed: apply the difference with patch.
 
 exit status: 0 if the cycle is shorter, or as short as wanted; 1 if not
 
@@ -74,7 +82,13 @@ examples:
         "NAME,...",
         "keep these numbers: SPEED[0]@9, or the name of a constant",
         default=(),
-        read=lambda text: tuple(each.strip() for each in text.split(",") if each.strip()),
+        read=names,
+    )
+    also: tuple[str, ...] = option(
+        "NAME,...",
+        "change these numbers of the process, too: SPEED[0]@9; all for all of them",
+        default=(),
+        read=names,
     )
     patch: str | None = option("FILE", "also write the difference of the program")
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
@@ -111,6 +125,7 @@ examples:
                 progress=lambda runs: progress(min(runs / RUNS, 1.0)),
                 machine=self.machine_path(),
                 hold=self.hold,
+                also=self.also,
             )
             found = improver.improved(self.by or 0.0, self.edits or 0)
         except NotPossible as error:

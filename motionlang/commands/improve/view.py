@@ -15,6 +15,7 @@ from motionlang.views.terminal import styled
 def improvement_document(found: Improvement, file: str) -> Document:
     """Return an improvement as data; `diff` is that of the program."""
     texts = (*found.skipped, *found.refused, *([found.sets] if found.sets else []), *found.waits)
+    held = Table("held", tuple(map(Column, ("literal", "line", "value", "reason"))), [*_held_rows(found)])
     remarks = Table("remarks", (Column("text"),), [{"text": each} for each in texts])
     values = {
         "cycle": found.cycle,
@@ -23,11 +24,11 @@ def improvement_document(found: Improvement, file: str) -> Document:
         "trials": found.trials,
         "diff": "".join(difference(found, file)),
     }
-    return Document([edits_table(found), limits_table(found.limits), remarks], values)
+    return Document([edits_table(found), held, limits_table(found.limits), remarks], values)
 
 
 def edits_table(found: Improvement) -> Table:
-    """Return the edits in the order of their gain, each with what bounds it."""
+    """Return the edits, each with what bounds it; the column that warns of an output is never left out."""
     rows = [
         {
             "literal": each.literal.address,
@@ -36,18 +37,18 @@ def edits_table(found: Improvement) -> Table:
             "new": each.value,
             "gain": each.share,
             "bound": each.bound,
-            "outputs": ", ".join(map(str, each.outputs)) or None,
+            "outputs": each.outputs[0] if each.outputs else None,
         }
         for each in found.edits
     ]
     columns = (
         Column("literal", "edit", left=True, style="word"),
-        Column("line"),
-        Column("old", "from"),
+        Column("line", drop=3),
+        Column("old", "from", drop=2),
         Column("new", "to"),
-        Column("gain", unit="s", text="{:.4f}".format),
+        Column("gain", unit="s", text="{:.4f}".format, drop=1),
         Column("bound", "bounded by", left=True),
-        Column("outputs", "used while output is on", left=True, drop=1),
+        Column("outputs", "while this is on", left=True, data=not any(each.outputs for each in found.edits)),
     )
     return Table(
         "edits", columns, rows, empty="no edit gains anything", notes=[count_of(found.trials, "trial")]
@@ -61,6 +62,7 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
     repeats = f"{found.cycle}, " if found.cycle else ""
     head = f"{file}: {repeats}{found.before:.6g} s → {found.after:.6g} s, {share:.1f} % with {edits}"
     lines = [styled(head, "bold", colour), "", *edits_table(found).lines(width, colour=colour)]
+    lines += _held_lines(found, colour)
     note = styled("note:", "note", colour)
     sets = [found.sets] if found.sets else []
     remarks = [f"{note} {each}" for each in (*found.skipped, *found.refused, *sets, *found.waits)]
@@ -69,6 +71,29 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
         lines += ["", *limits_table(found.limits).lines(width, colour=colour)]
         lines += ["", *(line.rstrip("\n") for line in difference(found, file))]
     return lines
+
+
+def _held_rows(found: Improvement) -> Iterator[dict[str, object]]:
+    for each in found.held:
+        literal = each.literal
+        yield {
+            "literal": literal.address,
+            "line": literal.line,
+            "value": literal.value,
+            "reason": each.reason,
+        }
+
+
+def _held_lines(found: Improvement, colour: bool) -> Iterator[str]:
+    """Yield the numbers of the process, which are not changed, each with the reason."""
+    if found.held:
+        yield ""
+        first = found.held[0].literal.address
+        yield styled(f"process speeds, held: --also {first} tries one", "bold", colour)
+        width = max(len(f"{each.literal.address} = {each.literal.text}") for each in found.held)
+        for each in found.held:
+            named = f"{each.literal.address} = {each.literal.text}"
+            yield f"  {named:<{width}}  {each.reason}"
 
 
 def difference(found: Improvement, file: str) -> Iterator[str]:

@@ -1,0 +1,191 @@
+"""The numbers that a process needs as they are: a homing, the glue, the feed of a drill.
+
+No text says which speeds these are, but what the program does with them. The speed of a homing finds a switch; that of
+a motion that the program stops decides where it stops. A speed that is lower than others of its axis, while the task
+has switched an output on, is that of a tool. The other reason is a comment: it names the number, or the process.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import chain
+from math import fsum, hypot, inf
+from typing import NamedTuple
+
+from motionlang.commands.improve.tasks import Tasks
+from motionlang.commands.map.program_map import channels_of, names_in_comments
+from motionlang.kernel import Run
+from motionlang.kernel.lang import Literal
+from motionlang.kernel.log import Move
+
+# The words of a comment that name a process, in English and in German.
+WORDS = """
+bead brush careful carefully cut cutting dispense dose drill drilling feed gentle gently glue glueing gluing grind
+grinding ink mark marking mill milling paint painting polish print printing saw sawing seal sealing slow slowly solder
+soldering spray tap tapping weld welding
+bohren dosieren drucken fräsen gewinde kleben kleber lackieren langsam leim löten markieren polieren sägen schleifen
+schneiden schweißen schweissen siegeln sprühen tinte vorschub vorsichtig
+"""
+_WORD = re.compile(rf"\b(?:{'|'.join(WORDS.split())})\b", re.IGNORECASE)
+_HOLD = re.compile(r"\bimprove:\s*hold\b", re.IGNORECASE)
+# A number, but no date and no version.
+_NUMBER = re.compile(r"(?<![\w.,/:-])\d+(?:\.\d+)?(?![\d/:]|[.,-]\d)")
+# The reason of what the user holds.
+AS_SAID = "as you said"
+# So many lines above its own may have the comment of a number.
+ABOVE = 2
+# An output that is on for less than this during a move only follows or precedes it, s.
+SHORT = 1e-3
+# A speed that differs by less than this share is the same.
+SAME_SPEED = 1e-6
+
+
+class _On(NamedTuple):
+    """An output that the cycle switches, by its name and its task, and when it is on."""
+
+    name: str
+    task: str
+    spans: Sequence[tuple[float, float]]
+
+
+class Process:
+    """The process of a run, whose cycles begin at `starts`."""
+
+    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float]) -> None:
+        self._run, self._tasks = run, tasks
+        self._homes = run.dialect.table().homes
+        self._outputs = sorted(
+            _switched(run, tasks, starts), key=lambda each: fsum(end - begin for begin, end in each.spans)
+        )
+        self._speeds: dict[tuple[float, int, str], float] = {}
+        self._highest: dict[int, float] = {}
+        for move in run.machine.log.moves:
+            if move.profile is not None:
+                key = move.start_time, move.line, move.command
+                self._speeds[key] = hypot(self._speeds.get(key, 0.0), _own_speed(move))
+        for move in run.machine.log.moves:
+            if move.profile is not None and not self._homes(move.command) and not move.ended:
+                self._highest[move.axis] = max(self._highest.get(move.axis, 0.0), self._speed(move))
+        self._own, self._alone = _comments(run)
+
+    def moves(self, slower: Run, axes: Collection[int]) -> list[Move]:
+        """Return the moves of some axes that have another speed in another run."""
+        found = []
+        for axis in sorted(axes):
+            mine, others = (
+                [move for move in run.machine.log.moves if move.axis == axis and move.profile is not None]
+                for run in (self._run, slower)
+            )
+            for move, other in zip(mine, others, strict=False):
+                if (move.line, move.command) != (other.line, other.command):
+                    break
+                if abs(_own_speed(move) - _own_speed(other)) > SAME_SPEED * _own_speed(move):
+                    found.append(move)
+        return found
+
+    def reason(self, moves: Sequence[Move]) -> str:
+        """Return why the speed of some moves is that of a process; "" if it need not be."""
+        if any(self._homes(move.command) for move in moves):
+            return "the speed of a homing"
+        lines = {move.line: 0 for move in moves}
+        for move in moves:
+            lines[move.line] += 1 if move.ended in ("stop", "cancel") else -1
+        stopped = next((move for move in moves if lines[move.line] > 0), None)
+        if stopped is not None:
+            return f"the program stops the {stopped.command} of line {stopped.line}"
+        for move in moves:
+            highest, on = self._highest.get(move.axis, 0.0), self.outputs([move])
+            if on and self._speed(move) < highest * (1.0 - SAME_SPEED):
+                return f"lower than {highest:.6g} while {on[0]} is on"
+        return ""
+
+    def outputs(self, moves: Iterable[Move]) -> list[str]:
+        """Return the names of the outputs that are on during some moves, those first that are on for the least time.
+
+        They are switched by the task of the move, or by one that reads what that one sets.
+        """
+        spans = [
+            (self._tasks.at(move.line), move.start_time, move.start_time + move.profile.duration)
+            for move in moves
+            if move.profile is not None and not self._homes(move.command)
+        ]
+        return [
+            output.name
+            for output in self._outputs
+            if any(
+                (output.task == task or self._tasks.reads(output.task, task))
+                and min(end, off) - max(begin, on) > SHORT
+                for task, begin, end in spans
+                for on, off in output.spans
+            )
+        ]
+
+    def _speed(self, move: Move) -> float:
+        """Return the speed of a move; of a path that of all its axes."""
+        if move.commanded_speed is not None:
+            return _own_speed(move)
+        return self._speeds[move.start_time, move.line, move.command]
+
+    def comment(self, literal: Literal, speeds: Sequence[Literal]) -> str:
+        """Return what a comment says about a number; "" if nothing. `speeds` are the speeds of the program."""
+        line = literal.line
+        above = [each for each in range(line - ABOVE, line) if each in self._alone]
+        for each in (line, *reversed(above)):
+            text = self._own.get(line, "") if each == line else self._alone[each]
+            if each == line and _HOLD.search(text):
+                return AS_SAID
+            if abs(literal.value) in map(float, _NUMBER.findall(text)):
+                return f"the comment of line {each} names it"
+            word = _WORD.search(text)
+            first = min((speed.line for speed in speeds if each <= speed.line), default=0)
+            lowest = min((abs(speed.value) for speed in speeds if speed.line == line), default=0.0)
+            if word is not None and literal in speeds and first == line and abs(literal.value) == lowest:
+                return f"the comment of line {each} says {word[0].lower()}"
+        return ""
+
+
+def _own_speed(move: Move) -> float:
+    """Return the commanded speed of a move; the one that it reaches if it is part of a path, in user units."""
+    assert move.profile is not None
+    speed = move.profile.peak_speed if move.commanded_speed is None else move.commanded_speed
+    return abs(speed / (move.scale or 1.0))
+
+
+def _switched(run: Run, tasks: Tasks, starts: Sequence[float]) -> Iterable[_On]:
+    """Yield the outputs that a task switches on in every cycle, or on and off in a run that repeats nothing."""
+    assert run.program is not None
+    names = {(each.kind, each.number): each.name for each in channels_of(run.program, run.dialect)}
+    log = run.machine.log
+    changes: dict[tuple[str, int], list[tuple[float, float, int]]] = {}
+    kinds = (("output", log.outputs), ("analogue output", log.analogue_outputs))
+    for kind, each in chain.from_iterable(((kind, each) for each in stream) for kind, stream in kinds):
+        changes.setdefault((kind, each.channel), []).append((each.time, each.value, each.at))
+    first, last = (starts[0], starts[-1]) if len(starts) > 1 else (-inf, inf)
+    for (kind, channel), switched in sorted(changes.items()):
+        ends = [time for time, _, _ in switched[1:]] + [run.time]
+        spans: dict[str, list[tuple[float, float]]] = {}
+        for (time, value, at), end in zip(switched, ends, strict=True):
+            if value and first <= time <= last:
+                task = tasks.at(run.dialect.locate(run.source, at)[0] if at >= 0 else 0)
+                spans.setdefault(task, []).append((time, end))
+        title = f"{kind} {channel}"
+        name = names.get((kind, str(channel)), "")
+        for task, on in spans.items():
+            if len(on) >= max(len(starts) - 1, 1) and any(not value for _, value, _ in switched[1:]):
+                yield _On(f"{name} ({title})" if name else title, task, on)
+
+
+def _comments(run: Run) -> tuple[Mapping[int, str], Mapping[int, str]]:
+    """Return the comments behind statements, and those with a line of their own, by line.
+
+    A list of channels names what is at the machine, and not what a line does.
+    """
+    lists = {each.line for each in names_in_comments(run.source, run.dialect)}
+    own: dict[int, str] = {}
+    alone: dict[int, str] = {}
+    for kind, text, at in run.dialect.tokens(run.source.text):
+        line, column = run.source.location(at)
+        if kind == "comment" and line not in lists:
+            (own if run.source.line(line)[: column - 1].strip() else alone)[line] = text
+    return own, alone

@@ -1,0 +1,183 @@
+"""The speeds of a process stay: a homing, the glue, the feed of a drill, and what a comment names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from motionlang.commands.improve import Improver, World
+from motionlang.kernel import Source, dialect
+from tests.cases import cases
+from tests.cli.programs import Cell
+
+LIMITS: dict[str, object] = {
+    f"axis.{axis}.limits.{name}": value
+    for axis in (0, 1)
+    for name, value in (("speed", 400.0), ("acceleration", 4000.0))
+}
+MCCL: dict[str, object] = {"axis.1.limits.speed": 400.0, "axis.1.limits.acceleration": 4000.0}
+
+
+def held(text: str, name: str = "a.mnt", given: Mapping[str, object] = {}) -> dict[str, str]:
+    """Return the numbers that stay, with the reasons."""
+    is_mint = name.endswith(".mnt")
+    world = World("", {"run.until": 30.0, **(LIMITS if is_mint else MCCL), **given})
+    found = Improver(Source(name, text), dialect("mint" if is_mint else "mccl"), world).improved()
+    assert not {each.literal.address for each in found.held} & {each.literal.address for each in found.edits}
+    return {each.literal.address: each.reason for each in found.held}
+
+
+RATES = "ACCEL(0) = 800 : DECEL(0) = 800 : ACCEL(1) = 800 : DECEL(1) = 800\n"
+
+
+def test_the_feed_of_a_drill_while_the_coolant_is_on() -> None:
+    """The coolant is on for nine tenths of the time."""
+    text = f"""\
+{RATES}Loop
+  OUTX(2) = 1
+  SPEED(0) = 6
+  MOVEA(0) = 20 : GO(0) : Pause IDLE(0)
+  OUTX(2) = 0
+  SPEED(0) = 120
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Loop
+"""
+    assert held(text) == {"SPEED[0]@4": "lower than 120 while output 2 is on"}
+
+
+def test_the_name_of_the_output_is_that_of_the_program_or_of_a_comment() -> None:
+    text = "{}{}OUTX(2) = 1\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}OUTX(2) = 0\n"
+    text += "SPEED(0) = 90\nMOVEA(0) = 0 : GO(0) : Pause IDLE(0)\n"
+    assert held(text.format("' OUT 1 lamp  2 glue gun\n", RATES, "")) == {
+        "SPEED[0]@4": "lower than 90 while glue gun (output 2) is on"
+    }
+    named = text.replace("OUTX(2)", "opGlue").format("Define opGlue = OUTX(2)\n", RATES, "")
+    assert held(named) == {"SPEED[0]@4": "lower than 90 while opGlue (output 2) is on"}
+
+
+def test_a_run_lamp_and_a_heater_that_are_on_all_the_time_hold_nothing() -> None:
+    text = f"""\
+{RATES}OUTX(7) = 1
+Run tkHeat
+Loop
+  SPEED(0) = 50
+  MOVEA(0) = 90 : GO(0) : Pause IDLE(0)
+  SPEED(0) = 90
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Loop
+Task tkHeat
+  Loop
+    OUTX(6) = 1 : Wait(500)
+    OUTX(6) = 0 : Wait(100)
+  End Loop
+End Task
+"""
+    assert held(text) == {}
+
+
+def test_the_torch_of_a_task_that_follows_the_carriage_counts() -> None:
+    text = f"""\
+Dim weld As Integer
+{RATES}Run tkTorch
+Loop
+  SPEED(0) = 35
+  weld = 1 : Wait(100)
+  MOVEA(0) = 90 : GO(0) : Pause IDLE(0)
+  weld = 0
+  SPEED(0) = 250
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Loop
+Task tkTorch
+  Loop
+    Pause weld = 1
+    OUTX(4) = 1
+    Pause weld = 0
+    OUTX(4) = 0
+  End Loop
+End Task
+"""
+    assert held(text) == {"SPEED[0]@5": "lower than 250 while output 4 is on"}
+
+
+def test_the_speeds_of_a_homing_and_of_a_search() -> None:
+    """HOMESPEED is no candidate; the GO of line 2 runs until the edge of the switch."""
+    text = """\
+MD1,1SA800,1DS800,1MN,MJ2
+MD2,1VM,1DI1,1SV40,1GO,1FE0,1ST,1WS.1,1PM,1SV120,MJ3
+MD3,1MA10,1WS.1,1MA0,1WS.1,MJ3
+MC1
+"""
+    home: dict[str, object] = {"axis.1.home_switch": [-400.0, -12.0]}
+    assert held(text, "home.mccl", home) == {"1SV@2:1": "the program stops the GO of line 2"}
+    jog = f"{RATES}SPEED(0) = 90\nJOG(0) = 20 : Pause INX(3) : STOP(0) : Pause IDLE(0)\nLoop\n"
+    jog += "  MOVER(0) = 9 : GO(0) : Pause IDLE(0)\nEnd Loop\n"
+    given: dict[str, object] = {"input": [{"channel": 3, "at": 1.0}]}
+    assert "SPEED[0]@2" not in held(jog, given=given)
+
+
+@cases("comment, line, reasons", [
+    ("; index at 15 deg/s", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 names it"}),
+    ("; up, over the glue wheel", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 says glue"}),
+    ("; vorsichtig, das Blech ist dünn", "1SV15,1MA90,1WS,1SV120,1MA0,1WS",
+     {"1SV@3:1": "the comment of line 2 says vorsichtig"}),
+    ("; changed 15.3.1999, 15/3, V1.15", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {}),
+    ("; OUTPUTS 9 ink, 10 clamp", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {}),
+    ("; feeder, faster since 2004", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {}),
+])  # fmt: skip
+def test_a_comment_holds_what_it_names_and_the_lowest_speed_of_its_line(
+    comment: str, line: str, reasons: dict[str, str]
+) -> None:
+    text = f"1SA800,1DS800,1MN\n{comment}\nMD3,{line},MJ3\nMC3\n"
+    assert held(text, "a.mccl") == reasons
+
+
+def test_a_comment_two_lines_above_counts_and_its_word_only_for_the_next_speed() -> None:
+    text = f"{RATES}' slowly, the film wrinkles\nLoop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n"
+    text += "SPEED(0) = 40\nMOVEA(0) = 0 : GO(0) : Pause IDLE(0)\nEnd Loop\n"
+    assert held(text) == {"SPEED[0]@4": "the comment of line 2 says slowly"}
+
+
+DRILL = """\
+SPEED(0) = 120 : ACCEL(0) = 800 : DECEL(0) = 800
+Loop
+  SPEED(0) = 6       ' drill
+  MOVEA(0) = 5 : GO(0) : Pause IDLE(0)
+  SPEED(0) = 120
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Loop
+"""
+
+
+@pytest.fixture
+def drill(cell: Cell) -> Cell:
+    cell.write("drill.mnt", DRILL)
+    cell.write(
+        "drill.machine.toml", "run.until = 12\naxis.0.limits.speed = 120\naxis.0.limits.acceleration = 800\n"
+    )
+    return cell
+
+
+def test_also_tries_a_number_of_the_process(drill: Cell) -> None:
+    out = drill("improve", "drill.mnt").out
+    assert "process speeds, held: --also SPEED[0]@3 tries one\n" in out
+    assert "  SPEED[0]@3 = 6  the comment of line 3 says drill\n" in out
+    for also in ("SPEED[0]@3", "SPEED(0)@3", "all"):
+        out = drill("improve", "drill.mnt", "--also", also, "--patch", "faster.diff").out
+        assert "process speeds" not in out
+        assert "\n-  SPEED(0) = 6       ' drill\n" in out
+    held_all_the_same = drill("improve", "drill.mnt", "--also", "all", "--hold", "SPEED[0]@3").out
+    assert "  SPEED[0]@3 = 6  as you said\n" in held_all_the_same
+
+
+def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value(cell: Cell) -> None:
+    cell.write(
+        "clamp.mnt",
+        "Const _axCarriage As Integer = 0\nDefine opClampOfTheTray = OUTX(3)\n"
+        "SPEED(_axCarriage) = 50 : ACCEL(_axCarriage) = 500 : DECEL(_axCarriage) = 500\nopClampOfTheTray = 1\n"
+        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nopClampOfTheTray = 0\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n",
+    )
+    cell.write("clamp.machine.toml", "axis.0.limits.speed = 200\naxis.0.limits.acceleration = 1000\n")
+    out = cell("improve", "clamp.mnt").out
+    row = next(line for line in out.splitlines() if line.startswith("SPEED["))
+    assert row.endswith("opClampOfTheTray (output 3)")
