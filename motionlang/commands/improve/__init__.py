@@ -16,17 +16,22 @@ reach the wanted gain, by trying all sets of one, of two, and so on.
 Each change is found by doubling and bisection, because more of a speed is never slower, until it is not allowed. Of
 values with the same gain the one nearest to the original is chosen, rounded to three digits.
 
-Cost: about 25 runs for each literal, and one for each set of edits.
+A dwell in ticks of a timer hides what one edit gains. So all numbers that could be larger without a loss are then tried
+together, and each is made as small as the gain allows.
+
+Cost: about 25 runs of `CYCLES` cycles for each literal, and one for each set of edits. The edits that are left are run
+in full, in the own world and in each scenario; one that fails there is taken out.
 """
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations, cycle
+from itertools import combinations, cycle, pairwise
 from math import ceil, floor, inf, log10
+from statistics import median
 from typing import Any
 
 from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
@@ -53,13 +58,19 @@ from motionlang.kernel import (
 from motionlang.kernel.lang import Literal, canonical, number, number_text, replaced
 from motionlang.kernel.log import Move
 
+# The quantities that limits bound, in the order in which they are named.
+QUANTITIES = ("speed", "acceleration", "jerk")
 # The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
 CHOICES = frozenset(("", "integer"))
 RATES = frozenset(("uu/s", "uu/s2", "uu/s3"))
 # A change of the cycle below this share of it is none; one below `WORTH` is not worth an edit.
 NOTHING, WORTH = 1e-9, 2e-3
+# So many cycles of a program are run in a trial, if their period is that of the whole run.
+CYCLES = 3
 # So much less of the cycle is not worth a larger value. What bounds a value that is large enough.
 ENOUGH, SATED = 1e-4, "more gains nothing"
+# What bounds a number that gains only with others.
+HIDDEN = "the tick that the cycle waits for"
 # What bounds a value is seen at one that is larger by this factor.
 FURTHER = 1.05
 # The largest factor by which a number is changed, and the steps of the bisection between two factors.
@@ -101,16 +112,19 @@ class Held:
 class Improvement:
     """The edits, the source with them, and its run; `before` and `after` are the cycles, s.
 
-    `cycle` says what repeats, "" if it is the whole run.
+    `cycle` is the name of the cycle if one was given, "cycle" if not, "" if it is the whole run; `where` has its lines
+    and how often it occurs.
 
     `held` are the numbers of the process, which stay. `skipped` are the remarks about what could not be changed,
-    `waits` those about waits that could go, `refused` has why each other literal stays. `edits` is empty if nothing
-    can be gained; `sets` then says what sets the cycle. `trials` is the number of runs.
+    `waits` those about waits that could go and about motions that stop elsewhere, `refused` has why each other literal
+    stays. `edits` is empty if nothing can be gained; `sets` then says what sets the cycle. `trials` is the number of
+    runs.
     """
 
     source: Source
     patched: Source
     cycle: str
+    where: str
     before: float
     after: float
     edits: list[Edit]
@@ -167,8 +181,8 @@ class Improver:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
         self.until, self._progress, self._runs = until, progress, 0
-        # What runs the program in each world with other numbers; the numbers as they are.
-        self._worker = Worker(Job(source, language.name, (), (), world.settings, {}, {}, until, False))
+        # What runs the program in each world with other numbers, in full; the numbers as they are.
+        self._worker = self._short = self._worker_until(until)
         self._numbers: dict[str, float] = {}
         program = self._worker.program(world.settings)
         self.literals = [*program.constants, *program.literals]
@@ -183,10 +197,12 @@ class Improver:
         self._axes: dict[str, set[int]] = {}
         self._moves: dict[str, list[Move]] = {}
         self._rates: set[str] = set()
+        # The highest values of these, by the limits, and what they are in words.
+        self._highest: dict[str, tuple[float, str]] = {}
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
         self.cycle = cycle if found is None else found.name or "cycle"
-        self._repeats = cycle if found is None else f"cycle of {found.where}"
+        self._title = cycle or ("" if found is None else "cycle")
         self.before = self._cost(self._base)
         fails = self._base.status == "fault"
         if fails and self._base.diagnostics:
@@ -206,8 +222,12 @@ class Improver:
         assert self._base.program is not None
         self._structure = self._base.program.structure
         self._tasks = Tasks(self._base, () if found is None else found.lines)
-        self._behaviour = Behaviour(self._base, self._tasks, self._starts(self._base))
-        self._process = Process(self._base, self._tasks, self._starts(self._base))
+        starts = self._starts(self._base)
+        self._whole = Behaviour(self._base, self._tasks, starts)
+        self._behaviour = self._of_cycles(starts)
+        count = found.count if found is not None else len(starts) - 1
+        self._where = f"{found.where}, {count} times" if found is not None else f"{count} times"
+        self._process = Process(self._base, self._tasks, starts)
         self._limits = certificate(self._base.controller, self._base.machine.settings, self._base.time)
         # What the program exceeds already is no edit's, as long as no edit makes it worse: an edit moves no position.
         self._exceeded = {
@@ -228,20 +248,22 @@ class Improver:
 
     def improved(self, by: float = 0.0, most: int = 0) -> Improvement:
         """Return the fewest edits that gain the share `by` of the cycle, or the best ones, at most `most` if given."""
-        edits = self._all()
+        edits = self._proven(self._all())
         chosen = self._chosen(edits, by, most)
+        if len(chosen) < len(edits):
+            chosen = self._proven(chosen)
         values = {each.literal.address: each.value for each in chosen}
-        patched, result = self._patched(values), self._trial(self.world, values)
+        patched, result = self._patched(values), self._trial(self.world, values, self._worker)
         after = self._cost(result)
         self._share(chosen)
         limits = certificate(result.controller, result.machine.settings, result.time)
-        waits = list(dict.fromkeys(_waits(result, self._tasks)))
+        notes = [*_rests(self._base, result), *dict.fromkeys(_waits(result, self._tasks))]
         made = {each.literal.address for each in edits}
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
         return Improvement(
-            self.source, patched, self._repeats, self.before, after, chosen, result, limits, self.held, self.skipped,
-            waits, refused, sets, self._runs,
+            self.source, patched, self._title, self._where, self.before, after, chosen, result, limits, self.held,
+            self.skipped, notes, refused, sets, self._runs,
         )  # fmt: skip
 
     def _all(self) -> list[Edit]:
@@ -260,7 +282,86 @@ class Improver:
                 edits[literal.address] = edit
                 best, last = cost, literal.address
             last = last or literal.address
+        for edit in self._together([each for each in candidates if each.address not in edits], edits, best):
+            edits[edit.literal.address] = edit
         return list(edits.values())
+
+    def _together(self, left: Sequence[Literal], edits: Mapping[str, Edit], best: float) -> list[Edit]:
+        """Return edits of what single steps have left that gain together, none if they do not."""
+        base = {each.literal.address: each.value for each in edits.values()}
+        values = dict(base)
+        found = []
+        for literal in left:
+            value = self._furthest(literal, values, best) if literal.address in self._rates else literal.value
+            if value != literal.value:
+                values[literal.address] = value
+                found.append(Edit(literal, value, bound=HIDDEN))
+        cost, reason = self._judge(values)
+        if len(found) < 2 or reason or cost > best * (1.0 - WORTH):
+            return []
+        # No more of them, and no more of each, than the gain takes.
+        for edit in list(found):
+            address = edit.literal.address
+
+            def is_enough(value: float, address: str = address) -> bool:
+                made, refused = self._judge({**values, address: value})
+                return not refused and made <= cost * (1.0 + ENOUGH)
+
+            if is_enough(edit.literal.value):
+                del values[address]
+                found.remove(edit)
+                continue
+            low, high = edit.literal.value, edit.value
+            for _ in range(STEPS):
+                middle = 0.5 * (low + high)
+                low, high = (low, middle) if is_enough(middle) else (middle, high)
+            round_ = _roundest(high, edit.value)
+            values[address] = edit.value = round_ if is_enough(round_) else high
+        return found
+
+    def _furthest(self, literal: Literal, values: Mapping[str, float], best: float) -> float:
+        """Return the largest value of a literal that is allowed and loses nothing."""
+
+        def is_allowed(factor: float) -> bool:
+            cost, reason = self._judge({**values, literal.address: _rounded(literal.value * factor, True)})
+            return not reason and cost <= best * (1.0 + WORTH)
+
+        low, high = 1.0, 2.0
+        while high <= MAX_FACTOR and is_allowed(high):
+            low, high = high, 2.0 * high
+        for _ in range(STEPS if high <= MAX_FACTOR else 0):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if is_allowed(middle) else (low, middle)
+        return _rounded(literal.value * low, True) if low > 1.0 else literal.value
+
+    def _proven(self, edits: Sequence[Edit]) -> list[Edit]:
+        """Return edits without those that fail in the whole run or in a scenario."""
+        if not edits or not self._failure(edits):
+            return list(edits)
+        left: list[Edit] = []
+        for each in edits:
+            reason = self._failure([*left, each])
+            if reason:
+                literal = each.literal
+                self._refused[literal.address] = f"{literal.address} stays {literal.text}: {reason}"
+            else:
+                left.append(each)
+        return left
+
+    def _failure(self, edits: Sequence[Edit]) -> str:
+        """Return why some edits are not allowed in the whole run and in all scenarios; "" if they are."""
+        values = {each.literal.address: each.value for each in edits}
+        result = self._trial(self.world, values, self._worker)
+        reason = self._whole.difference(result, self._starts(result)) or self._beyond(result)
+        if reason:
+            return reason
+        for world, before in zip((self.world, *self.others), self._unmet, strict=True):
+            if world.expected or world is not self.world:
+                run = result if world is self.world else self._trial(world, values, self._worker)
+                new = [each for each in unmet(run, list(world.expected)) if each not in before]
+                if new:
+                    return f"{f'scenario {world.name}: ' if world.name else ''}{new[0]}"
+        return ""
 
     def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
         """Return the fewest of some edits that gain a share, or the best set of at most `most`."""
@@ -296,7 +397,8 @@ class Improver:
             further = each.value * (FURTHER if is_larger else 1.0 / FURTHER)
             cost, reason = self._judge({**values, each.literal.address: further})
             each.outputs = tuple(self._process.outputs(self._moves.get(each.literal.address, ())))
-            each.bound = reason or (each.bound if cost < last * (1.0 - NOTHING) else SATED)
+            is_open = cost < last * (1.0 - NOTHING) or each.bound == HIDDEN
+            each.bound = reason or (each.bound if is_open else SATED)
 
     # ------------------------------------------------------------------------------------------------ candidates
 
@@ -306,14 +408,6 @@ class Improver:
         axes = {axis for _, _, about in spans if about[0] in MOVING for axis in about[3]}
         axes = axes or {move.axis for move in self._base.moves}  # with a motor, waits are for a condition
         limited = {each.axis for each in self._limits}
-        if not limited:
-            raise NotPossible(
-                "nothing bounds a faster cycle: the machine file has no limits",
-                missing_limits(self.source.name, self.machine, self.language.first_axis),
-            )
-        self.skipped += [
-            f"axis {axis} has no limits{self._in}, so its speeds stay" for axis in sorted(axes - limited)
-        ]
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
         structure = self._structure
         starts = sorted(structure.statements)
@@ -322,9 +416,9 @@ class Improver:
             for statement in structure.statements.values()
             for use in statement.axes
             if use.row.topic == "speed" and use.row.unit not in CHOICES
-            if use.axis is None or use.axis in axes & limited
+            if use.axis is None or use.axis in axes
         ]
-        free: dict[tuple[int, str], None] = {}
+        lacking: dict[int, dict[str, None]] = {}
         found = []
         for literal in self.literals:
             at = starts[bisect_right(starts, literal.offset) - 1]
@@ -334,7 +428,7 @@ class Improver:
                 for use in uses
                 if (use.at == at and literal.text in use.value) or named.search(use.value) is not None
             ]
-            of_all = sorted(axes & limited)
+            of_all = sorted(axes)
             needed = [
                 (axis, _quantity(use.row))
                 for use in mine
@@ -345,16 +439,43 @@ class Improver:
                 for axis, name in needed
                 if not {(axis, each) for each in (name, *MOTOR)} & bounded
             ]
-            free.update(dict.fromkeys(without))
+            for axis, name in without:
+                lacking.setdefault(axis, {})[name] = None
             self._axes[literal.address] = {axis for axis, name in needed if name == "speed"}
             if mine and literal.is_write and not without:
                 found.append(literal)
                 if all(use.row.unit in RATES and use.value in (literal.text, literal.base) for use in mine):
                     self._rates.add(literal.address)
-        self.skipped += [
-            f"axis {axis} has no limit of its {name}{self._in}, so that stays" for axis, name in free
-        ]
+                    self._highest[literal.address] = self._cap(literal, needed)
+        if lacking:
+            self._need(
+                {axis: sorted(names, key=QUANTITIES.index) for axis, names in sorted(lacking.items())},
+                limited,
+            )
         return found
+
+    def _cap(self, literal: Literal, needed: Sequence[tuple[int, str]]) -> tuple[float, str]:
+        """Return the least limit of what a literal sets, in words, too; infinite without one, as with a motor."""
+        found = [(each.limit, _limit_text(each)) for each in self._limits if (each.axis, each.name) in needed]
+        value, words = min(found, default=(inf, ""))
+        return max(value, abs(literal.value)), words
+
+    def _need(self, lacking: Mapping[int, Sequence[str]], limited: Collection[int]) -> None:
+        """Say which limits are missing; raise NotPossible if there are none."""
+        figures = "; ".join(
+            f"axis {axis}: {', '.join(f'limits.{name}' for name in names)}" for axis, names in lacking.items()
+        )
+        axis, names = next(iter(lacking.items()))
+        by_hand = f"--set axis.{axis}.limits.{names[0]}=VALUE"
+        if not limited:
+            raise NotPossible(
+                "nothing bounds a faster cycle: the machine file has no limits",
+                f"it needs {figures}: {by_hand}, or "
+                + missing_limits(self.source.name, self.machine, self.language.first_axis),
+            )
+        self.skipped.append(
+            f"limits are missing{self._in}, so these numbers stay: {figures}; {by_hand} gives one"
+        )
 
     def _free(self, candidates: Sequence[Literal]) -> list[Literal]:
         """Return the literals that may be changed: those that the process does not need as they are."""
@@ -401,8 +522,8 @@ class Improver:
             bounds.append(bound)
             if edit is not None and cost < found[0] * (1.0 - NOTHING):
                 found = cost, edit
-        reason = next((each for each in bounds if each not in (SATED, UNTRIED)), "")
-        if found[1] is None and reason:
+        reason = next((each for each in bounds if each not in (SATED, UNTRIED)), SATED)
+        if found[1] is None:
             self._refused.setdefault(literal.address, f"{literal.address} stays {literal.text}: {reason}")
         return found
 
@@ -415,7 +536,7 @@ class Improver:
             value = _rounded(was * factor if grows else was / factor, grows)
             return self._judge({**values, literal.address: value})
 
-        slower, low, cost, bound = 1.0, 1.0, best, SATED
+        slower, low, cost, bound, is_free = 1.0, 1.0, best, SATED, False
         high, refused = 2.0, ""
         while high <= MAX_FACTOR:
             made, refused = judged(high)
@@ -428,12 +549,13 @@ class Improver:
         for _ in range(STEPS if refused else 0):
             middle = 0.5 * (low + high)
             made, reason = judged(middle)
+            is_free = is_free or not reason
             if not reason and made < cost * (1.0 - NOTHING):
                 slower, low, cost = low, middle, made
             else:
                 high, bound = middle, reason or bound
         if low == 1.0:
-            return best, None, bound
+            return best, None, f"{SATED} (bounded by {bound})" if is_free and bound != SATED else bound
         if bound in (SATED, UNTRIED):
             # It may be more than enough.
             for _ in range(STEPS):
@@ -464,26 +586,22 @@ class Improver:
 
     def _judge(self, values: Mapping[str, float]) -> tuple[float, str]:
         """Return the cycle with some values, and why they are not allowed; "" if they are."""
+        for address, value in values.items():
+            # Also a speed that no move reaches is none that the machine allows.
+            highest, words = self._highest.get(address, (inf, ""))
+            if abs(value) > highest * (1.0 + NOTHING):
+                return inf, words
         result = self._trial(self.world, values)
         cost = self._cost(result)
         reason = self._behaviour.difference(result, self._starts(result)) or self._beyond(result)
-        if reason or not 0.0 < cost < inf:
-            return cost, reason or "nothing repeats any more"
-        for world, before in zip((self.world, *self.others), self._unmet, strict=True):
-            if world.expected or world is not self.world:
-                run = result if world is self.world else self._trial(world, values)
-                after = unmet(run, list(world.expected))
-                new = [each for each in after if each not in before]
-                if new:
-                    return cost, f"{f'scenario {world.name}: ' if world.name else ''}{new[0]}"
-        return cost, ""
+        return cost, reason or ("" if 0.0 < cost < inf else "nothing repeats any more")
 
     def _beyond(self, result: Run) -> str:
         """Return the first limit that a run exceeds; "" if it keeps all."""
         for each in certificate(result.controller, result.machine.settings, result.time):
             before = self._exceeded.get((each.axis, each.name))
             if each.verdict == "exceeded" and (before is None or (each.margin or 0.0) < before - SAME):
-                return f"{each.name} of axis {each.axis}: {each.limit:.6g} {each.unit}"
+                return _limit_text(each)
         return ""
 
     def _run(self, world: World) -> Run:
@@ -492,11 +610,27 @@ class Improver:
         settings = Checked(world.settings)
         return run(self._worker.program(settings), machine=settings, until=self.until)
 
-    def _trial(self, world: World, values: Mapping[str, float]) -> Run:
-        """Return the run in a world with other values of some literals."""
+    def _trial(self, world: World, values: Mapping[str, float], worker: Worker | None = None) -> Run:
+        """Return the run in a world with other values of some literals, by default of a few cycles."""
         self._count()
         given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
-        return self._worker.run_given(given, world.settings)
+        return (worker or self._short).run_given(given, world.settings)
+
+    def _worker_until(self, until: float | None) -> Worker:
+        return Worker(Job(self.source, self.language.name, (), (), self.world.settings, {}, {}, until, False))
+
+    def _of_cycles(self, starts: Sequence[float]) -> Behaviour:
+        """Return the behaviour of the first cycles, which trials have from now on; of the whole run if they differ."""
+        periods = [after - before for before, after in pairwise(starts[: CYCLES + 1])]
+        if len(starts) <= CYCLES + 1 or abs(median(periods) - self.before) > ENOUGH * self.before:
+            return self._whole
+        until = starts[CYCLES] + SHORT
+        self._short = self._worker_until(until)
+        short = run(
+            self._short.program(self.world.settings), machine=Checked(self.world.settings), until=until
+        )
+        self._count()
+        return Behaviour(short, self._tasks, self._starts(short), self._base.status)
 
     def _count(self) -> None:
         self._runs += 1
@@ -525,6 +659,10 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
     worlds = [World(each.name, each.settings, each.expected) for each in others]
     return Improver(source, dialect_for(source, None), World("", settings, expected), worlds, **given)
+
+
+def _limit_text(limit: Limit) -> str:
+    return f"{limit.name} of axis {limit.axis}: {limit.limit:.6g} {limit.unit}"
 
 
 def _quantity(row: Keyword) -> str:
@@ -575,6 +713,23 @@ def _rounded(value: float, grows: bool) -> float:
     is_near = abs(steps - near) < 1e-9 * abs(steps)
     whole = near if is_near else floor(steps) + (grows is not (value > 0.0))
     return float(f"{whole * size:.3g}")
+
+
+def _rests(before: Run, after: Run) -> Iterator[str]:
+    """Yield a remark on each motion that the program stops and that comes to rest elsewhere, once for each line."""
+    homes = before.dialect.table().homes
+    stopped = (
+        [move for move in run.machine.log.moves if move.ended == "stop" and move.commanded_speed is not None]
+        for run in (before, after)
+    )
+    lines = set()
+    for was, is_ in zip(*stopped, strict=False):
+        if was.line == is_.line and was.profile is not None and is_.profile is not None:
+            shift = (is_.profile.distance - was.profile.distance) / abs(was.scale or 1.0)
+            if abs(shift) > SAME and was.line not in lines and not homes(was.command):
+                lines.add(was.line)
+                where = f"{shift:+.4g} uu from where it did"
+                yield f"line {was.line}: {was.command} of axis {was.axis} comes to rest {where}"
 
 
 def _waits(run: Run, tasks: Tasks) -> Iterator[str]:

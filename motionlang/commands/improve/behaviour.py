@@ -28,10 +28,14 @@ EXACT = 1e-4
 
 
 class Behaviour:
-    """The behaviour of a run, whose cycles begin at `starts`."""
+    """The behaviour of a run, whose cycles begin at `starts`.
 
-    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float]) -> None:
+    `status` is the one at the end of the program, if the run is only the beginning of it.
+    """
+
+    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float], status: str = "") -> None:
         self._tasks, self._starts, self._status = tasks, starts, run.status
+        self._statuses = {run.status, status or run.status}
         self._ends, self._grave = _ends(run), _grave(run)
         self._acts = acts_of(run, tasks)
         self._polls = polls_of(run, tasks, self._acts)
@@ -50,7 +54,7 @@ class Behaviour:
 
     def difference(self, run: Run, starts: Sequence[float]) -> str:
         """Return what another run does differently; "" if nothing that matters."""
-        if run.status != self._status:
+        if run.status not in self._statuses:
             errors = [each.message for each in run.diagnostics if each.severity == "error"]
             return errors[0] if errors else f"the run {run.status}, not {self._status}"
         if _grave(run) != self._grave:
@@ -67,7 +71,7 @@ class Behaviour:
                 reason = self._changed(task, was, is_)
                 if reason:
                     return reason
-        is_whole = run.status == "ended" and until == inf
+        is_whole = run.status == self._status == "ended" and until == inf
         if is_whole and len(self._acts.get("program", [])) != len(others.get("program", [])):
             return "the number of outputs, prints and moves of the program"
         return "the final positions" if is_whole and not self._is_at_rest(run) else ""

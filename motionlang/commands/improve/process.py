@@ -8,6 +8,8 @@ has switched an output on, is that of a tool. The other reason is a comment: it 
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import chain
 from math import fsum, hypot, inf
@@ -42,11 +44,15 @@ SAME_SPEED = 1e-6
 
 
 class _On(NamedTuple):
-    """An output that the cycle switches, by its name and its task, and when it is on."""
+    """An output that the cycle switches, by its name and its task, and when it is on.
+
+    It is steady if it is switched on equally often in every cycle, unlike a lamp that blinks.
+    """
 
     name: str
     task: str
     spans: Sequence[tuple[float, float]]
+    is_steady: bool
 
 
 class Process:
@@ -114,7 +120,7 @@ class Process:
             output.name
             for output in self._outputs
             if any(
-                (output.task == task or self._tasks.reads(output.task, task))
+                (output.task == task or (output.is_steady and self._tasks.reads(output.task, task)))
                 and min(end, off) - max(begin, on) > SHORT
                 for task, begin, end in spans
                 for on, off in output.spans
@@ -173,7 +179,8 @@ def _switched(run: Run, tasks: Tasks, starts: Sequence[float]) -> Iterable[_On]:
         name = names.get((kind, str(channel)), "")
         for task, on in spans.items():
             if len(on) >= max(len(starts) - 1, 1) and any(not value for _, value, _ in switched[1:]):
-                yield _On(f"{name} ({title})" if name else title, task, on)
+                cycles = Counter(bisect_right(starts, begin) for begin, _ in on if begin < last)
+                yield _On(f"{name} ({title})" if name else title, task, on, len(set(cycles.values())) == 1)
 
 
 def _comments(run: Run) -> tuple[Mapping[int, str], Mapping[int, str]]:

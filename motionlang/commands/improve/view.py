@@ -19,6 +19,7 @@ def improvement_document(found: Improvement, file: str) -> Document:
     remarks = Table("remarks", (Column("text"),), [{"text": each} for each in texts])
     values = {
         "cycle": found.cycle,
+        "where": found.where,
         "before": found.before,
         "after": found.after,
         "trials": found.trials,
@@ -46,7 +47,7 @@ def edits_table(found: Improvement) -> Table:
         Column("line", drop=3),
         Column("old", "from", drop=2),
         Column("new", "to"),
-        Column("gain", unit="s", text="{:.4f}".format, drop=1),
+        Column("gain", unit="s", text=lambda seconds: f"{round(seconds, 4) + 0.0:.4f}", drop=1),
         Column("bound", "bounded by", left=True),
         Column("outputs", "while this is on", left=True, data=not any(each.outputs for each in found.edits)),
     )
@@ -58,9 +59,9 @@ def edits_table(found: Improvement) -> Table:
 def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool) -> list[str]:
     """Return an improvement as lines of text."""
     share = 100.0 * (found.after / found.before - 1.0)
-    edits = count_of(len(found.edits), "edit")
-    repeats = f"{found.cycle}, " if found.cycle else ""
-    head = f"{file}: {repeats}{found.before:.6g} s → {found.after:.6g} s, {share:.1f} % with {edits}"
+    where = found.where if found.cycle else "no cycle: the whole run"
+    seconds = f"{found.before:.4g} s → {found.after:.4g} s"
+    head = f"{file}: {found.cycle or 'run'} {seconds}, {share:.1f} % ({where})"
     lines = [styled(head, "bold", colour), "", *edits_table(found).lines(width, colour=colour)]
     lines += _held_lines(found, colour)
     note = styled("note:", "note", colour)

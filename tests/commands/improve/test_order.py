@@ -78,8 +78,8 @@ MC1
 
 
 @cases("name, speeds", [
-    ("glue.mnt", {"SPEED[0]@7": 390.0}),
-    ("glue.mccl", {"2SV@2:2": 37900.0}),
+    ("glue.mnt", {"SPEED[0]@7": 400.0}),
+    ("glue.mccl", {"2SV@2:2": 37800.0}),
 ])  # fmt: skip
 def test_a_glue_task_opens_and_closes_at_the_same_place_of_the_move(
     name: str, speeds: dict[str, float]
