@@ -44,7 +44,7 @@ SAME_SPEED = 1e-6
 
 
 class _On(NamedTuple):
-    """An output that the cycle switches, by its name and its task, and when it is on.
+    """An output that the work switches, by its name and its task, and when it is on.
 
     It is steady if it is switched on equally often in every cycle, unlike a lamp that blinks.
     """
@@ -159,7 +159,7 @@ def _own_speed(move: Move) -> float:
 
 
 def _switched(run: Run, tasks: Tasks, starts: Sequence[float]) -> Iterable[_On]:
-    """Yield the outputs that a task switches on in every cycle, or on and off in a run that repeats nothing."""
+    """Yield the outputs that a task switches on and off repeatedly, or once in a run that repeats nothing."""
     assert run.program is not None
     names = {(each.kind, each.number): each.name for each in channels_of(run.program, run.dialect)}
     log = run.machine.log
@@ -172,14 +172,15 @@ def _switched(run: Run, tasks: Tasks, starts: Sequence[float]) -> Iterable[_On]:
         ends = [time for time, _, _ in switched[1:]] + [run.time]
         spans: dict[str, list[tuple[float, float]]] = {}
         for (time, value, at), end in zip(switched, ends, strict=True):
-            if value and first <= time <= last:
+            if value:
                 task = tasks.at(run.dialect.locate(run.source, at)[0] if at >= 0 else 0)
                 spans.setdefault(task, []).append((time, end))
         title = f"{kind} {channel}"
         name = names.get((kind, str(channel)), "")
         for task, on in spans.items():
-            if len(on) >= max(len(starts) - 1, 1) and any(not value for _, value, _ in switched[1:]):
-                cycles = Counter(bisect_right(starts, begin) for begin, _ in on if begin < last)
+            # Twice is enough: the coolant of a plate is on for all of its holes, which are the cycle.
+            if len(on) >= min(max(len(starts) - 1, 1), 2) and any(not value for _, value, _ in switched[1:]):
+                cycles = Counter(bisect_right(starts, begin) for begin, _ in on if first <= begin < last)
                 yield _On(f"{name} ({title})" if name else title, task, on, len(set(cycles.values())) == 1)
 
 

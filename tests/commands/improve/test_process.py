@@ -56,6 +56,25 @@ def test_the_name_of_the_output_is_that_of_the_program_or_of_a_comment() -> None
     assert held(named) == {"SPEED[0]@4": "lower than 90 while opGlue (output 2) is on"}
 
 
+def test_the_coolant_of_a_plate_is_on_for_all_of_its_holes() -> None:
+    """The cycle is a hole; the coolant comes once a plate, which is often enough."""
+    text = f"""\
+Dim plate As Integer, hole As Integer
+{RATES}For plate = 1 To 3
+  OUTX(2) = 1
+  For hole = 1 To 5
+    SPEED(0) = 8
+    MOVEA(0) = 20 : GO(0) : Pause IDLE(0)
+    SPEED(0) = 120
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  Next
+  OUTX(2) = 0
+  Wait(500)
+Next
+"""
+    assert held(text) == {"SPEED[0]@6": "lower than 120 while output 2 is on"}
+
+
 def test_a_run_lamp_and_a_heater_that_are_on_all_the_time_hold_nothing() -> None:
     text = f"""\
 {RATES}OUTX(7) = 1
