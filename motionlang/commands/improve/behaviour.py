@@ -97,7 +97,8 @@ class Behaviour:
             other = is_.moving.get(axis)
             is_there = other is not None and other.line == place.line
             if places and not (is_there and any(self._is_same(key, other, each, EXACT) for each in places)):
-                return f"line {was.line}: {was.text} not at {place.distance:.6g} of the move of line {place.line}"
+                where = f"{place.distance:.6g} uu of the move of line {place.line}"
+                return f"line {was.line}: {was.text} no longer at {where}"
         return ""
 
     def _places(self, key: tuple[str, int, str], act: Act, axis: int) -> list[Place]:

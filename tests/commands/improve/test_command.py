@@ -250,7 +250,9 @@ def test_an_output_stays_among_the_moves(cell: Cell) -> None:
         "  MOVER(0) = 40 : GO(0)\n  WAIT(450) : OUTX(1) = 1\n  PAUSE IDLE(0) : OUTX(1) = 0\nNext\n",
     )
     cell.write("glue.machine.toml", LIMITS)
-    assert "line 5: output 1 = 1 not at 38.751 of the move of line 4" in cell("improve", "glue.mnt").out
+    assert (
+        "line 5: output 1 = 1 no longer at 38.751 uu of the move of line 4" in cell("improve", "glue.mnt").out
+    )
 
 
 def test_a_homing_search_may_overshoot_less(cell: Cell) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import pytest
 
 from motionlang.commands.improve import Improver, World
+from motionlang.commands.improve.view import improvement_lines
 from motionlang.kernel import Source, dialect
 from tests.cases import cases
 from tests.cli.programs import Cell
@@ -135,6 +136,20 @@ MC1
     assert "SPEED[0]@2" not in held(jog, given=given)
 
 
+def test_a_note_says_how_far_other_rates_shift_the_rest_of_a_jog(cell: Cell) -> None:
+    """From 40 uu/s the jog stops in 40²/(2·800) = 1 uu, and with 4000 uu/s² in 0.2 uu."""
+    text = f"{RATES}SPEED(0) = 90\nJOG(0) = 40 : Pause INX(3) : STOP(0) : Pause IDLE(0)\nPOS(0) = 0\nLoop\n"
+    cell.write("jog.mnt", f"{text}  MOVER(0) = 9 : GO(0) : Pause IDLE(0)\nEnd Loop\n")
+    cell.write(
+        "jog.machine.toml",
+        "run.until = 9\ninput = [{ channel = 3, axis = 0, between = [20.0, 30.0] }]\naxis.0.limits.speed = 200\n"
+        "axis.0.limits.acceleration = 4000\n",
+    )
+    out = cell("improve", "jog.mnt").out
+    assert "DECEL[0]@1     1   800  4000" in out
+    assert "note: line 3: JOG of axis 0 comes to rest -0.8 uu from where it did" in out
+
+
 @cases("comment, line, reasons", [
     ("; index at 15 deg/s", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 names it"}),
     ("; up, over the glue wheel", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 says glue"}),
@@ -189,14 +204,18 @@ def test_also_tries_a_number_of_the_process(drill: Cell) -> None:
     assert "  SPEED[0]@3 = 6  as you said\n" in held_all_the_same
 
 
-def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value(cell: Cell) -> None:
-    cell.write(
-        "clamp.mnt",
+def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value() -> None:
+    text = (
         "Const _axCarriage As Integer = 0\nDefine opClampOfTheTray = OUTX(3)\n"
         "SPEED(_axCarriage) = 50 : ACCEL(_axCarriage) = 500 : DECEL(_axCarriage) = 500\nopClampOfTheTray = 1\n"
-        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nopClampOfTheTray = 0\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n",
+        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nopClampOfTheTray = 0\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n"
     )
-    cell.write("clamp.machine.toml", "axis.0.limits.speed = 200\naxis.0.limits.acceleration = 1000\n")
-    out = cell("improve", "clamp.mnt").out
-    row = next(line for line in out.splitlines() if line.startswith("SPEED["))
-    assert row.endswith("opClampOfTheTray (output 3)")
+    world = World("", {"axis.0.limits.speed": 200.0, "axis.0.limits.acceleration": 1000.0})
+    found = Improver(Source("clamp.mnt", text), dialect("mint"), world).improved()
+    for width, heads in (
+        (120, "edit line from to gain bounded by while this is on"),
+        (80, "edit to bounded by while this is on"),
+    ):
+        lines = improvement_lines(found, "clamp.mnt", width=width, colour=False)
+        assert " ".join(lines[2].split()) == heads
+        assert next(line for line in lines if line.startswith("SPEED[")).endswith("(output 3)")
