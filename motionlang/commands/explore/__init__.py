@@ -93,15 +93,15 @@ class Exploration:
     `nodes` are its states with their transitions, power-up first, `cycles` the cycles, the likeliest first and those
     without motion last, `trials` the number of runs. `world` is that of the first cycle that repeats when it is played.
     `switches` are those of axes that would home for ever. `is_whole` is False if the budget or the user ended the
-    search.
+    search; `interrupted` is then the run that Ctrl-C ended.
     """
 
-    def __init__(self, explorer: Explorer) -> None:
-        self._explorer = explorer
+    def __init__(self, explorer: Explorer, interrupted: Run | None = None) -> None:
+        self._explorer, self.interrupted = explorer, interrupted
         self.program = explorer.program
         self.nodes = list(explorer.nodes.values())
         self.trials = explorer.trials.count
-        self.is_whole = not explorer.trials.is_over
+        self.is_whole = not explorer.trials.is_over and interrupted is None
         self.cycles = cycles(explorer.nodes, explorer.working)
         self.world = self.world_of(self.cycles)
         self.switches = explorer.switches
@@ -167,15 +167,22 @@ def explore(
     trials: int = MAX_TRIALS,
     is_over: Callable[[], bool] = lambda: False,
     progress: Callable[[float], object] = lambda share: None,
+    keeps: bool = False,
 ) -> Exploration:
     """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials.
 
     It ends earlier where `is_over` returns True. `progress` is called with the share of the trials. Raises Interrupted,
-    with the run, at Ctrl-C.
+    with the run, at Ctrl-C; with `keeps` the first one ends the search, and what was found is kept in `interrupted`.
     """
     explorer = Explorer(program, machine or {}, trials, is_over, progress)
-    explorer.explore()
-    found = Exploration(explorer)
+    interrupted: Run | None = None
+    try:
+        explorer.explore()
+    except Interrupted as at:
+        if not keeps:
+            raise
+        interrupted = at.result
+    found = Exploration(explorer, interrupted)
     explorer.progress = lambda share: None  # what is asked of the result is no part of it
     return found
 

@@ -32,6 +32,7 @@ class Map(Output, ProgramOptions):
 map plays the program: where it waits, each input, key, answer, analogue level
 and number of a host that it reads is changed once, to see what leads on. A
 machine file gives the axes; its inputs, answers and the like are not used.
+Ctrl-C shows what was found so far.
 
 exit status: 0 success; 1 the program has an error; 2 the command line is
 invalid
@@ -79,6 +80,9 @@ examples:
             self.show(document(made), text)
         else:
             sys.stdout.write(written(made, self.format))
+        interrupted = None if made.played is None else made.played.exploration.interrupted
+        if interrupted is not None:
+            SIGNALS.end_with(interrupted)
         return 0
 
     def _played(self, source: Source) -> ProgramMap:
@@ -90,6 +94,7 @@ examples:
                 Checked(self.settings()),
                 overrides=self.overrides(),
                 progress=progress,
+                keeps=True,
             )
         except Interrupted as interrupted:
             SIGNALS.end_with(interrupted.result)

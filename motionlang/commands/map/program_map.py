@@ -67,11 +67,12 @@ def map_of_machine(
     *,
     overrides: Mapping[str, float | str] | None = None,
     progress: Callable[[float], object] = lambda share: None,
+    keeps: bool = False,
 ) -> ProgramMap:
     """Return the map of a program with what the machine does when it is played.
 
     `settings` are those of its machine file; inputs, answers and the like are found by the exploration. `progress` is
-    called with the share of the trials. Raises ProgramError with all errors of the text, or for an override that names
+    called with the share of the trials, and `keeps` is that of `explore`. Raises ProgramError with all errors of the text, or for an override that names
     nothing.
     """
     kept = without_world(settings)
@@ -79,7 +80,7 @@ def map_of_machine(
     program = program.with_values(overrides) if overrides else program
     program.require()
     made = program_map(program, language)
-    found = explore(program, kept, progress=progress)
+    found = explore(program, kept, progress=progress, keeps=keeps)
     made.played = played(found, made.structure, Names(made.channels, made.axes), made.unreached)
     return made
 

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.explore import explore
-from motionlang.kernel import Source, dialect_of
+from motionlang.commands.explore import Interrupted, explore
+from motionlang.kernel import Source, dialect_of, run
 
 MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_of(path.name) is not None)
 
@@ -30,6 +30,26 @@ def test_an_exploration_ends_when_its_trials_are_used_up() -> None:
     assert language is not None
     few = explore(language.program(Source.read(path), is_debug=True), trials=5)
     assert few.trials == 5
+
+
+def test_ctrl_c_keeps_what_was_found() -> None:
+    path = Path(__file__).parent / "timeout.mnt"
+    language = dialect_of(path.name)
+    assert language is not None
+    program = language.program(Source.read(path), is_debug=True)
+    shares: list[float] = []
+
+    def interrupt(share: float) -> None:
+        shares.append(share)
+        if len(shares) == 10:
+            raise Interrupted(run(language.program(Source("a.mnt", "WAIT = 10"))))
+
+    found = explore(program, progress=interrupt, keeps=True)
+    assert (found.is_whole, len(found.nodes)) == (False, 5)
+    assert found.interrupted is not None
+    shares.clear()
+    with pytest.raises(Interrupted):
+        explore(program, progress=interrupt)
 
 
 @pytest.mark.slow

@@ -29,9 +29,11 @@ def headline(made: ProgramMap) -> str:
         count_of(len(made.units), "unit"),
     ]
     if made.played is not None:
+        exploration = made.played.exploration
         parts += [
             count_of(len(made.played.states) - 1, "state"),
-            f"played {count_of(made.played.exploration.trials, 'time')}",
+            f"played {count_of(exploration.trials, 'time')}"
+            + ("" if exploration.is_whole else ", more states are possible"),
         ]
     return f"{made.source.name}: {', '.join(parts)}"
 
