@@ -6,6 +6,7 @@ happens by itself all the same.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -179,14 +180,23 @@ class _Words:
 
     def __init__(self, exploration: Exploration, structure: Structure, names: Names) -> None:
         self.exploration, self.names = exploration, names
-        self.line, self.structure = structure.line, structure
+        self.structure = structure
+        given = [node.state for node in exploration.nodes]
+        lines = {state: lines_of(state, structure.line) for state in given}
+        often = Counter(lines.values())
+        # States of the same lines are told apart by their statements.
+        self._names = {
+            state: name if often[name] == 1 else f"{name} ({statements_of(state or (), structure)})"
+            for state, name in lines.items()
+        }
         # The handlers that the change of a channel starts, by the name of the channel.
         self.started = {
             f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
         }
 
     def lines(self, state: RestState | None) -> str:
-        return lines_of(state, self.line)
+        """Return the name of a state: its lines, with the calls that lead there."""
+        return self._names[state]
 
     def state(self, node: Node) -> State:
         """Return a state with what leads on from it, but for handlers."""
@@ -204,16 +214,16 @@ class _Words:
 
     def refused(self, node: Node) -> Iterator[Way]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
-        found: dict[tuple[str, ...], list[Change]] = {}
+        found: dict[tuple[str, ...], list[tuple[Change, ...]]] = {}
         for causes, acts in node.refused.items():
             words = tuple(without_figures(each.words) for each in acts)
-            found.setdefault(words, []).extend(causes)
-        for changes in found.values():
-            first = min(changes, key=is_probe)
-            acts = node.refused[(first,)]
-            yield Way(
-                self.values(first, changes), [self.names.act(act) for act in acts], 0.0, "the same question"
-            )
+            found.setdefault(words, []).append(causes)
+        for same in found.values():
+            first = min(same, key=lambda causes: (len(causes), any(map(is_probe, causes))))
+            others = [one for causes in same for one in causes]
+            until = " and ".join(self.values(one, others) for one in first)
+            then = [self.names.act(act) for act in node.refused[first]]
+            yield Way(until, then, 0.0, "the same question")
 
     def until(self, each: Transition, others: Sequence[Transition]) -> str:
         """Return what leads on, with the other values that do the same, and with levels that make a difference."""

@@ -72,8 +72,8 @@ def map_of_machine(
     """Return the map of a program with what the machine does when it is played.
 
     `settings` are those of its machine file; inputs, answers and the like are found by the exploration. `progress` is
-    called with the share of the trials, and `keeps` is that of `explore`. Raises ProgramError with all errors of the text, or for an override that names
-    nothing.
+    called with the share of the trials, and `keeps` is that of `explore`. Raises ProgramError with all errors of the
+    text, or for an override that names nothing.
     """
     kept = without_world(settings)
     program = language.program(source, kept, is_debug=True)

@@ -134,7 +134,8 @@ def transitions(played: Played) -> Table:
     rows = [(state, way) for state in played.states for way in state.ways]
 
     def name(row: tuple[State, Way]) -> str:
-        return f"{row[0].name}: {row[0].statement}".removesuffix(": ")
+        statement = row[0].statement
+        return f"{row[0].name.removesuffix(f' ({statement})')}: {statement}".removesuffix(": ")
 
     columns = [
         Column("state", get=lambda row: row[0].name, data=True),

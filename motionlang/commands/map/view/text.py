@@ -109,7 +109,8 @@ def _state(state: State, width: int, colour: bool) -> list[str]:
     if not state.statement:
         return [styled(state.name, "bold", colour), *_ways(state.ways, width)]
     reads = f"   [{', '.join(state.reads)}]" if state.reads else ""
-    head = _wrapped(f"waits in {state.name}: {state.statement}{reads}", "", width)
+    name = state.name.removesuffix(f" ({state.statement})")
+    head = _wrapped(f"waits in {name}: {state.statement}{reads}", "", width)
     return ["", *(styled(line, "bold", colour) for line in head), *_ways(state.ways, width)]
 
 

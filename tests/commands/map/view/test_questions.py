@@ -67,7 +67,9 @@ QUESTIONS = {
             "waits in 19 called in 40, 32: IN2 [input 2 (vacuum ok)] by itself → 29",
             "output 36 (alarm) on; output 33 (vacuum) off; axis 2 (Z) to 0 at 150000; axis 1 (X) to 0 at 400000;",
         ],
-        "after how many seconds does it give up?": ["→ 29 called in 40, 32, 4.60 s: output 36 (alarm) on"],
+        "after how many seconds does it give up?": [
+            "→ 29 called in 40, 32 (WF5), 4.60 s: output 36 (alarm) on"
+        ],
         "what ends the alarm?": ["input 5 (auto/manual (1 = auto)) off → 29", "output 36 (alarm) off"],
         "how is Z homed?": ["homed and zeroed FE = 0 13", "axis 2 (Z) to -20200.2 at 20000"],
         "what does the machine wait for before it lowers on the belt?": [
