@@ -12,6 +12,7 @@ from codecs import StreamWriter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from math import isfinite
+from textwrap import wrap
 from typing import IO, Any
 
 from motionlang.views import terminal
@@ -21,6 +22,8 @@ from motionlang.views.terminal import printable, styled
 # The name of the one schema of the commands' JSON documents; the report of a run has its own.
 SCHEMA = "motionlang/1"
 GAP = 2
+# What stands below a row is indented.
+FOLDED = "    "
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,7 @@ class Table:
 
     The text has at most `most` rows unless all are wanted; 0 is no limit. `empty` is the text of a table without rows,
     `head` a line above the table, `notes` are lines below it. `style` returns the style of a row, "" for those of the
-    columns.
+    columns. With `folds` the cells of columns that do not fit stand below their row.
     """
 
     name: str
@@ -81,6 +84,7 @@ class Table:
     head: str = ""
     style: Callable[[Any], str] = lambda row: ""
     notes: list[str] = field(default_factory=list)
+    folds: bool = False
 
     def lines(self, width: int, *, colour: bool = False, everything: bool = False) -> list[str]:
         """Return the table as lines of text."""
@@ -91,8 +95,17 @@ class Table:
         columns = [column for column in self.columns if not column.data]
         found = [column.texts(rows) for column in columns]
         shown = _fitting(columns, found, width)
+        folded = [k for k in range(len(columns)) if k not in shown and any(found[k])] if self.folds else []
+        below = [
+            "; ".join(f"{columns[k].heading} {found[k][row]}".strip() for k in folded if found[k][row])
+            for row in range(len(rows))
+        ]
         columns, found = [columns[k] for k in shown], [found[k] for k in shown]
-        lines = _laid(columns, found, list(map(self.style, rows)), colour)
+        laid = _laid(columns, found, list(map(self.style, rows)), colour)
+        first = len(laid) - len(rows)
+        lines = laid[:first]
+        for line, text in zip(laid[first:], below, strict=True):
+            lines += [line, *wrap(text, width, initial_indent=FOLDED, subsequent_indent=FOLDED)]
         left = len(self.rows) - len(rows)
         if left:
             lines.append(styled(f"… and {grouped(left)} more {self.name}: --all shows all", "dim", colour))

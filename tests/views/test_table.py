@@ -288,3 +288,24 @@ def test_a_cell_takes_the_room_that_a_terminal_gives_it() -> None:
         "漢字[b]x[/b]   1",
         "é             20",
     ]
+
+
+def test_columns_that_do_not_fit_stand_below_their_row() -> None:
+    columns = [
+        Column("name", left=True),
+        Column("values", left=True, drop=1),
+        Column("lines", left=True, drop=2),
+    ]
+    rows = [
+        {"name": "output 0", "values": "1, 0", "lines": "47, 64, 98, 120"},
+        {"name": "output 1", "values": "", "lines": ""},
+    ]
+    table = Table("channels", columns, rows, folds=True)
+    assert table.lines(20) == [
+        "name      values",
+        "────────────────",
+        "output 0  1, 0",
+        "    lines 47, 64,",
+        "    98, 120",
+        "output 1",
+    ]

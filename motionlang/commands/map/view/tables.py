@@ -47,17 +47,24 @@ def channels(made: ProgramMap) -> Table:
         Column("name", get=lambda row: row.name, left=True),
         Column("kind", data=True),
         Column("number", data=True),
-        Column("direction", "use", left=True, drop=3),
+        Column("direction", "use", left=True),
         _lines("waits", "waited for"),
         _lines("reads", "read"),
         _lines("writes", "written"),
         Column("values", "values", text=", ".join, left=True, drop=4),
         _lines("set_up", "assigned"),
-        Column("starts", text="; ".join, left=True),
-        Column("is_used", "", text=lambda is_used: "" if is_used else "never used", left=True),
+        Column("starts", text="; ".join, left=True, drop=2),
+        Column("is_used", "", text=lambda is_used: "" if is_used else "never used", left=True, drop=1),
         Column("named_by", data=True),
     ]
-    return Table("channels", columns, made.channels, empty="no inputs or outputs", head="Inputs and outputs")
+    return Table(
+        "channels",
+        columns,
+        made.channels,
+        empty="no inputs or outputs",
+        head="Inputs and outputs",
+        folds=True,
+    )
 
 
 def axes(made: ProgramMap) -> Table:
@@ -74,7 +81,7 @@ def axes(made: ProgramMap) -> Table:
         Column("computed", "", get=lambda row: row.fact.is_computed, text=_computed, left=True, drop=2),
         Column("lines", get=lambda row: row.fact.lines, text=ranges, left=True),
     ]
-    return Table("axes", columns, rows, empty="no axes", head="Axes")
+    return Table("axes", columns, rows, empty="no axes", head="Axes", folds=True)
 
 
 def units(made: ProgramMap) -> Table:
@@ -82,14 +89,14 @@ def units(made: ProgramMap) -> Table:
     columns = [
         Column("unit", get=lambda row: row.title, left=True),
         Column("line", text=lambda line: str(line) if line else ""),
-        Column("called_by", "called by", text=_titles, left=True),
+        Column("called_by", "called by", text=_titles, left=True, drop=1),
         Column("started_by", "started by", text=_titles, left=True, drop=1),
         Column("calls", text=_titles, left=True, drop=2),
         Column("starts", text=_titles, left=True, drop=2),
         Column("meaning", left=True, drop=1),
         Column("is_reached", "", text=lambda is_reached: "" if is_reached else "never reached", left=True),
     ]
-    return Table("units", columns, made.units, head="Structure")
+    return Table("units", columns, made.units, head="Structure", folds=True)
 
 
 def variables(made: ProgramMap) -> Table:
@@ -105,7 +112,7 @@ def variables(made: ProgramMap) -> Table:
         Column("is_used", "", text=lambda is_used: "" if is_used else "unused", left=True, drop=1),
         Column("is_retained", "", text=lambda is_retained: "non-volatile" if is_retained else "", left=True),
     ]
-    return Table("variables", columns, made.variables, empty="no variables", head="Variables")
+    return Table("variables", columns, made.variables, empty="no variables", head="Variables", folds=True)
 
 
 def cycle(played: Played) -> Table:
