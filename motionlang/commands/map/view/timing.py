@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
+from math import fsum
 
 from motionlang.commands.map.played import CAUSES, Played
 from motionlang.commands.map.program_map import ProgramMap
@@ -69,7 +70,7 @@ def drawn(made: ProgramMap, width: int, colour: bool) -> Iterator[str]:
         if (spans := _moving(played.run.controller.axes[axis], begin, end))
     ]
     rows += [
-        each for each in _channels(made, played) if 0.0 < sum(b - a for a, b in each.spans) < end - begin
+        each for each in _channels(made, played) if 0.0 < fsum(b - a for a, b in each.spans) < end - begin
     ]
     if not rows:
         return
