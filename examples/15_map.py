@@ -11,4 +11,4 @@ for channel in found.channels:
     break
 assert found.played is not None
 for state in found.played.states[1:2]:
-    print(state.statement, [way.until for way in state.ways])
+    print(state.statement, [way.until for way in state.ways])  # PAUSE INX(1) ['input 1 (part) on']
