@@ -21,6 +21,8 @@ An input that is read while an axis moves, or whose change starts a handler, is 
 once for each line that moves an axis and what moves after it. If the comparisons of a program count how often an input
 comes, in a move or at rest, it comes as often as they ask for.
 
+Of a bank of inputs only those count that make a difference to a comparison; they are found by halves.
+
 A question is a state, and an answer is a change; where several tasks rest, their places together are one state.
 Without a choice are the switches of an axis that homes for ever (`switches.py`).
 

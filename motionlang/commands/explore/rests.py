@@ -108,7 +108,7 @@ def _waits(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
         end = wait.until
         if end <= trial.since or (wait.cause == "time" and end < inf) or (end == inf and trial.has_ended):
             continue
-        known = max(trial.time, wait.since + 1.0) if trial.is_stuck and end == inf else min(end, trial.time)
+        known = trial.time + 1.0 if trial.is_stuck and end == inf else min(end, trial.time)
         begin = moves.at_rest(max(wait.since, trial.since), known)
         if known - begin > SHORTEST:
             question = trial.question if end == inf and wait.cause == "operator" else None

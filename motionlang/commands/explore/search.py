@@ -248,6 +248,12 @@ class Explorer:
             for at, statement in program.structure.statements.items()
             if any(use.channel == "input" and not use.number.isdecimal() for use in statement.channels)
         }
+        # The inputs that each statement has read that reads a whole bank, until those that matter are known.
+        self._banks: dict[int, list[int]] = {
+            at: []
+            for at, statement in program.structure.statements.items()
+            if any(use.channel == "input bank" for use in statement.channels)
+        }
         # The statements of the handlers that more than time starts.
         units = program.structure.units
         events = [unit for unit in units if unit.kind == "event" and not unit.is_timed]
@@ -317,6 +323,8 @@ class Explorer:
     def _note_readings(self, trial: Trial) -> None:
         """Take note of the inputs that statements read whose numbers only a run can know."""
         for at, channels in trial.readings.items():
+            if at in self._banks:
+                self._banks[at] = [channel for channel in channels if channel not in self._given]
             if at not in self._computed:
                 continue  # it reads what its text says; its other readings are those of limits and drives
             known = self._read_in.setdefault(self.line(at), {})
@@ -366,6 +374,8 @@ class Explorer:
 
     def _single(self, node: Node, visit: Visit) -> Iterator[Causes]:
         """Yield each change once, and those of several inputs that one line reads."""
+        for at in sorted(at for place in node.state or () for at in place.statements if self._banks.get(at)):
+            self._read_bank(visit, at, self._banks.pop(at))
         levels = visit.levels
         for channel in self.channels:
             change = Change("input", channel, 1 - levels.get(channel, 0.0))
@@ -374,6 +384,24 @@ class Explorer:
                 yield from self._counted(node, visit, (), partial(_pulses, change))
         yield from self._read_together(node, levels)
         yield from self._values(node, visit) if visit.question is None else self._answers(node, visit)
+
+    def _read_bank(self, visit: Visit, at: int, channels: Sequence[int]) -> None:
+        """Find the inputs of a bank that make a difference where a statement reads it, by halves."""
+        usual = _compared_in(self.play(visit.timeline, 0.0))
+        left, found = [channels], list[int]()
+        while left and not self.trials.is_over:
+            some = left.pop()
+            levels = visit.levels
+            changes = tuple(Change("input", each, 1 - levels.get(each, 0.0)) for each in some)
+            if _compared_in(self._changed(visit, changes)) <= usual:
+                continue
+            if len(some) == 1:
+                found += some
+            else:
+                middle = len(some) // 2
+                left += [some[middle:], some[:middle]]
+        self._read_in.setdefault(self.line(at), {}).update(dict.fromkeys(found, 1.0))
+        self.channels += [each for each in found if each not in self.channels]
 
     def _read_together(self, node: Node, levels: Mapping[int, float]) -> Iterator[Causes]:
         """Yield the changes of several inputs that a line of a state reads."""
@@ -683,6 +711,11 @@ class Explorer:
 
     def _act(self, each: Switched | Printed, subject: str, words: str) -> Act:
         return Act(each.time, self.line(each.at) if each.at >= 0 else 0, subject, words)
+
+
+def _compared_in(trial: Trial) -> frozenset[tuple[int, tuple[object, object]]]:
+    """Return what the comparisons of a trial have seen, without how often."""
+    return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
 
 
 def _reached(structure: Structure, unit: Unit) -> frozenset[int]:
