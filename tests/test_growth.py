@@ -15,6 +15,9 @@ from lsprotocol import types
 
 from motionlang.cli import main
 from motionlang.commands.explore import explore
+from motionlang.commands.map.played import Names, played
+from motionlang.commands.map.program_map import program_map
+from motionlang.commands.map.view.text import render
 from motionlang.ide.lsp.documents import Document
 from motionlang.ide.lsp.jobs import CHECK, Job, work
 from motionlang.kernel import Source, dialect_of
@@ -89,7 +92,7 @@ def _work(command: str, name: str, text: str) -> Callable[[], object]:
     arguments = {
         "check": ["check", name],
         "steps": ["check", name, "--steps"],
-        "map": ["map", name],
+        "map": ["map", name, "--no-run"],
         "run": ["run", name, *UNTIL],
         "diff": ["diff", name, f"old-{name}", *UNTIL],
         "cover": ["cover", name, *UNTIL],
@@ -106,10 +109,14 @@ def _edit(name: str, text: str) -> None:
 
 
 def _explore(name: str, text: str) -> None:
-    """Do what `init` and `cover --suggest` do first."""
+    """Do what `init` and `cover --suggest` do first, and show it as `map` does."""
     language = dialect_of(name)
     assert language is not None
-    explore(language.program(Source(name, text), is_debug=True), trials=TRIALS)
+    program = language.program(Source(name, text), is_debug=True)
+    made = program_map(program, language)
+    found = explore(program, trials=TRIALS)
+    made.played = played(found, made.structure, Names(made.channels, made.axes), made.unreached)
+    render(made, width=80)
 
 
 def _measure(command: str, shape: str, sizes: Sequence[int]) -> list[int]:

@@ -10,7 +10,7 @@ from functools import partial
 from itertools import chain
 from math import inf
 from operator import attrgetter
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
 from motionlang.commands.explore.switches import Switches
@@ -253,6 +253,7 @@ class Explorer:
             at: []
             for at, statement in program.structure.statements.items()
             if any(use.channel == "input bank" for use in statement.channels)
+            and not self._read_in.get(statement.line)  # else its text says which
         }
         # The statements of the handlers that more than time starts.
         units = program.structure.units
@@ -388,20 +389,21 @@ class Explorer:
     def _read_bank(self, visit: Visit, at: int, channels: Sequence[int]) -> None:
         """Find the inputs of a bank that make a difference where a statement reads it, by halves."""
         usual = _compared_in(self.play(visit.timeline, 0.0))
-        left, found = [channels], list[int]()
+        left, wanted = [channels], dict[int, float]()
         while left and not self.trials.is_over:
             some = left.pop()
             levels = visit.levels
             changes = tuple(Change("input", each, 1 - levels.get(each, 0.0)) for each in some)
-            if _compared_in(self._changed(visit, changes)) <= usual:
+            new = _compared_in(self._changed(visit, changes)) - usual
+            if not new:
                 continue
             if len(some) == 1:
-                found += some
+                wanted[some[0]] = _wanted_level(usual, new)
             else:
                 middle = len(some) // 2
                 left += [some[middle:], some[:middle]]
-        self._read_in.setdefault(self.line(at), {}).update(dict.fromkeys(found, 1.0))
-        self.channels += [each for each in found if each not in self.channels]
+        self._read_in.setdefault(self.line(at), {}).update(wanted)
+        self.channels += [each for each, level in wanted.items() if level and each not in self.channels]
 
     def _read_together(self, node: Node, levels: Mapping[int, float]) -> Iterator[Causes]:
         """Yield the changes of several inputs that a line of a state reads."""
@@ -713,7 +715,29 @@ class Explorer:
         return Act(each.time, self.line(each.at) if each.at >= 0 else 0, subject, words)
 
 
-def _compared_in(trial: Trial) -> frozenset[tuple[int, tuple[object, object]]]:
+Compared: TypeAlias = frozenset[tuple[int, tuple[object, object]]]
+
+
+def _wanted_level(usual: Compared, new: Compared) -> float:
+    """Return the level of an input of a bank with which the sides of a comparison are equal; on if that is unknown.
+
+    The input is a bit of the left side, or of the right one.
+    """
+    for at, (left, right) in sorted(new, key=str):
+        for before in (pair for other, pair in usual if other == at):
+            for is_, was, other in ((left, before[0], right), (right, before[1], left)):
+                if (
+                    isinstance(is_, (int, float))
+                    and isinstance(was, (int, float))
+                    and isinstance(other, (int, float))
+                ):
+                    bit = int(abs(is_ - was))
+                    if bit and bit & (bit - 1) == 0 and float(other).is_integer():
+                        return float(bool(int(other) & bit))
+    return 1.0
+
+
+def _compared_in(trial: Trial) -> Compared:
     """Return what the comparisons of a trial have seen, without how often."""
     return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
 
