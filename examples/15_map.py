@@ -9,6 +9,6 @@ found = motionlang.map(motionlang.Source("clamp.mnt", text))
 for channel in found.channels:
     print(channel.known_as, channel.lines)  # input 1 (part) [3]
     break
-assert found.played is not None
-for state in found.played.states[1:2]:
-    print(state.statement, [way.until for way in state.ways])  # PAUSE INX(1) ['input 1 (part) on']
+assert found.behaviour is not None
+for state in found.behaviour.states[1:2]:
+    print(state.statement, [each.until for each in state.transitions])  # PAUSE INX(1) ['input 1 (part) on']

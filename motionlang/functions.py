@@ -153,8 +153,8 @@ def map(
 ) -> ProgramMap:
     """Return what a machine does, and what its program is made of: channels, axes, units, variables.
 
-    The program is played, as in `explore`: `played` has the cycle, the states, what handlers do, and what never ran.
-    Without `run` it is not, and `played` is None. `machine` is as in the function `run`; its inputs, answers and the
+    The program is played, as in `explore`: `behaviour` has the cycle, the states, what handlers do, and what never ran.
+    Without `run` it is not, and `behaviour` is None. `machine` is as in the function `run`; its inputs, answers and the
     like are not used. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for
     a program with errors.
     """

@@ -15,7 +15,7 @@ from lsprotocol import types
 
 from motionlang.cli import main
 from motionlang.commands.explore import explore
-from motionlang.commands.map.played import Names, played
+from motionlang.commands.map.behaviour import Names, behaviour_of
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
 from motionlang.ide.lsp.documents import Document
@@ -117,7 +117,7 @@ def _explore(name: str, text: str) -> None:
     program = language.program(Source(name, text), is_debug=True)
     made = program_map(program, language)
     found = explore(program, trials=TRIALS)
-    made.played = played(found, made.structure, Names(made.channels, made.axes), made.unreached)
+    made.behaviour = behaviour_of(found, made.structure, Names(made.channels, made.axes), made.unreached)
     render(made, width=80)
 
 

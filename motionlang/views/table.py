@@ -22,7 +22,7 @@ from motionlang.views.terminal import printable, styled
 # The name of the one schema of the commands' JSON documents; the report of a run has its own.
 SCHEMA = "motionlang/1"
 GAP = 2
-# What stands below a row is indented.
+# The indentation of the cells below a row.
 FOLDED = "    "
 
 
@@ -73,7 +73,7 @@ class Table:
 
     The text has at most `most` rows unless all are wanted; 0 is no limit. `empty` is the text of a table without rows,
     `head` a line above the table, `notes` are lines below it. `style` returns the style of a row, "" for those of the
-    columns. With `folds` the cells of columns that do not fit stand below their row.
+    columns. With `folds` the cells of columns that do not fit are below their row.
     """
 
     name: str

@@ -10,7 +10,7 @@ from functools import partial
 from itertools import chain
 from math import inf
 from operator import attrgetter
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
 from motionlang.commands.explore.switches import Switches
@@ -32,8 +32,10 @@ from motionlang.commands.explore.trials import (
 )
 from motionlang.commands.explore.values import (
     ANSWERS,
+    compared_in,
     counts,
     is_probe,
+    level_of_bit,
     printed_for,
     probes,
     solved,
@@ -185,7 +187,7 @@ class Work(NamedTuple):
     outputs: frozenset[int]
 
 
-class Chance(NamedTuple):
+class ChangeInMove(NamedTuple):
     """An input that may change in the middle of a move; `onward` are the lines that move an axis later."""
 
     change: Change
@@ -265,7 +267,7 @@ class Explorer:
         # Handlers that command nothing count or take note.
         quiet = [each for each in events if not _commands(program.structure, each)]
         self.counters = _triggers(quiet)
-        self._quiet = frozenset[int]().union(*(_reached(program.structure, each) for each in quiet))
+        self._commanding = self.handlers.difference(*(_reached(program.structure, each) for each in quiet))
         # The changes in the middle of a move that were tried.
         self._changed_in: set[Hashable] = set()
         # The lines that move an axis in any transition.
@@ -388,17 +390,16 @@ class Explorer:
 
     def _read_bank(self, visit: Visit, at: int, channels: Sequence[int]) -> None:
         """Find the inputs of a bank that make a difference where a statement reads it, by halves."""
-        usual = _compared_in(self.play(visit.timeline, 0.0))
-        left, wanted = [channels], dict[int, float]()
+        usual = compared_in(self.play(visit.timeline, 0.0))
+        left, wanted, levels = [channels], dict[int, float](), visit.levels
         while left and not self.trials.is_over:
             some = left.pop()
-            levels = visit.levels
             changes = tuple(Change("input", each, 1 - levels.get(each, 0.0)) for each in some)
-            new = _compared_in(self._changed(visit, changes)) - usual
+            new = compared_in(self._changed(visit, changes)) - usual
             if not new:
                 continue
             if len(some) == 1:
-                wanted[some[0]] = _wanted_level(usual, new)
+                wanted[some[0]] = level_of_bit(usual, new)
             else:
                 middle = len(some) // 2
                 left += [some[middle:], some[:middle]]
@@ -453,10 +454,10 @@ class Explorer:
         ]
 
     def _in_moves(
-        self, node: Node, visit: Visit, causes: Causes, chances: Sequence[Chance]
+        self, node: Node, visit: Visit, causes: Causes, possible: Sequence[ChangeInMove]
     ) -> Iterator[Causes]:
         """Play the changes with one more in the middle of a move, where none was yet; yield those that are counted."""
-        for each in chances:
+        for each in possible:
             if self.trials.is_over:
                 return
             if each.key in self._changed_in:
@@ -485,7 +486,7 @@ class Explorer:
         for each, trial in zip(tried[1:], trials[1:], strict=True):
             self._arrive(node, visit, each, trial)
 
-    def _chances(self, trial: Trial, since: float, until: float) -> list[Chance]:
+    def _changes_in_moves(self, trial: Trial, since: float, until: float) -> list[ChangeInMove]:
         """Return the inputs that are read while an axis moves, or that start a handler."""
         motions: dict[int, Motion] = {}
         for each in trial.part(since, until).motions:
@@ -497,9 +498,9 @@ class Explorer:
             onward = frozenset(each.line for each in motions.values() if each.begin > motion.begin)
             for channel in dict.fromkeys((*self._read_between(trial, motion), *sorted(self.triggers))):
                 change = Change("input", channel, 1 - levels.get(channel, 0.0))
-                chance = Chance(change, motion, onward)
-                if channel in self.channels and chance.key not in self._changed_in:
-                    found.append(chance)
+                possible = ChangeInMove(change, motion, onward)
+                if channel in self.channels and possible.key not in self._changed_in:
+                    found.append(possible)
         return found
 
     def _read_between(self, trial: Trial, motion: Motion) -> Iterator[int]:
@@ -559,8 +560,8 @@ class Explorer:
                     if any(each.table == "answer" for each in how):
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST
-                handled = self._handled(trial, since, inf if first is None else since)
-                if how and handled:
+                handled = self._handled(trial, since, rest.end) if how else []
+                if handled:
                     self._link(source, back, how, rest.state, trial, since, max(handled), known, is_over)
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
@@ -658,9 +659,9 @@ class Explorer:
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
         fails = any(each.ended == "fault" for each in part.moves)
-        chances = self._chances(trial, since, until)
-        if chances and (source.state is not None or not causes):
-            changes = self._in_moves(source, visit, causes, chances)
+        possible = self._changes_in_moves(trial, since, until)
+        if possible and (source.state is not None or not causes):
+            changes = self._in_moves(source, visit, causes, possible)
             source.left.append(Departure(visit, changes))
         source.transitions.append(
             Transition(
@@ -683,9 +684,8 @@ class Explorer:
 
     def _handled(self, trial: Trial, since: float, until: float) -> list[float]:
         """Return when statements of handlers began that command anything, between two times."""
-        wanted = self.handlers - self._quiet
         begun = trial.statements.get(HANDLERS, ())
-        return [each.time for each in begun if each.at in wanted and since <= each.time <= until]
+        return [each.time for each in begun if each.at in self._commanding and since <= each.time <= until]
 
     def part(self, trial: Trial, since: float, until: float) -> Trial:
         """Return the trial with only what the tasks that work do between two times."""
@@ -713,33 +713,6 @@ class Explorer:
 
     def _act(self, each: Switched | Printed, subject: str, words: str) -> Act:
         return Act(each.time, self.line(each.at) if each.at >= 0 else 0, subject, words)
-
-
-Compared: TypeAlias = frozenset[tuple[int, tuple[object, object]]]
-
-
-def _wanted_level(usual: Compared, new: Compared) -> float:
-    """Return the level of an input of a bank with which the sides of a comparison are equal; on if that is unknown.
-
-    The input is a bit of the left side, or of the right one.
-    """
-    for at, (left, right) in sorted(new, key=str):
-        for before in (pair for other, pair in usual if other == at):
-            for is_, was, other in ((left, before[0], right), (right, before[1], left)):
-                if (
-                    isinstance(is_, (int, float))
-                    and isinstance(was, (int, float))
-                    and isinstance(other, (int, float))
-                ):
-                    bit = int(abs(is_ - was))
-                    if bit and bit & (bit - 1) == 0 and float(other).is_integer():
-                        return float(bool(int(other) & bit))
-    return 1.0
-
-
-def _compared_in(trial: Trial) -> Compared:
-    """Return what the comparisons of a trial have seen, without how often."""
-    return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
 
 
 def _reached(structure: Structure, unit: Unit) -> frozenset[int]:

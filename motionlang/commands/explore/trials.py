@@ -266,7 +266,7 @@ class Recorder(Hook):
 
 
 class Act(NamedTuple):
-    """What a program does: when, s, in which line, 0 if that is unknown, to what, and the rest in words.
+    """An act of a program: its time, s, its line, 0 if that is unknown, its subject, and the rest in words.
 
     It moves an axis, switches an output, or prints a line, which has no `subject`.
     """
@@ -652,7 +652,7 @@ def described(move: Move, is_homing: bool) -> str:
     if profile.duration < inf:
         words.append(f"to {move.to_user(profile.end):.6g}")
     if profile.peak_speed:
-        words.append(f"at {profile.peak_speed / abs(move.scale or 1.0):.6g}")
+        words.append(f"at {move.size_to_user(profile.peak_speed):.6g}")
     return " ".join(words)
 
 

@@ -8,9 +8,10 @@ linear in the value, so the value at which the sides are equal follows from the 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import inf, isfinite
+from typing import TypeAlias
 
 from motionlang.commands.explore.trials import REGISTERS, TABLES, Change, Trial
 from motionlang.kernel import Program
@@ -116,6 +117,38 @@ def counts(trials: Sequence[Trial]) -> list[int]:
         if root.is_integer():
             found |= dict.fromkeys((int(root), int(root) + 1))
     return [each for each in found if len(trials) <= each <= MAX_TIMES]
+
+
+# The offsets of comparisons, and the sides that they have seen.
+Compared: TypeAlias = frozenset[tuple[int, tuple[object, object]]]
+
+
+def compared_in(trial: Trial) -> Compared:
+    """Return what the comparisons of a trial have seen, without how often."""
+    return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
+
+
+def level_of_bit(usual: Compared, new: Compared) -> float:
+    """Return the level of an input of a bank at which two sides are equal; on if that is unknown.
+
+    `new` is seen only if the input has the other level: one side differs by its bit.
+    """
+    for side, before, other in _differing(usual, new):
+        bit = int(abs(side - before))
+        if bit.bit_count() == 1 and other.is_integer():
+            return float(bool(int(other) & bit))
+    return 1.0
+
+
+def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, float]]:
+    """Yield a side that differs, its usual value, and the other side, which are numbers."""
+    for at, (left, right) in sorted(new, key=str):
+        for known, (was_left, was_right) in sorted(usual, key=str):
+            sides = left, was_left, right, was_right
+            if known == at and all(isinstance(each, (int, float)) for each in sides):
+                a, b, c, d = (float(each) for each in sides)  # type: ignore[arg-type]
+                yield a, b, c
+                yield c, d, a
 
 
 def _margins(trial: Trial) -> dict[int, list[float]]:

@@ -423,7 +423,7 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
     for (number, axis), moments in changes.items():
 
         def position(time: float, a: Axis = axes[axis]) -> float:
-            return a.position(time) / a.scale.counts
+            return a.scale.to_user(a.position(time))
 
         begins = [position(time) for time, _ in moments]
         time, (_, _, _, times, every) = moments[0]

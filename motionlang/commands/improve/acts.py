@@ -1,4 +1,4 @@
-"""What the tasks of a run do: outputs, prints and moves in the order of time, with the moves that go on meanwhile."""
+"""The outputs, prints and moves of each task of a run in the order of time, with the moves in progress."""
 
 from __future__ import annotations
 
@@ -76,12 +76,9 @@ def _moving(spans: dict[int, list[tuple[float, Move]]], time: float) -> Iterator
         begin, move = moves[max(at, 0)]
         profile = move.profile
         if profile is not None and begin < time < begin + profile.duration:
-            scale = abs(move.scale or 1.0)
             state = profile.state(time - begin)
-            yield (
-                axis,
-                Place(move.line, (state.position - profile.start) / scale, abs(state.velocity) / scale),
-            )
+            distance = move.to_user(state.position) - move.to_user(profile.start)
+            yield axis, Place(move.line, distance, move.size_to_user(state.velocity))
 
 
 def polls_of(run: Run, tasks: Tasks, acts: Mapping[str, Sequence[Act]]) -> dict[tuple[str, int], float]:

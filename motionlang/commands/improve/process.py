@@ -16,6 +16,7 @@ from math import fsum, hypot, inf
 from typing import NamedTuple
 
 from motionlang.commands.improve.tasks import Tasks
+from motionlang.commands.map.comments import comments_of
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Literal
@@ -155,7 +156,7 @@ def _own_speed(move: Move) -> float:
     """Return the commanded speed of a move; the one that it reaches if it is part of a path, in user units."""
     assert move.profile is not None
     speed = move.profile.peak_speed if move.commanded_speed is None else move.commanded_speed
-    return abs(speed / (move.scale or 1.0))
+    return move.size_to_user(speed)
 
 
 def _switched(run: Run, tasks: Tasks, starts: Sequence[float]) -> Iterable[_On]:
@@ -190,10 +191,8 @@ def _comments(run: Run) -> tuple[Mapping[int, str], Mapping[int, str]]:
     A list of channels names what is at the machine, and not what a line does.
     """
     lists = {each.line for each in names_in_comments(run.source, run.dialect)}
-    own: dict[int, str] = {}
-    alone: dict[int, str] = {}
-    for kind, text, at in run.dialect.tokens(run.source.text):
-        line, column = run.source.location(at)
-        if kind == "comment" and line not in lists:
-            (own if run.source.line(line)[: column - 1].strip() else alone)[line] = text
-    return own, alone
+    alone, behind = comments_of(run.source, run.dialect)
+    return (
+        {line: text for line, text in behind.items() if line not in lists},
+        {line: text for line, text in alone if line not in lists},
+    )

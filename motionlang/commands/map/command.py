@@ -80,7 +80,7 @@ examples:
             self.show(document(made), text)
         else:
             sys.stdout.write(written(made, self.format))
-        interrupted = None if made.played is None else made.played.exploration.interrupted
+        interrupted = None if made.behaviour is None else made.behaviour.exploration.interrupted
         if interrupted is not None:
             SIGNALS.end_with(interrupted)
         return 0

@@ -17,6 +17,8 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from motionlang.kernel import Dialect, Source
+
 # The words that begin a list, and what it names.
 _WORDS = {
     "input": "in(?:put)?s?x?|di|din",
@@ -81,6 +83,21 @@ def named(comments: Iterable[tuple[int, str]]) -> list[Named]:
             if of:
                 found += (Named(of, number, name, line) for number, name in _items(piece))
     return found
+
+
+def comments_of(source: Source, language: Dialect) -> tuple[list[tuple[int, str]], dict[int, str]]:
+    """Return the comments with a line of their own, and those behind code, with their lines."""
+    own: list[tuple[int, str]] = []
+    behind: dict[int, str] = {}
+    for kind, text, at in language.tokens(source.text):
+        if kind != "comment":
+            continue
+        line, column = source.location(at)
+        if source.line(line)[: column - 1].strip():
+            behind[line] = text
+        else:
+            own.append((line, text))
+    return own, behind
 
 
 def without_marks(comment: str) -> str:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from motionlang.commands.explore import explore, without_world
 from motionlang.commands.map.axes import AxisMap, axes
+from motionlang.commands.map.behaviour import MachineBehaviour, Names, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
-from motionlang.commands.map.comments import Named, named, without_marks
-from motionlang.commands.map.played import Names, Played, played
+from motionlang.commands.map.comments import Named, comments_of, named, without_marks
 from motionlang.commands.map.units import UnitMap, Variable, units, variables
 from motionlang.kernel import Dialect, Program, Source, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure
@@ -20,7 +20,7 @@ MAX_COMMENT = 40
 
 @dataclass(eq=False, slots=True)
 class ProgramMap:
-    """The map of a program: channels, axes, units and variables; `played` is what the machine does, None if unknown.
+    """The map of a program: channels, axes, units and variables; `behaviour` is that of the machine, None if unknown.
 
     `unreached` are the first and last lines of statements that nothing leads to.
     """
@@ -33,7 +33,7 @@ class ProgramMap:
     units: Sequence[UnitMap]
     variables: Sequence[Variable]
     unreached: Sequence[tuple[int, int]]
-    played: Played | None = None
+    behaviour: MachineBehaviour | None = None
 
 
 def program_map(program: Program, language: Dialect) -> ProgramMap:
@@ -81,7 +81,7 @@ def map_of_machine(
     program.require()
     made = program_map(program, language)
     found = explore(program, kept, progress=progress, keeps=keeps)
-    made.played = played(found, made.structure, Names(made.channels, made.axes), made.unreached)
+    made.behaviour = behaviour_of(found, made.structure, Names(made.channels, made.axes), made.unreached)
     return made
 
 
@@ -109,17 +109,7 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
 
 
 def _comments(source: Source, language: Dialect) -> tuple[list[tuple[int, str]], dict[int, str]]:
-    """Return the comments with a line of their own, and the short ones behind code, by line."""
-    own: list[tuple[int, str]] = []
-    behind: dict[int, str] = {}
-    for kind, text, at in language.tokens(source.text):
-        if kind != "comment":
-            continue
-        line, column = source.location(at)
-        if source.line(line)[: column - 1].strip():
-            shown = without_marks(text)
-            if len(shown) <= MAX_COMMENT:
-                behind[line] = shown
-        else:
-            own.append((line, text))
-    return own, behind
+    """Return the comments with a line of their own, and the text of the short ones behind code, by line."""
+    own, behind = comments_of(source, language)
+    shown = {line: without_marks(text) for line, text in behind.items()}
+    return own, {line: text for line, text in shown.items() if len(text) <= MAX_COMMENT}

@@ -76,6 +76,10 @@ class Move:
         """Convert a position in counts to user units at the time of the move."""
         return (position - self.zero) / (self.scale or 1.0)
 
+    def size_to_user(self, size: float) -> float:
+        """Convert a distance or a speed in counts to user units at the time of the move, without its sign."""
+        return abs(size / (self.scale or 1.0))
+
     def until(self, time: float) -> Profile:
         """Return the motion of the move up to a machine time."""
         assert self.profile is not None

@@ -53,8 +53,8 @@ def _timing(made: ProgramMap) -> str:
 _FORMS: dict[str, Callable[[ProgramMap], str]] = {
     "text": lambda made: render(made, width=80),
     "markdown": markdown,
-    "mermaid": lambda made: "\n".join(mermaid(made.played)) + "\n",
-    "dot": lambda made: dot(made.source.name, made.played),
+    "mermaid": lambda made: "\n".join(mermaid(made.behaviour)) + "\n",
+    "dot": lambda made: dot(made.source.name, made.behaviour),
     "json": lambda made: document(made).json(),
     "csv": _csv,
     "html": lambda made: page(made, _timing(made)),

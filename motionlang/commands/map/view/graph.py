@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from motionlang.commands.map.played import Played, Way
+from motionlang.commands.map.behaviour import MachineBehaviour, TransitionRow
 
 # The longest text of a node or an edge; the tables have the rest.
 MAX_LINES, MAX_TEXT = 5, 48
@@ -12,18 +12,18 @@ MAX_LINES, MAX_TEXT = 5, 48
 END = "the end"
 
 
-def mermaid(played: Played | None) -> list[str]:
+def mermaid(behaviour: MachineBehaviour | None) -> list[str]:
     """Return the lines of a Mermaid flowchart; without states it has no node."""
     found = ["flowchart TD"]
-    for name, lines in _nodes(played):
+    for name, lines in _nodes(behaviour):
         opening, closing = ("[", "]") if len(lines) > 1 else ("([", "])")
         found.append(f"    {name}{opening}{_quoted(lines)}{closing}")
-    for source, target, lines in _edges(played):
+    for source, target, lines in _edges(behaviour):
         found.append(f"    {source} -->|{_quoted(lines)}| {target}")
     return found
 
 
-def dot(title: str, played: Played | None) -> str:
+def dot(title: str, behaviour: MachineBehaviour | None) -> str:
     """Return a DOT graph; without states it has no node."""
     found = [
         f"digraph {_string('map of ' + title)} {{",
@@ -31,34 +31,34 @@ def dot(title: str, played: Played | None) -> str:
         '  node [fontname="sans-serif" fontsize=11 shape=box style="rounded,filled" fillcolor=white]',
         '  edge [fontname="sans-serif" fontsize=10 color="#5b6770"]',
     ]
-    for name, lines in _nodes(played):
+    for name, lines in _nodes(behaviour):
         text = _string("\\n".join(map(_escaped, lines)), is_escaped=True)
         found.append(f"    {name} [label={text}]")
-    for source, target, lines in _edges(played):
+    for source, target, lines in _edges(behaviour):
         text = "".join(f"\u00a0{_escaped(line)}\\l" for line in lines)
         found.append(f"    {source} -> {target} [label={_string(text, is_escaped=True)}]")
     return "\n".join([*found, "}"]) + "\n"
 
 
-def _nodes(played: Played | None) -> Iterator[tuple[str, list[str]]]:
+def _nodes(behaviour: MachineBehaviour | None) -> Iterator[tuple[str, list[str]]]:
     """Yield the name of each node and the lines of its text."""
-    states = played.states if played is not None else []
+    states = behaviour.states if behaviour is not None else []
     for number, state in enumerate(states):
         yield f"n{number}", [_clipped(each) for each in (state.name, state.statement) if each]
-    if any(way.to == END for state in states for way in state.ways):
+    if any(way.to == END for state in states for way in state.transitions):
         yield "n_end", [END]
 
 
-def _edges(played: Played | None) -> Iterator[tuple[str, str, list[str]]]:
+def _edges(behaviour: MachineBehaviour | None) -> Iterator[tuple[str, str, list[str]]]:
     """Yield the nodes of each edge, and the lines of its text: what leads on, and what happens then."""
-    states = played.states if played is not None else []
+    states = behaviour.states if behaviour is not None else []
     numbers = {state.name: f"n{number}" for number, state in enumerate(states)} | {END: "n_end"}
     for state in states:
-        for way in state.ways:
+        for way in state.transitions:
             yield numbers[state.name], numbers.get(way.to, numbers[state.name]), _label(way)
 
 
-def _label(way: Way) -> list[str]:
+def _label(way: TransitionRow) -> list[str]:
     found = [f"{way.until}, {way.seconds:.2f} s", *way.then]
     if len(found) > MAX_LINES:
         found[MAX_LINES:] = [f"… {len(found) - MAX_LINES} more"]

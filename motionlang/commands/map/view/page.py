@@ -28,19 +28,19 @@ def page(made: ProgramMap, timing: str = "") -> str:
     name = escape(made.source.name)
     body = [f"<h1>{name}</h1>", f'<p class="head">{escape(headline(made))}</p>']
     links = []
-    played = made.played
-    if played is not None:
-        world = "\n".join(world_lines(played))
-        body += ['<h2 id="cycle">Cycle</h2>', f"<p>{escape(cycle_line(played))}</p>"]
-        body += ['<div class="scroll">', timing, "</div>", *_table(tables.cycle(played))]
+    behaviour = made.behaviour
+    if behaviour is not None:
+        world = "\n".join(world_lines(behaviour))
+        body += ['<h2 id="cycle">Cycle</h2>', f"<p>{escape(cycle_line(behaviour))}</p>"]
+        body += ['<div class="scroll">', timing, "</div>", *_table(tables.cycle(behaviour))]
         body += (
             [f"<p>In this world, which motionlang init writes:</p><pre>{escape(world)}</pre>"]
             if world
             else []
         )
-        body += ['<h2 id="states">States</h2>', *_table(tables.transitions(played))]
-        body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(played))]
-        body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(played))]
+        body += ['<h2 id="states">States</h2>', *_table(tables.transitions(behaviour))]
+        body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(behaviour))]
+        body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(behaviour))]
         links = [("cycle", "Cycle"), ("states", "States"), ("handlers", "Handlers")]
     for table in tables.of_text(made):
         body += [f'<h2 id="{table.name}">{escape(table.head)}</h2>', *_table(table)]

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
+from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow, UnreachedRow
 from motionlang.commands.map.channels import DEVICES, polled
-from motionlang.commands.map.played import CAUSES, Played, State, Unreached, Way
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel.lang import KINDS, READ, Statement, Unit
 from motionlang.kernel.tools import ranges
@@ -29,9 +29,9 @@ class AxisRow:
 def tables(made: ProgramMap) -> list[Table]:
     """Return all tables of a map, the channels first."""
     found = of_text(made)
-    if made.played is not None:
-        found += [cycle(made.played), states(made.played), transitions(made.played)]
-        found += [choices(made.played), handlers(made.played)]
+    if made.behaviour is not None:
+        found += [cycle(made.behaviour), states(made.behaviour), transitions(made.behaviour)]
+        found += [choices(made.behaviour), handlers(made.behaviour)]
     return found
 
 
@@ -115,7 +115,7 @@ def variables(made: ProgramMap) -> Table:
     return Table("variables", columns, made.variables, empty="no variables", head="Variables", folds=True)
 
 
-def cycle(played: Played) -> Table:
+def cycle(behaviour: MachineBehaviour) -> Table:
     """Return the table of what happens in one cycle."""
     columns = [
         Column("time", "at", unit="s", text="{:.3f}".format),
@@ -123,31 +123,34 @@ def cycle(played: Played) -> Table:
         Column("what", left=True),
         Column("seconds", "takes", unit="s", decimals=3),
     ]
-    return Table("cycle", columns, played.happenings)
+    return Table("cycle", columns, behaviour.cycle_rows)
 
 
-def states(played: Played) -> Table:
+def states(behaviour: MachineBehaviour) -> Table:
     """Return the table of all states."""
     columns = [
         Column("name", "state", left=True),
         Column("statement", left=True),
         Column("reads", left=True, text=", ".join),
     ]
-    return Table("states", columns, played.states, head="States")
+    return Table("states", columns, behaviour.states, head="States")
 
 
-def transitions(played: Played) -> Table:
+def transitions(behaviour: MachineBehaviour) -> Table:
     """Return the table of all transitions."""
-    rows = [(state, way) for state in played.states for way in state.ways]
+    rows = [(state, way) for state in behaviour.states for way in state.transitions]
 
-    def name(row: tuple[State, Way]) -> str:
+    def name(row: tuple[StateRow, TransitionRow]) -> str:
         statement = row[0].statement
         return f"{row[0].name.removesuffix(f' ({statement})')}: {statement}".removesuffix(": ")
 
     columns = [
         Column("state", get=lambda row: row[0].name, data=True),
         Column(
-            "waits_in", "waits in", get=lambda row: name(row) if row[1] is row[0].ways[0] else "", left=True
+            "waits_in",
+            "waits in",
+            get=lambda row: name(row) if row[1] is row[0].transitions[0] else "",
+            left=True,
         ),
         Column("until", get=lambda row: row[1].until, left=True),
         Column("seconds", "takes", unit="s", get=lambda row: row[1].seconds, text="{:.2f}".format),
@@ -157,7 +160,7 @@ def transitions(played: Played) -> Table:
     return Table("transitions", columns, rows, head="Transitions")
 
 
-def handlers(played: Played) -> Table:
+def handlers(behaviour: MachineBehaviour) -> Table:
     """Return the table of what handlers do."""
     columns = [
         Column("unit", "handler", left=True),
@@ -166,26 +169,26 @@ def handlers(played: Played) -> Table:
         Column("to", "goes on in", left=True),
         Column("then", text="; ".join, left=True),
     ]
-    return Table("handlers", columns, played.handlers, empty="no handler was started", head="Handlers")
+    return Table("handlers", columns, behaviour.handlers, empty="no handler was started", head="Handlers")
 
 
-def choices(played: Played) -> Table:
+def choices(behaviour: MachineBehaviour) -> Table:
     """Return the table of what happens with other keys, answers and numbers of a host in the cycle."""
     columns = [
         Column("instead", "with", left=True),
         Column("state", "waiting in", left=True),
         Column("then", text="; ".join, left=True),
     ]
-    return Table("choices", columns, played.choices, empty="no choice moves another line", head="Choices")
+    return Table("choices", columns, behaviour.choices, empty="no choice moves another line", head="Choices")
 
 
 def unreached(made: ProgramMap) -> Table:
     """Return the table of lines that nothing reaches, or that no trial has carried out."""
-    if made.played is not None:
-        rows, empty = made.played.unreached, "every statement ran"
+    if made.behaviour is not None:
+        rows, empty = made.behaviour.unreached, "every statement ran"
     else:
         rows = [
-            Unreached(first, last, made.source.line(first).strip(), "nothing leads here")
+            UnreachedRow(first, last, made.source.line(first).strip(), "nothing leads here")
             for first, last in made.unreached
         ]
         empty = "every statement can be reached"

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from textwrap import wrap
 
-from motionlang.commands.map.played import Played, State, Way
+from motionlang.commands.map.behaviour import MachineBehaviour, StateRow, TransitionRow
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.graph import mermaid
@@ -17,7 +17,7 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
-MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_HAPPENINGS = 10, 5, 3, 40
+MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
 
 
 def headline(made: ProgramMap) -> str:
@@ -28,10 +28,10 @@ def headline(made: ProgramMap) -> str:
         count_of(len([each for each in made.axes if each.axis is not None]), "axis", "axes"),
         count_of(len(made.units), "unit"),
     ]
-    if made.played is not None:
-        exploration = made.played.exploration
+    if made.behaviour is not None:
+        exploration = made.behaviour.exploration
         parts += [
-            count_of(len(made.played.states) - 1, "state"),
+            count_of(len(made.behaviour.states) - 1, "state"),
             f"played {count_of(exploration.trials, 'time')}"
             + ("" if exploration.is_whole else ", more states are possible"),
         ]
@@ -41,20 +41,20 @@ def headline(made: ProgramMap) -> str:
 def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
     """Return a map as text."""
     found = [headline(made)]
-    if made.played is not None:
-        found += ["", *_cycle(made, made.played, width, colour), "", styled("States", "bold", colour)]
-        if len(made.played.states) == 1:
+    if made.behaviour is not None:
+        found += ["", *_cycle(made, made.behaviour, width, colour), "", styled("States", "bold", colour)]
+        if len(made.behaviour.states) == 1:
             found.append("the program waits for nothing around it")
-        for state in made.played.states:
+        for state in made.behaviour.states:
             found += _state(state, width, colour)
-        if made.played.choices:
+        if made.behaviour.choices:
             found += ["", styled("Choices", "bold", colour)]
-        for choice in made.played.choices:
+        for choice in made.behaviour.choices:
             text = f"{choice.instead}, waiting in {choice.state}: {_then(choice.then)}"
             found += _wrapped(text, "  ", width)
-        if made.played.handlers:
+        if made.behaviour.handlers:
             found += ["", styled("Handlers", "bold", colour)]
-        for each in made.played.handlers:
+        for each in made.behaviour.handlers:
             then = f": {_then(each.then)}" if each.then else ""
             text = f"{each.unit}: {each.start}, waiting in {', '.join(each.states)} → {each.to}{then}"
             found += _wrapped(text, "  ", width)
@@ -63,39 +63,39 @@ def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
     return "\n".join(found) + "\n"
 
 
-def cycle_line(played: Played) -> str:
+def cycle_line(behaviour: MachineBehaviour) -> str:
     """Return one line about the cycle of a machine."""
-    run = played.run
+    run = behaviour.run
     if run.cycle is not None:
-        then = f"; then the program ends: {_then(played.ending)}" if played.ending else ""
+        then = f"; then the program ends: {_then(behaviour.ending)}" if behaviour.ending else ""
         return f"{run.cycle}{then}"
     if not len(run.machine.log.moves):
         return "none: no axis moved"
     return f"none; one run takes {run.time:.5g} s"
 
 
-def world_lines(played: Played) -> Iterator[str]:
+def world_lines(behaviour: MachineBehaviour) -> Iterator[str]:
     """Yield the world of the cycle, in the form of a machine file."""
-    for table, entries in played.exploration.world.settings.items():
+    for table, entries in behaviour.exploration.world.settings.items():
         assert isinstance(entries, list)
         given = Counter(", ".join(f"{key} = {value!r}" for key, value in each.items()) for each in entries)
         for entry, count in given.items():
             yield f"[[{table}]] {entry}{f'  ({count} times)' if count > 1 else ''}"
 
 
-def _cycle(made: ProgramMap, played: Played, width: int, colour: bool) -> list[str]:
+def _cycle(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bool) -> list[str]:
     """Return the cycle: its time, what happens in it, a picture, and the world in which it runs."""
-    found = [styled("Cycle", "bold", colour), *_wrapped(cycle_line(played), "", width)]
-    table = tables.cycle(played)
-    left = len(table.rows) - MAX_HAPPENINGS
+    found = [styled("Cycle", "bold", colour), *_wrapped(cycle_line(behaviour), "", width)]
+    table = tables.cycle(behaviour)
+    left = len(table.rows) - MAX_CYCLE_ROWS
     if left > 0:
-        table.rows = table.rows[:MAX_HAPPENINGS]
+        table.rows = table.rows[:MAX_CYCLE_ROWS]
         table.notes.append(f"… and {left} more: -o FILE.html or FILE.json has all")
     found += ["", *table.lines(width, colour=colour)] if table.rows else []
     picture = list(drawn(made, width, colour))
     if picture:
         found += ["", *picture]
-    world = list(world_lines(played))
+    world = list(world_lines(behaviour))
     if world:
         found += ["", "in this world, which motionlang init writes:"]
         for each in world:
@@ -103,19 +103,19 @@ def _cycle(made: ProgramMap, played: Played, width: int, colour: bool) -> list[s
     return found
 
 
-def _state(state: State, width: int, colour: bool) -> list[str]:
-    if not state.statement and not state.ways:
+def _state(state: StateRow, width: int, colour: bool) -> list[str]:
+    if not state.statement and not state.transitions:
         return []
     if not state.statement:
-        return [styled(state.name, "bold", colour), *_ways(state.ways, width)]
+        return [styled(state.name, "bold", colour), *_ways(state.transitions, width)]
     reads = f"   [{', '.join(state.reads)}]" if state.reads else ""
     name = state.name.removesuffix(f" ({state.statement})")
     head = _wrapped(f"waits in {name}: {state.statement}{reads}", "", width)
-    return ["", *(styled(line, "bold", colour) for line in head), *_ways(state.ways, width)]
+    return ["", *(styled(line, "bold", colour) for line in head), *_ways(state.transitions, width)]
 
 
-def _ways(ways: Sequence[Way], width: int) -> Iterator[str]:
-    for each in ways:
+def _ways(transitions: Sequence[TransitionRow], width: int) -> Iterator[str]:
+    for each in transitions:
         then = f": {_then(each.then)}" if each.then else ""
         yield from _wrapped(f"{each.until} → {each.to}, {each.seconds:.2f} s{then}", "  ", width)
 
@@ -148,11 +148,11 @@ def unit_text(made: ProgramMap, unit: Unit, *, width: int, colour: bool = False)
 def markdown(made: ProgramMap) -> str:
     """Return a map as Markdown, with a diagram that GitHub and others draw."""
     found = [f"# {made.source.name}", "", headline(made)]
-    played = made.played
-    if played is not None:
-        found += ["", "## Cycle", "", cycle_line(played), "", *tables.cycle(played).markdown()]
-        found += ["", "## States", "", "```mermaid", *mermaid(played), "```"]
-        for table in (tables.transitions(played), tables.choices(played), tables.handlers(played)):
+    behaviour = made.behaviour
+    if behaviour is not None:
+        found += ["", "## Cycle", "", cycle_line(behaviour), "", *tables.cycle(behaviour).markdown()]
+        found += ["", "## States", "", "```mermaid", *mermaid(behaviour), "```"]
+        for table in (tables.transitions(behaviour), tables.choices(behaviour), tables.handlers(behaviour)):
             found += ["", f"### {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
     for table in tables.of_text(made):
         found += ["", f"## {table.head}", "", *(table.markdown() if table.rows else [table.empty])]

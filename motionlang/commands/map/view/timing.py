@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
 from math import fsum
 
-from motionlang.commands.map.played import CAUSES, Played
+from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel import Axis, Run, WholeTrack
 from motionlang.kernel.tracks import axes_of
@@ -19,7 +19,7 @@ from motionlang.views.terminal import cells, styled
 # Waits that are read, and points of a curve.
 MAX_WAITS = 20_000
 POINTS = 600
-# An axis that is slower stands still, uu/s.
+# An axis that is slower is at standstill, uu/s.
 STANDING = 1e-6
 # The longest name of a lane in text, and the cells of one that is on or off.
 MAX_NAME = 28
@@ -29,12 +29,16 @@ _PREFIXES = {"in": "input", "out": "output"}
 
 def timing(made: ProgramMap) -> Figure | None:
     """Return the figure of one cycle of a machine; None if it was not played, or nothing moved."""
-    played = made.played
-    if played is None or not len(played.run.machine.log.moves) or played.span[1] <= played.span[0]:
+    behaviour = made.behaviour
+    if (
+        behaviour is None
+        or not len(behaviour.run.machine.log.moves)
+        or behaviour.span[1] <= behaviour.span[0]
+    ):
         return None
-    run, (begin, end) = played.run, played.span
+    run, (begin, end) = behaviour.run, behaviour.span
     panels = [
-        Panel(lanes=_channels(made, played), title="inputs and outputs"),
+        Panel(lanes=_channels(made, behaviour), title="inputs and outputs"),
         *(
             Panel(
                 [Curve(*_velocity(run.controller.axes[axis], begin, end), COLOURS[k % len(COLOURS)])],
@@ -60,17 +64,17 @@ def timing(made: ProgramMap) -> Figure | None:
 
 def drawn(made: ProgramMap, width: int, colour: bool) -> Iterator[str]:
     """Yield one cycle as lines of text: a row for each axis that moves, each output and each input that changes."""
-    played = made.played
-    if played is None or played.span[1] <= played.span[0]:
+    behaviour = made.behaviour
+    if behaviour is None or behaviour.span[1] <= behaviour.span[0]:
         return
-    begin, end = played.span
+    begin, end = behaviour.span
     rows = [
         Lane(_title(made, axis), spans)
-        for axis in axes_of(played.run.controller)
-        if (spans := _moving(played.run.controller.axes[axis], begin, end))
+        for axis in axes_of(behaviour.run.controller)
+        if (spans := _moving(behaviour.run.controller.axes[axis], begin, end))
     ]
     rows += [
-        each for each in _channels(made, played) if 0.0 < fsum(b - a for a, b in each.spans) < end - begin
+        each for each in _channels(made, behaviour) if 0.0 < fsum(b - a for a, b in each.spans) < end - begin
     ]
     if not rows:
         return
@@ -90,9 +94,11 @@ def _title(made: ProgramMap, axis: int) -> str:
     return next((each.title for each in made.axes if each.axis == axis), f"axis {axis}")
 
 
-def _channels(made: ProgramMap, played: Played) -> list[Lane]:
+def _channels(made: ProgramMap, behaviour: MachineBehaviour) -> list[Lane]:
     """Return the digital channels by their names, without those that are off all the time and not in the program."""
-    found = (_named(made, each, played.span) for each in lanes(played.run.controller) if each.is_digital)
+    found = (
+        _named(made, each, behaviour.span) for each in lanes(behaviour.run.controller) if each.is_digital
+    )
     return [each for each in found if each is not None]
 
 

@@ -1,4 +1,4 @@
-"""What a machine does when its program is played, in words: its cycle, its states, its handlers, what never ran.
+"""The behaviour of a machine in words, from its exploration: cycle, states, handlers, and lines that never ran.
 
 A row is a transition of the exploration. One that happens with fewer changes as well is left out, and so is one that
 happens by itself all the same.
@@ -48,7 +48,7 @@ SHORTEST = 0.001
 
 
 @dataclass(eq=False, slots=True)
-class Way:
+class TransitionRow:
     """A transition in words: what leads on, what happens then, in order, how long it takes, s, and where it leads."""
 
     until: str
@@ -58,18 +58,18 @@ class Way:
 
 
 @dataclass(eq=False, slots=True)
-class State:
+class StateRow:
     """A state: its lines with the calls that lead there, its first statement, what it reads, and what leads on."""
 
     name: str
     statement: str
     reads: Sequence[str]
-    ways: Sequence[Way]
+    transitions: Sequence[TransitionRow]
 
 
 @dataclass(eq=False, slots=True)
-class Handled:
-    """What a handler does: what starts it, what happens then, the states in which that was seen, and where it leads."""
+class HandlerRow:
+    """The effect of a handler: its trigger, its acts, the states in which it was seen, and the state that follows."""
 
     unit: str
     start: str
@@ -79,7 +79,7 @@ class Handled:
 
 
 @dataclass(eq=False, slots=True)
-class Choice:
+class ChoiceRow:
     """Another key, answer or number of a host in the cycle, where it is given, and what happens then, in order."""
 
     instead: str
@@ -88,7 +88,7 @@ class Choice:
 
 
 @dataclass(eq=False, slots=True)
-class Happening:
+class CycleRow:
     """Something in the cycle: s since its begin, the line, what it is, and how long it takes, None for no time."""
 
     time: float
@@ -98,7 +98,7 @@ class Happening:
 
 
 @dataclass(eq=False, slots=True)
-class Unreached:
+class UnreachedRow:
     """Lines that never ran, with the text of the first one, and the reason: a condition, a handler, or no way there."""
 
     first: int
@@ -108,19 +108,19 @@ class Unreached:
 
 
 @dataclass(eq=False, slots=True)
-class Played:
-    """What a machine does: its states, power-up first, its handlers, choices and cycle, and what never ran.
+class MachineBehaviour:
+    """The behaviour of a machine: its states, power-up first, handlers, choices, its cycle, and lines that never ran.
 
     `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
     `ending` is what happens in that run behind its last move, if the program ends.
     """
 
     exploration: Exploration
-    states: list[State]
-    handlers: list[Handled]
-    choices: list[Choice]
-    happenings: list[Happening]
-    unreached: list[Unreached]
+    states: list[StateRow]
+    handlers: list[HandlerRow]
+    choices: list[ChoiceRow]
+    cycle_rows: list[CycleRow]
+    unreached: list[UnreachedRow]
     span: tuple[float, float]
     ending: Sequence[str]
 
@@ -152,20 +152,20 @@ class Names:
         return f"{self[subject]}{text[len(subject) :]}" if text.startswith(subject) else text
 
 
-def played(
+def behaviour_of(
     exploration: Exploration, structure: Structure, names: Names, unreached: Iterable[tuple[int, int]]
-) -> Played:
+) -> MachineBehaviour:
     """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
     run = exploration.world.run
     cycle = run.cycle
     span = (0.0, run.time) if cycle is None else cycle.span
     words = _Words(exploration, structure, names)
-    return Played(
+    return MachineBehaviour(
         exploration,
         [words.state(each) for each in exploration.nodes],
         words.handlers(),
         words.choices(),
-        _joined(sorted(_happenings(exploration, structure, names, *span), key=attrgetter("time"))),
+        _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
         sorted(
             (*_never_run(exploration, structure), *_without_way(structure.source, unreached)),
             key=attrgetter("first"),
@@ -184,7 +184,7 @@ class _Words:
         given = [node.state for node in exploration.nodes]
         lines = {state: lines_of(state, structure.line) for state in given}
         often = Counter(lines.values())
-        # States of the same lines are told apart by their statements.
+        # States with the same lines differ by their statements.
         self._names = {
             state: name if often[name] == 1 else f"{name} ({statements_of(state or (), structure)})"
             for state, name in lines.items()
@@ -198,21 +198,21 @@ class _Words:
         """Return the name of a state: its lines, with the calls that lead there."""
         return self._names[state]
 
-    def state(self, node: Node) -> State:
+    def state(self, node: Node) -> StateRow:
         """Return a state with what leads on from it, but for handlers."""
         shown = [each for each in kept(node.transitions) if not self.handler(each)]
         state = node.state
         if state is None:
-            return State("power-up", "", (), [self.way(each, shown) for each in shown])
+            return StateRow("power-up", "", (), [self.way(each, shown) for each in shown])
         reads = [self.names[each] for each in self.exploration.reads(state)]
-        ways = [*(self.way(each, shown) for each in shown), *self.refused(node)]
-        return State(self.lines(state), statements_of(state, self.structure), reads, ways)
+        transitions = [*(self.way(each, shown) for each in shown), *self.refused(node)]
+        return StateRow(self.lines(state), statements_of(state, self.structure), reads, transitions)
 
-    def way(self, each: Transition, others: Sequence[Transition]) -> Way:
+    def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
         to = "the end" if each.target is None else self.lines(each.target)
-        return Way(self.until(each, others), self.then(each), each.seconds, to)
+        return TransitionRow(self.until(each, others), self.then(each), each.seconds, to)
 
-    def refused(self, node: Node) -> Iterator[Way]:
+    def refused(self, node: Node) -> Iterator[TransitionRow]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
         found: dict[tuple[str, ...], list[tuple[Change, ...]]] = {}
         for causes, acts in node.refused.items():
@@ -223,7 +223,7 @@ class _Words:
             others = [one for causes in same for one in causes]
             until = " and ".join(self.values(one, others) for one in first)
             then = [self.names.act(act) for act in node.refused[first]]
-            yield Way(until, then, 0.0, "the same question")
+            yield TransitionRow(until, then, 0.0, "the same question")
 
     def until(self, each: Transition, others: Sequence[Transition]) -> str:
         """Return what leads on, with the other values that do the same, and with levels that make a difference."""
@@ -265,9 +265,9 @@ class _Words:
         found = (unit for subject, unit in self.started.items() if subject in subjects)
         return next(found, "") if each.is_cut else ""
 
-    def handlers(self) -> list[Handled]:
+    def handlers(self) -> list[HandlerRow]:
         """Return what handlers do, those first that are seen in most states."""
-        found: dict[tuple[str, ...], Handled] = {}
+        found: dict[tuple[str, ...], HandlerRow] = {}
         for node in self.exploration.nodes:
             for each in kept(node.transitions):
                 unit = self.handler(each)
@@ -280,12 +280,12 @@ class _Words:
                 to = "the end" if each.target is None else self.lines(each.target)
                 to = "the same state" if each.target == node.state else to
                 key = unit, start, to, *then
-                found.setdefault(key, Handled(unit, start, then, {}, to)).states[self.lines(node.state)] = (
-                    None
-                )
+                found.setdefault(key, HandlerRow(unit, start, then, {}, to)).states[
+                    self.lines(node.state)
+                ] = None
         return sorted(found.values(), key=lambda each: (each.unit, each.start, -len(each.states)))
 
-    def choices(self) -> list[Choice]:
+    def choices(self) -> list[ChoiceRow]:
         """Return the keys, answers and numbers of a host with which lines move an axis that no transition runs."""
         exploration = self.exploration
         moved = {line for node in exploration.nodes for each in node.transitions for line in each.lines}
@@ -299,7 +299,7 @@ class _Words:
                 if each.causes in each.variants:
                     acts = [self.names.act(act) for act in exploration.acts(trial, cycle.visit.time)]
                     instead = " and ".join(map(self.names.change, each.causes))
-                    found.append(Choice(instead, self.lines(each.source), acts))
+                    found.append(ChoiceRow(instead, self.lines(each.source), acts))
         return found
 
 
@@ -334,9 +334,9 @@ def _replaces(other: Transition, each: Transition) -> bool:
 # ------------------------------------------------------------------------------------------------------- the cycle
 
 
-def _happenings(
+def _cycle_rows(
     exploration: Exploration, structure: Structure, names: Names, begin: float, end: float
-) -> Iterator[Happening]:
+) -> Iterator[CycleRow]:
     """Yield what happens between two times in the run of a cycle, but for the tasks beside the work."""
     run, beside = exploration.world.run, exploration.beside
     log, line, homes = run.machine.log, structure.line, run.dialect.table().homes
@@ -347,7 +347,7 @@ def _happenings(
     for each in log.inputs:
         if within(each.time) and each.channel not in periodic:
             level = "on" if each.value else "off"
-            yield Happening(each.time - begin, 0, f"{names[f'input {each.channel}']} {level}")
+            yield CycleRow(each.time - begin, 0, f"{names[f'input {each.channel}']} {level}")
     for wait in log.waits.written():
         seconds = wait.until - wait.since
         statement = structure.statements.get(wait.at)
@@ -355,22 +355,22 @@ def _happenings(
         cause = statement.waits if statement is not None and is_condition else wait.cause
         if wait.at not in beside and within(wait.since) and cause != "axis" and SHORTEST <= seconds < inf:
             what = "waits" if cause == "time" else f"waits for {CAUSES[cause]}"
-            yield Happening(wait.since - begin, line(wait.at), what, seconds)
+            yield CycleRow(wait.since - begin, line(wait.at), what, seconds)
     for move in log.moves:
         if within(move.start_time) and move.profile is not None:
             start = move.to_user(move.profile.start)
             words = f"{names[f'axis {move.axis}']} from {start:.6g} {described(move, homes(move.command))}"
             seconds = move.profile.duration
-            yield Happening(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
+            yield CycleRow(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
     for output in log.outputs:
         if output.at not in beside and within(output.time):
             level = "on" if output.value else "off"
-            yield Happening(
+            yield CycleRow(
                 output.time - begin, line(output.at), f"{names[f'output {output.channel}']} {level}"
             )
     for print_ in log.prints:
         if print_.at not in beside and within(print_.time):
-            yield Happening(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
+            yield CycleRow(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
 
 
 def _ending(exploration: Exploration, structure: Structure, names: Names) -> list[str]:
@@ -380,14 +380,14 @@ def _ending(exploration: Exploration, structure: Structure, names: Names) -> lis
     if run.status != "ended" or run.cycle is None:
         return []
     last = max(each.start_time for each in moves)
-    found = sorted(_happenings(exploration, structure, names, last, run.time + 1.0), key=attrgetter("time"))
+    found = sorted(_cycle_rows(exploration, structure, names, last, run.time + 1.0), key=attrgetter("time"))
     return [each.what for each in found if each.seconds is None]
 
 
-def _joined(happenings: Iterable[Happening]) -> list[Happening]:
+def _joined(cycle_rows: Iterable[CycleRow]) -> list[CycleRow]:
     """Return what happens with the waits of a loop in which nothing else happens as one."""
-    found: list[Happening] = []
-    for each in happenings:
+    found: list[CycleRow] = []
+    for each in cycle_rows:
         last = found[-1] if found else None
         if (
             last is not None
@@ -408,7 +408,7 @@ def _is_within(time: float, begin: float, end: float) -> bool:
 # ------------------------------------------------------------------------------------------------- what never ran
 
 
-def _never_run(exploration: Exploration, structure: Structure) -> Iterator[Unreached]:
+def _never_run(exploration: Exploration, structure: Structure) -> Iterator[UnreachedRow]:
     """Yield the lines that something leads to and that no trial has carried out."""
     points, statements, counted = structure.points, structure.statements, set(exploration.program.offsets)
     begun = exploration.begun
@@ -424,7 +424,7 @@ def _never_run(exploration: Exploration, structure: Structure) -> Iterator[Unrea
                 for at in _first(structure, counted, following):
                     why.setdefault(at, text)
     reached = Reachability(structure).reached
-    found: Unreached | None = None
+    found: UnreachedRow | None = None
     for at in sorted(counted.intersection(reached) - begun):
         line, reason = structure.line(at), why.get(at, "")
         if found is not None and not reason and line <= found.last + 1:
@@ -432,7 +432,7 @@ def _never_run(exploration: Exploration, structure: Structure) -> Iterator[Unrea
             continue
         if found is not None:
             yield found
-        found = Unreached(line, line, statements[at].text, reason)
+        found = UnreachedRow(line, line, statements[at].text, reason)
     if found is not None:
         yield found
 
@@ -451,6 +451,6 @@ def _first(structure: Structure, counted: Collection[int], start: int) -> Iterat
             stack += points[p].next
 
 
-def _without_way(source: Source, unreached: Iterable[tuple[int, int]]) -> Iterator[Unreached]:
+def _without_way(source: Source, unreached: Iterable[tuple[int, int]]) -> Iterator[UnreachedRow]:
     for first, last in unreached:
-        yield Unreached(first, last, source.line(first).strip(), "nothing leads here")
+        yield UnreachedRow(first, last, source.line(first).strip(), "nothing leads here")
