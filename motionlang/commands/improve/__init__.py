@@ -57,6 +57,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.lang import Literal, canonical, number, number_text, replaced
 from motionlang.kernel.log import Move
+from motionlang.kernel.tools import nearest
 
 # The quantities that limits bound, in the order in which they are named.
 QUANTITIES = ("speed", "acceleration", "jerk")
@@ -187,9 +188,8 @@ class Improver:
         program = self._worker.program(world.settings)
         self.literals = [*program.constants, *program.literals]
         named_in_file: list[str] = world.settings.get("improve.hold", [])  # type: ignore[assignment]
-        self._hold, self._also = (
-            {canonical(each) or each.lower() for each in names} for names in ((*hold, *named_in_file), also)
-        )
+        self._hold = self._known((*hold, *named_in_file))
+        self._also = self._known(also, ALL)
         self.held: list[Held] = []
         self.skipped: list[str] = []
         self._refused: dict[str, str] = {}
@@ -245,6 +245,19 @@ class Improver:
         self._unmet = [unmet(self._run(each), list(each.expected)) for each in (world, *others)]
 
     # ------------------------------------------------------------------------------------------------ the answer
+
+    def _known(self, names: Iterable[str], *others: str) -> set[str]:
+        """Return names of numbers in one spelling; NotPossible if a name is none, nor one of some others."""
+        known = {*others, *(name for each in self.literals for name in _names_of(each))}
+        found = set()
+        for each in names:
+            name = canonical(each) or each.lower()
+            if name not in known:
+                near = nearest(each, [*others, *(literal.address for literal in self.literals)])
+                hint = f"did you mean {near}?" if near else "motionlang check --literals lists its numbers"
+                raise NotPossible(f"the program has no number {each}", hint, "option")
+            found.add(name)
+        return found
 
     def improved(self, by: float = 0.0, most: int = 0) -> Improvement:
         """Return the fewest edits that gain the share `by` of the cycle, or the best ones, at most `most` if given."""
@@ -495,8 +508,7 @@ class Improver:
 
     def _why_held(self, literal: Literal, speeds: Sequence[Literal]) -> str:
         """Return why a literal stays as it is; "" if it may be changed."""
-        names = {canonical(literal.address) or literal.address, literal.base.lower()}
-        names |= {each.lower() for each in names}
+        names = _names_of(literal)
         if names & self._hold:
             return AS_SAID
         if names & self._also:
@@ -663,6 +675,12 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
 
 def _limit_text(limit: Limit) -> str:
     return f"{limit.name} of axis {limit.axis}: {limit.limit:.6g} {limit.unit}"
+
+
+def _names_of(literal: Literal) -> set[str]:
+    """Return the names of a literal that a user may type."""
+    names = canonical(literal.address) or literal.address, literal.base
+    return {*names, *(each.lower() for each in names)}
 
 
 def _quantity(row: Keyword) -> str:

@@ -219,3 +219,13 @@ def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value() -> Non
         lines = improvement_lines(found, "clamp.mnt", width=width, colour=False)
         assert " ".join(lines[2].split()) == heads
         assert next(line for line in lines if line.startswith("SPEED[")).endswith("(output 3)")
+
+
+def test_a_name_of_no_number_is_an_error(drill: Cell) -> None:
+    """Without it a misspelt number would stay, or be changed, in silence."""
+    for option in ("--also", "--hold"):
+        ran = drill("improve", "drill.mnt", option, "SPED[0]@3")
+        assert (ran.status, ran.out) == (1, "")
+        assert ran.err == (
+            "error[option]: the program has no number SPED[0]@3\n  hint: did you mean SPEED[0]@3?\n"
+        )
