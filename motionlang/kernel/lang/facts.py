@@ -12,10 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.step_graph import Point, StepGraph
+from motionlang.kernel.lang.wait_analysis import WaitAnalysis
 from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.source import Source
 
@@ -43,7 +45,8 @@ class Use:
 
     `role` is "read"; for any other use one of `keyword.ROLES`, or "slot" for a property of moves, or "use"; "call" for
     the call of the unit `callee`. `at` is the offset of the name. `axes` are the axes that the keyword names, none for
-    a keyword without axes. `values` are what is written, `arguments` the axes that the arguments of a call may be.
+    a keyword without axes. `numbers` are those in its brackets, None if unknown. `values` are what is written,
+    `arguments` the axes that the arguments of a call may be.
     """
 
     role: str
@@ -53,6 +56,7 @@ class Use:
     values: Sequence[Written] = ()
     callee: str = ""
     arguments: tuple[AxisKey, ...] = ()
+    numbers: tuple[int | None, ...] = ()
 
     def value(self, number: int) -> Written:
         """Return the value for the n-th axis; the last value applies to all further axes."""
@@ -167,7 +171,7 @@ class Unit:
         return self.name if self.kind == "program" else f"{self.kind} {self.name}"
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False)
 class Structure:
     """The structure of a program.
 
@@ -183,6 +187,11 @@ class Structure:
     writes: frozenset[int]
     polls: Callable[[int], LoopDependencies | None]
     has_one_series: bool = False
+
+    @cached_property
+    def waits(self) -> WaitAnalysis:
+        """What the waits and loops of the program depend on."""
+        return WaitAnalysis(self)
 
     @property
     def points(self) -> Sequence[Point]:

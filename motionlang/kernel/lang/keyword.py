@@ -26,6 +26,11 @@ _DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "netwo
            "serial": "serial port", "key": "key"}  # fmt: skip
 _INDEXED = {"input": "input", "output": "output", "relay": "relay", "coil": "Modbus coil",
             "register": "Modbus register", "element": "comms element", "auxchannel": "encoder"}  # fmt: skip
+# The kind of a reading, by the section of the machine file that drives it, or else by `index`.
+_READS_BY_DRIVEN = {"input": "input", "analogue": "analogue", "encoder": "encoder", "key": "operator",
+                    "answer": "operator", "comms": "host", "netdata": "host", "dpr": "host", "serial": "host",
+                    "remote": "host"}  # fmt: skip
+_READS_BY_INDEX = {"axis": "axis", "axes": "axis", "task": "task", "latch": "latch"}
 # What a statement does to an axis, in the order of a map of a program.
 TOPICS = ("enable", "home", "move", "speed", "limit", "master", "scale", "servo", "stop")
 _TOPICS_BY_ROLE = {"move": "move", "entry": "move", "course": "move", "path": "move", "act": "move",
@@ -119,6 +124,8 @@ class Keyword:
     `driven`   the section of the machine file that sets the value read, such as "input"
     `channel`  the device, one of `CHANNELS`, that the brackets number, or the parameter of a command without an axis
     `output`   what a command writes to its channel, as text
+    `reads`    what reading it depends on, one of `wait_causes.KINDS`; "variable" for variables that the `Uses` of its
+               step say, "" if it reads nothing
     `selects`  the device that the value numbers, such as the input of a home switch; without a value the axis
                numbers it
     `waits`    what a task waits for at the keyword, one of `record.records.CAUSES`; "" if it does not wait
@@ -154,6 +161,7 @@ class Keyword:
         driven: str = "",
         channel: str = "",
         output: str = "",
+        reads: str = "",
         selects: str = "",
         waits: str = "",
         tests: str = "",
@@ -174,7 +182,7 @@ class Keyword:
         self.tunes, self.meant, self.family, self.renamed = tunes, meant, family, renamed
         self.every, self.optional = every, optional
         self.channel, self.output, self.selects = channel or self._device(), output, selects
-        self.waits = waits
+        self.waits, self.reads = waits, reads or self._default_reads()
         self.topic, self.tests = topic or self._default_topic(), tests
 
     @property
@@ -251,6 +259,15 @@ class Keyword:
             return "home"
         by_role = _TOPICS_BY_ROLE.get(self.role, "speed" if self.gives else "")
         return by_role or _TOPICS_BY_GROUP.get(self.group, "")
+
+    def _default_reads(self) -> str:
+        if self.kind not in ("reading", "setting") or "R" not in self.access:
+            return ""
+        if self.driven in _READS_BY_DRIVEN:
+            return _READS_BY_DRIVEN[self.driven]
+        if self.index in ("axis", "axes") and (self.solved or self.changes == "motion"):
+            return "position"
+        return _READS_BY_INDEX.get(self.index, "other")
 
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"

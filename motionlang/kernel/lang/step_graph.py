@@ -49,6 +49,7 @@ from motionlang.kernel.lang.steps import (
     RETURN,
     TURN,
     Steps,
+    Uses,
 )
 
 State = TypeVar("State")
@@ -98,9 +99,12 @@ class StepGraph:
         computed: Callable[[Steps, int], Iterable[int]] | None = None,
         enters: bool = False,
     ) -> None:
+        self.enters = enters
         # The points of each list, by its name.
         self.ranges: dict[str, range] = {}
         self.points: list[Point] = []
+        # What each of them does with variables, None if that is unknown; junctions do nothing.
+        self.uses: list[Uses | None] = [use for steps in lists for use in steps.uses]
         length = 0
         for steps in lists:
             self.ranges[steps.name] = range(length, length + len(steps))

@@ -16,7 +16,7 @@ from motionlang.kernel.mccl.axis.inputs import is_input_of_axis
 from motionlang.kernel.mccl.axis.volts import percent, volts
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords.flow import skip_unless
-from motionlang.kernel.mccl.keywords.row import Group, accumulator, polls, pure, written
+from motionlang.kernel.mccl.keywords.row import Group, accumulator, pure, written
 from motionlang.kernel.mccl.models import elsewhere, models_with
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def tell_analog(task: CommandTask, command: Command) -> None:
 
 
 @accumulator("sets")
-@polls("analogue")
+@pure
 def get_analog(task: CommandTask, command: Command) -> None:
     task.registers[0] = volts(task.board.controller.analogue_input(task.whole(command)))
 
@@ -91,25 +91,25 @@ def set_analog(task: CommandTask, command: Command) -> None:
 
 
 @written
-@polls("input")
+@pure
 def do_if_on(line: LineWriter, command: Command) -> None:
     line.jump(BRANCH, line.end, _is_on)
 
 
 @written
-@polls("input")
+@pure
 def do_if_off(line: LineWriter, command: Command) -> None:
     line.jump(BRANCH, line.end, _is_off)
 
 
 @written
-@polls("input")
+@pure
 def if_on(line: LineWriter, command: Command) -> None:
     skip_unless(line, _is_on)
 
 
 @written
-@polls("input")
+@pure
 def if_off(line: LineWriter, command: Command) -> None:
     skip_unless(line, _is_off)
 
@@ -192,22 +192,22 @@ ROWS = (
          channel="digital"),
     _row("DN", "command", "W", "none", "number", do_if_on,
          "Carry out the rest of the line only if the channel is on.",
-         "DN1,1TP", low=1, high=255, channel="input", tests="channel {} on"),
+         "DN1,1TP", low=1, high=255, channel="input", reads="input", tests="channel {} on"),
     _row("DF", "command", "W", "none", "number", do_if_off,
          "Carry out the rest of the line only if the channel is off.", "DF1,1TP", low=1, high=255, channel="input",
-         tests="channel {} off"),
+         reads="input", tests="channel {} off"),
     _row("IN", "command", "W", "none", "number", if_on,
          "If the channel is on carry out the next two commands, else skip them.", "IN1,AL1,NO", low=1, high=255,
-         channel="input", tests="channel {} on"),
+         channel="input", reads="input", tests="channel {} on"),
     _row("IF", "command", "W", "none", "number", if_off,
          "If the channel is off carry out the next two commands, else skip them.", "IF1,AL1,NO", low=1, high=255,
-         channel="input", tests="channel {} off"),
+         channel="input", reads="input", tests="channel {} off"),
     _row("WN", "command", "W", "none", "number", wait_on, "Wait until the channel is on.", "CT9,CN9,WN9",
-         low=1, high=255, channel="input", waits="input", tests="channel {} on"),
+         low=1, high=255, channel="input", reads="input", waits="input", tests="channel {} on"),
     _row("WF", "command", "W", "none", "number", wait_off, "Wait until the channel is off.", "WF1", low=1,
-         high=255, channel="input", waits="input", tests="channel {} off"),
+         high=255, channel="input", reads="input", waits="input", tests="channel {} off"),
     _row("GA", "command", "W", "none", "number", get_analog, "Get an analogue input into the accumulator, volts.",
-         "GA1,TR0", low=1, high=255, channel="analogue input"),
+         "GA1,TR0", low=1, high=255, channel="analogue input", reads="analogue"),
     _row("OA", "command", "W", "none", "number", set_analog,
          "Put the accumulator out on an analogue channel, volts.",
          "AL5,OA1", low=1, high=255, channel="analogue output", output="accumulator"),

@@ -13,7 +13,7 @@ from motionlang.kernel.lang.keyword import Actions
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import real
 from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.mccl.keywords.row import Group, accumulator, polls, pure
+from motionlang.kernel.mccl.keywords.row import Group, accumulator, pure
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command
@@ -25,7 +25,7 @@ LARGEST = 1e300
 
 
 @accumulator("sets")
-@polls("parameter")
+@pure
 def load(task: CommandTask, command: Command) -> None:
     task.registers[0] = limited(task, task.value(command))
 
@@ -37,7 +37,7 @@ def store(task: CommandTask, command: Command) -> None:
 
 
 @accumulator("recalls")
-@polls("task")
+@pure
 def recall(task: CommandTask, command: Command) -> None:
     task.registers[0] = task.register(task.whole(command))
 
@@ -69,7 +69,7 @@ def too_large() -> Fault:
 
 def _with(operation: Operation, way: str = "computes") -> Action:
     @accumulator(way)
-    @polls("parameter")
+    @pure
     def apply(task: CommandTask, command: Command) -> None:
         task.registers[0] = limited(task, operation(task.registers[0], task.value(command)))
 
@@ -84,7 +84,7 @@ def limited(task: CommandTask, value: float | int) -> float | int:
 
 
 @accumulator("computes")
-@polls("parameter")
+@pure
 def divide(task: CommandTask, command: Command) -> None:
     value = task.registers[0]
     if task.board.assumptions.get("mccl.quotient") == "real":
@@ -93,7 +93,7 @@ def divide(task: CommandTask, command: Command) -> None:
 
 
 @accumulator("computes")
-@polls("parameter")
+@pure
 def shift_right(task: CommandTask, command: Command) -> None:
     bits = _bits(task.registers[0])
     if task.board.assumptions.get("mccl.shift-right") == "zeros":
@@ -129,7 +129,7 @@ ROWS = (
     _row("AR", "command", "W", "none", "number", store, "Copy the accumulator to register n.", "AL5,AR10,TR10",
          low=0, high=255),
     _row("RA", "command", "W", "none", "number", recall, "Copy register n to the accumulator.", "RA10,TR0",
-         low=0, high=255),
+         low=0, high=255, reads="variable"),
     _row("AA", "command", "W", "none", "number", Actions("add", do=_with(lambda a, b: a + b, "adds")),
          "Add to the accumulator.", "AL5,AA3,TR0"),
     _row("AS", "command", "W", "none", "number", Actions("subtract", do=_with(lambda a, b: a - b, "adds")),

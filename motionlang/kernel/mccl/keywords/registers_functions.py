@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords.registers import limited, too_large
-from motionlang.kernel.mccl.keywords.row import Group, accumulator, polls
+from motionlang.kernel.mccl.keywords.row import Group, accumulator, pure
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command
@@ -51,7 +51,7 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 
 
 @accumulator("computes")
-@polls("parameter")
+@pure
 def evaluate(task: CommandTask, command: Command) -> None:
     """Replace the accumulator with the value of function n of it.
 

@@ -14,7 +14,7 @@ from motionlang.kernel.mccl.axis.variables import NAMES, read, write
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.kernel.mccl.keywords.registers import wrapped
-from motionlang.kernel.mccl.keywords.row import Group, accumulator, polls, pure
+from motionlang.kernel.mccl.keywords.row import Group, accumulator, pure
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command
@@ -42,26 +42,26 @@ def look_up(task: CommandTask, command: Command) -> None:
 
 
 @accumulator("reads")
-@polls("position")
+@pure
 def read_byte(task: CommandTask, command: Command) -> None:
     task.registers[0] = int(_value(task, command, "low")) & 0xFF
 
 
 @accumulator("reads")
-@polls("position")
+@pure
 def read_word(task: CommandTask, command: Command) -> None:
     low = int(_value(task, command, "low")) & 0xFFFF
     task.registers[0] = low - 0x10000 if low & 0x8000 else low
 
 
 @accumulator("reads")
-@polls("position")
+@pure
 def read_long(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(int(_value(task, command, "whole")))
 
 
 @accumulator("reads")
-@polls("position")
+@pure
 def read_real(task: CommandTask, command: Command) -> None:
     task.registers[0] = float(_value(task, command, "real"))
 
@@ -87,7 +87,7 @@ def write_real(task: CommandTask, command: Command) -> None:
 
 
 @accumulator("reads")
-@polls("axis")
+@pure
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
     task.has_read(until)
@@ -127,17 +127,17 @@ ROWS = (
          "Look a variable of the controller up by name; its address comes into the accumulator.",
          'LU"STATUS",1RL@0,TR0'),
     _row("RB", "reading", "W", "axis", "number", read_byte, "Read the low byte of a variable into the accumulator.",
-         'LU"STATUS",1RB@0'),
+         'LU"STATUS",1RB@0', reads="position"),
     _row("RW", "reading", "W", "axis", "number", read_word, "Read the low word of a variable into the accumulator.",
-         'LU"STATUS",1RW@0'),
+         'LU"STATUS",1RW@0', reads="position"),
     _row("RL", "reading", "W", "axis", "number", read_long,
          "Read a variable as a whole number into the accumulator.",
-         'LU"STATUS",1RL@0'),
+         'LU"STATUS",1RL@0', reads="position"),
     _row("RV", "reading", "W", "axis", "number", Actions("read_float", do=read_real),
          "Read a variable as a real number into the accumulator.",
-         'LU"POSITION",1RV@0'),
+         'LU"POSITION",1RV@0', reads="position"),
     _row("RD", "reading", "W", "axis", "number", Actions("read_double", do=read_real),
-         "Read a variable as a double into the accumulator.", 'LU"POSITION",1RD@0'),
+         "Read a variable as a double into the accumulator.", 'LU"POSITION",1RD@0', reads="position"),
     _row("WB", "command", "W", "axis", "number", write_byte,
          "Write the low byte of the accumulator into that of a variable.",
          'LU"DEADBAND",AR10,AL5,1WB@10'),
@@ -152,5 +152,5 @@ ROWS = (
          "Write the accumulator as a double to a variable.",
          'LU"ACCEL",AR10,AL5000,1WD@10'),
     _row("GX", "command", "C", "axis", "bits", get_auxiliary, "Get the auxiliary status word into the accumulator.",
-         "1GX,TR0"),
+         "1GX,TR0", reads="axis"),
 )  # fmt: skip

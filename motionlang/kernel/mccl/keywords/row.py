@@ -40,20 +40,6 @@ def accumulator(way: str) -> Callable[[Action], Action]:
     return mark
 
 
-def polls(kind: str) -> Callable[[Action], Action]:
-    """Mark a pure action that reads a value, so that a loop of it polls that value.
-
-    `kind` is a kind of reading (`kernel/lang/wait_causes.py`). It is "parameter" if the action reads nothing but
-    its parameter, which may be a register.
-    """
-
-    def mark(action: Action) -> Action:
-        action.polls = kind  # type: ignore[attr-defined]
-        return pure(action)
-
-    return mark
-
-
 def forms(row: Keyword) -> tuple[str, ...]:
     """Return the spellings of a command, as in TN1069: a is an axis, n a number.
 
@@ -105,6 +91,7 @@ class Group:
         below: bool = False,
         tunes: str = "",
         channel: str = "",
+        reads: str = "",
         output: str = "",
         selects: str = "",
         waits: str = "",
@@ -133,6 +120,7 @@ class Group:
             group=self.title,
             tunes=tunes,
             channel=channel,
+            reads=reads,
             output=output,
             selects=selects,
             waits=waits,

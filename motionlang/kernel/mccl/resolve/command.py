@@ -46,10 +46,10 @@ class Command:
         return self.kind == NONE
 
     @property
-    def polls(self) -> str:
-        """The kind of value that a loop of it polls (`keywords.row.polls`), "" if none."""
-        kind: str = "" if self.row is None else getattr(self.row.actions.do, "polls", "")
-        return "" if kind == "parameter" and self.kind != REGISTER else kind
+    def reads(self) -> str:
+        """The kind of value that it reads, as `Keyword.reads`; "" if none."""
+        kind = "" if self.row is None else self.row.reads
+        return kind or ("variable" if self.kind == REGISTER else "")
 
     @property
     def number(self) -> int | None:

@@ -61,13 +61,13 @@ def _called(command: Command, macros: dict[int, Line]) -> Line | None:
 
 
 def _read(command: Command) -> Iterator[Read]:
-    kind, number = command.polls, command.number
+    kind, number = command.reads if command.pure else "", command.number
     if kind in ("input", "analogue"):
         yield kind, number
     elif kind in ("position", "axis"):
         yield kind, command.axis
-    elif kind == "task" and (number is None or number >= 10):
-        yield kind, None
+    elif command.verb == "recall" and (number is None or number >= 10):
+        yield "task", None
 
 
 def input_reads(lines: Sequence[Line]) -> list[InputRead]:

@@ -124,7 +124,7 @@ def use_of(command: Command, row: Keyword, at: int) -> Use:
     access = READ if row.access == "R" else WRITE
     value = float(command.value) if command.kind == NUMBER else None
     written = [Written(_parameter(command), value)] if command.kind in (NUMBER, REGISTER) else []
-    return Use(role_of(row, access), row, at, (command.axis or None,), written)
+    return Use(role_of(row, access), row, at, (command.axis or None,), written, numbers=(command.number,))
 
 
 def _access(row: Keyword) -> str:

@@ -328,9 +328,9 @@ class CommandTask(StepTask):
             for command in commands:
                 if command.verb == "call_macro" and command.value in macros:
                     bodies.append(macros.pop(int(command.value)).line.commands)
-                elif command.polls == "input":
+                elif command.reads == "input":
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
-                elif command.polls:
+                elif command.reads:
                     found[command.text] = None
         return " and ".join(found)
 

@@ -16,9 +16,10 @@ from motionlang.kernel.lang.facts import (
     role_of,
 )
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.names import Names
-from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function, Symbol
+from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, TIME, Function, Symbol
 from motionlang.kernel.mint.resolve.wait_causes import keys
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, children, is_stop, meaning, meant, walk
@@ -205,6 +206,8 @@ class FactsReader:
         if part.symbol is None:
             if part.row is not None:
                 self._word(made, part, part.row, READ, [], alias)
+        elif part.symbol.kind in ("variable", "parameter") and part.symbol.type.name == TIME:
+            made.uses.append(Use("read", table().get("TIME"), part.start))
         elif part.symbol.kind == "sub" and self._function.result_named(part) is None:
             callee = part.symbol.home.qualified_name
             axes = tuple(axis_of(each, self._changed) for each in part.args or ())
@@ -224,12 +227,13 @@ class FactsReader:
             for each in name.args or ():
                 self._read(made, each)
             made.waits = made.waits or row.waits
+        args = list(name.args or ())
         if row.kind not in _PURE:
             axes = axes_of(name, row, self.names, self._changed)
             written = [Written(self._text(each), fold(meant(each))) for each in values]
-            made.uses.append(Use(role_of(row, access), row, name.start, axes, written))
+            numbers = tuple(int(n) if (n := _number(each)) != _UNKNOWN else None for each in args)
+            made.uses.append(Use(role_of(row, access), row, name.start, axes, written, numbers=numbers))
         access = READ if row.access == "R" else access
-        args = list(name.args or ())
         if row.channel:
             made.channels += self._channels(made.at, name, row, access, values, alias)
         if row.selects and access == WRITE:

@@ -158,4 +158,6 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
         STRING if is_text else FLOAT,
     )
     get = expressions.converted(w, typed, kind)
-    w.add(DO, expressions.storing(w, node.target, where, which, get), cost=1.0)
+    plain = expressions.plain_variable(w, node.target)
+    sets = None if plain is None else w.program.places.number(plain)
+    w.add(DO, expressions.storing(w, node.target, where, which, get), cost=1.0, sets=sets)

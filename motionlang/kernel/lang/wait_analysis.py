@@ -1,0 +1,307 @@
+"""What the waits and loops of a program depend on, found from its steps, for both languages.
+
+Problem. Hints, the map, the profile and the exploration ask what a wait or a loop may wait for: inputs, axes, time,
+other tasks. A loop polls in many forms: While, Goto, a jump of MCCL, a call of a sub that reads the input.
+
+Idea. A statement reads what the column `reads` of its keywords says (`keyword.py`), and what it calls reads. A loop is
+what lies between an edge back and its target: the points below the target that lead to the edge. It ends at the points
+that lead out, and at the branches that decide whether an iteration comes to them. A variable that one of these tests
+stands for what the loop assigns to it, and for the branches that decide whether it does so. A variable that only other
+tasks assign stands for these, unless the loop counts.
+
+    While Not done              leads out: it tests `done`
+      If INX(2) Then            decides whether `done` is assigned: the loop waits for input 2
+        done = IDLE(0)          and for axis 0
+      End If
+    End While
+
+Invariants. An element of an array is no variable that is assigned: the `Uses` of steps do not say so. The limit of a
+For is worked out before its loop, so it ends no loop.
+
+Cost. A question takes time in proportion to the loop and what it calls, times the depth of the loops in it. Nothing in
+the inner loops calls a function.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from motionlang.kernel.lang.steps import HEAD, NOTE
+from motionlang.kernel.lang.wait_causes import LoopDependencies, Read
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.facts import Statement, Structure, Use
+
+# A variable: its number; if each call has its own, also the list of steps that it belongs to.
+Variable = tuple[str, int]
+# In place of a variable: the points that end a loop.
+_END: Variable = ("end", 0)
+# The readings of axes, and those that the brackets number unless they have a bank or an axis.
+_OF_AXES = ("axis", "position")
+_NUMBERED = ("input", "analogue", "encoder", "latch")
+
+
+class WaitAnalysis:
+    """The readings that end the waits and loops of a program."""
+
+    def __init__(self, structure: Structure) -> None:
+        self._structure, self._graph = structure, structure.graph
+        self._points, self._statements = structure.graph.points, structure.statements
+        # The points of each statement, and the variables that it reads; the variables that each point assigns to.
+        self._at: defaultdict[int, list[int]] = defaultdict(list)
+        self._variables: defaultdict[int, set[Variable]] = defaultdict(set)
+        self._assigned: dict[int, set[Variable]] = {}
+        for p, use in enumerate(structure.graph.uses):
+            point = self._points[p]
+            self._at[point.at].append(p)
+            if use is not None:
+                name = "" if structure.graph.enters else point.key[0]
+                self._variables[point.at] |= {(name if n < 0 else "", n) for n in use.reads}
+                if use.sets:
+                    self._assigned[p] = {(name if n < 0 else "", n) for n in use.sets}
+        self._readings = {at: _readings(made) for at, made in self._statements.items()}
+
+    def all(self) -> Iterator[LoopDependencies]:
+        """Yield the dependencies of all conditional waits and loops."""
+        for at, made in self._statements.items():
+            if made.waits and made.condition:
+                yield self._wait(made)
+            elif at in self._loops and self._loops[at][0] == at:
+                found = self._loop(*self._loops[at][1:])
+                if found is not None:
+                    yield found
+
+    def at(self, offset: int) -> LoopDependencies | None:
+        """Return the dependencies of the loop or of the conditional wait at a source offset, None if there is none."""
+        made = self._statements.get(offset)
+        if made is not None and made.waits:
+            return self._wait(made) if made.condition else None
+        return self._loop(*self._loops[offset][1:]) if offset in self._loops else None
+
+    def _wait(self, made: Statement) -> LoopDependencies:
+        points = self._at[made.at]
+        reads = self._reads(points, points, {}, lambda variable: [])
+        return LoopDependencies(reads, lines=frozenset((made.line,)), why=f"until {made.condition}")
+
+    # ---------------------------------------------------------------------------------------------------- loops
+
+    @cached_property
+    def _loops(self) -> dict[int, tuple[int, int, list[int]]]:
+        """The offset, the head and the edges back of the loop at each offset.
+
+        A loop whose begin a step notes is there and at its edges. Any other edge back is a loop of its own. Its head is
+        the first one if it has several, and its steps are those of the last list that has the statement: the line that
+        defines a macro has its commands, too, but never carries them out.
+        """
+        back: defaultdict[int, list[int]] = defaultdict(list)
+        for p, point in enumerate(self._points):
+            for after in point.next:
+                if after <= p:
+                    back[after].append(p)
+        found: dict[int, tuple[int, int, list[int]]] = {}
+        heads = sorted(back, key=lambda head: (self._graph.ranges[self._points[head].key[0]].start, -head))
+        for head in heads:
+            noted = [self._points[p].at for p in (head, head - 1) if p >= 0 and self._points[p].kind == NOTE]
+            for p in back[head]:
+                at = self._points[p].at
+                found[at] = (noted[0], head, back[head]) if noted else (at, head, [p])
+            if noted:
+                found[noted[0]] = noted[0], head, back[head]
+        return found
+
+    @cached_property
+    def _before(self) -> list[list[int]]:
+        """The points that lead to each point."""
+        found: list[list[int]] = [[] for _ in self._points]
+        for p, point in enumerate(self._points):
+            for after in point.next:
+                found[after].append(p)
+        return found
+
+    @cached_property
+    def _tests(self) -> set[int]:
+        """The branches that test readings: not those of a For, nor of a wait, which ends by itself."""
+        waiting = {at for at, made in self._statements.items() if made.waits}
+        return {
+            p
+            for p, point in enumerate(self._points)
+            if len(point.next) > 1 and point.role != HEAD and point.at not in waiting
+        }
+
+    def _loop(self, head: int, edges: list[int]) -> LoopDependencies | None:
+        """Return the dependencies of the loop from a head to some edges back."""
+        points, before = self._points, self._before
+        body, stack = set[int](), list(edges)
+        for p in stack:  # the list grows during the loop
+            if p >= head and p not in body:
+                body |= {p}
+                stack += before[p] if p > head else []
+        if head not in body:
+            return None  # a jump back to what never leads to it
+        reached = sorted(self._with_calls(body))
+        assigning = self._assigning(reached)
+        leaving = [p for p in reached if p in body for after in points[p].next if after not in body]
+        tests = self._tests
+        ends = [p for p in leaving if p in tests]
+        made = [
+            self._statements[at]
+            for at in dict.fromkeys([points[p].at for p in reached])
+            if at in self._statements
+        ]
+        deciding = self._deciding(reached, {**assigning, _END: ends})
+        return LoopDependencies(
+            self._reads([*ends, *deciding(_END)], reached, assigning, deciding),
+            self._reads([p for p in reached if p in tests], reached, assigning, deciding),
+            frozenset([each.line for each in made]),
+            self._why(ends, [points[p].at for p in edges]),
+            HEAD in [points[p].role for p in leaving],
+        )
+
+    def _with_calls(self, points: Collection[int]) -> set[int]:
+        """Return some points and all that is called from them."""
+        called = [self._points[p].calls for p in points if self._points[p].calls >= 0]
+        return self._graph.reached(*called).union(points)
+
+    def _why(self, ends: Iterable[int], edges: Collection[int]) -> str:
+        """Return the condition by which a loop ends, in words: its own one, or those of what leaves it."""
+        offsets = dict.fromkeys([self._points[p].at for p in ends])
+        made = [self._statements[at] for at in offsets if at in self._statements]
+        own = [each.text for each in made if each.at in edges and each.condition]
+        if own:
+            return own[0][:1].lower() + own[0][1:]
+        return " or ".join(dict.fromkeys([each.condition for each in made if each.condition]))
+
+    # ------------------------------------------------------------------------------------------------- readings
+
+    def _assigning(self, inside: list[int]) -> dict[Variable, list[int]]:
+        """Return the points, among some, that assign to each variable."""
+        found: defaultdict[Variable, list[int]] = defaultdict(list)
+        for p in inside:
+            if p in self._assigned:
+                for variable in self._assigned[p]:
+                    found[variable] += [p]
+        return found
+
+    def _reads(
+        self,
+        tested: list[int],
+        inside: list[int],
+        assigning: Mapping[Variable, list[int]],
+        deciding: Callable[[Variable], list[int]],
+    ) -> frozenset[Read]:
+        """Return what some points test, in a loop of the points `inside`."""
+        points, statements = self._points, self._statements
+        found: set[Read] = set()
+        variables: set[Variable] = set()
+        seen: set[int] = set()
+        counts = False
+        offsets = [points[p].at for p in tested]
+        for at in offsets:  # the list grows during the loop
+            if at in seen:
+                continue
+            seen |= {at}
+            for each in self._called_by(at) if at in self._calling else (at,):
+                if each in statements:
+                    found |= self._readings[each]
+                new = self._variables[each] - variables
+                variables |= new
+                for variable in new:
+                    if variable in assigning:
+                        counts |= variable in [
+                            v for p in assigning[variable] for v in self._variables[points[p].at]
+                        ]
+                        offsets += [points[p].at for p in (*assigning[variable], *deciding(variable))]
+        others = {each for each in variables if each not in assigning and each[1] >= 0}
+        if others and not counts and self._is_assigned_elsewhere(others, inside):
+            found.add(("task", None))
+        return frozenset(found)
+
+    @cached_property
+    def _calling(self) -> set[int]:
+        """The offsets of statements that call."""
+        return {point.at for point in self._points if point.calls >= 0}
+
+    def _called_by(self, at: int) -> dict[int, None]:
+        """Return the offset of a statement and those of what it calls."""
+        return dict.fromkeys(self._points[p].at for p in self._with_calls(self._at[at]))
+
+    def _deciding(
+        self, inside: list[int], ends: dict[Variable, list[int]]
+    ) -> Callable[[Variable], list[int]]:
+        """Return a function for the branches that decide in an iteration whether it comes to any of some points.
+
+        One side of such a branch leads to such a point, and another side does not. `ends` has the points by variable.
+        """
+        # Each point has a bit, and each variable those of its points.
+        own, masks, bit = dict.fromkeys(inside, 0), dict.fromkeys(ends, 0), 1
+        for variable, points in ends.items():
+            for p in points:
+                own[p] |= bit
+                masks[variable] |= bit
+                bit <<= 1
+        # What an iteration may still come to from each point: it ends at the head.
+        head = min(inside, default=-1)
+        bits, changed = dict(own), True
+        while changed:
+            changed = False
+            for p in reversed(inside):
+                point, found = self._points[p], own[p]
+                for after in (*point.next, point.calls):
+                    if after != head and after in bits:
+                        found |= bits[after]
+                if found != bits[p]:
+                    bits[p], changed = found, True
+        differing: dict[int, int] = {}
+        for p in inside:
+            if p in self._tests:
+                sides = [
+                    bits[after] if after in bits and after != head else 0 for after in self._points[p].next
+                ]
+                differing[p] = 0
+                for side in sides:
+                    differing[p] |= side ^ sides[0]
+        return lambda variable: [p for p, found in differing.items() if found & masks[variable]]
+
+    # -------------------------------------------------------------------------------------------- other tasks
+
+    @cached_property
+    def _tasks(self) -> list[tuple[set[int], set[Variable]]]:
+        """The points of each task and handler, and the variables that it assigns to."""
+        structure = self._structure
+        units = [*structure.tasks(), *(unit for unit in structure.units if unit.kind == "event")]
+        reached = [self._graph.reached(unit.entry) for unit in units]
+        none: set[Variable] = set()
+        return [
+            (each, none.union(*(self._assigned[p] for p in each if p in self._assigned))) for each in reached
+        ]
+
+    def _is_assigned_elsewhere(self, variables: set[Variable], points: list[int]) -> bool:
+        """True if a task other than the one that carries out some points assigns to one of the variables."""
+        home = [k for k, (own, _) in enumerate(self._tasks) if not own.isdisjoint(points)]
+        return any(
+            home != [k] and not assigned.isdisjoint(variables) for k, (_, assigned) in enumerate(self._tasks)
+        )
+
+
+def _readings(made: Statement) -> set[Read]:
+    """Return the readings of a statement."""
+    found = {read for use in made.uses for read in _read(use)}
+    if made.waits and not made.condition:
+        found |= {(made.waits, axis) for axis in made.what or (None,)}
+    return found
+
+
+def _read(use: Use) -> list[Read]:
+    """Return the readings of the use of a keyword."""
+    row = use.row
+    if row is None or row.reads in ("", "variable") or (use.role != "read" and "R" in row.access):
+        return []
+    numbers: tuple[object, ...] = ()
+    if row.reads in _OF_AXES:
+        numbers = use.axes
+    elif row.reads in _NUMBERED and row.index not in ("bank", "axis"):
+        numbers = use.numbers
+    return [(row.reads, each if isinstance(each, int) else None) for each in numbers or (None,)]
