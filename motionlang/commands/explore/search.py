@@ -292,8 +292,7 @@ class Explorer:
         offsets = sorted(at for place in state for at in place.statements)
         lines = sorted(set(map(self.line, offsets)))
         found = [f"input {channel}" for line in lines for channel in sorted(self._read_in.get(line, ()))]
-        # The condition of a loop may stand at its end, which is no statement of its own.
-        loops = filter(None, map(self.program.structure.polls, offsets))
+        loops = filter(None, map(self.program.structure.waits.at, offsets))
         leaves = sorted({read for loop in loops for read in loop.leaves}, key=str)
         found += [f"input {number}" for kind, number in leaves if kind == "input" and number is not None]
         found += [first.subject for first, _, read_in in self.probes if read_in & set(lines)]

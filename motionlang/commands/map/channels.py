@@ -132,12 +132,10 @@ def polled(structure: Structure) -> dict[int, set[Read]]:
         if each.waits not in ("", "time") or any(use.role == "call" for use in each.uses)
     }
     found: dict[int, set[Read]] = {}
-    for at in structure.statements:
-        loop = structure.polls(at)
-        if loop is not None:
-            readings = loop.leaves if loop.lines & elsewhere else loop.leaves | loop.within
-            for line in loop.lines | {structure.line(at)}:
-                found.setdefault(line, set()).update(readings)
+    for loop in structure.waits.all():
+        readings = loop.leaves if loop.lines & elsewhere else loop.leaves | loop.within
+        for line in loop.lines:
+            found.setdefault(line, set()).update(readings)
     return found
 
 

@@ -89,7 +89,7 @@ class Polls:
         if found is None:
             if self._ask is None:
                 assert self._run.program is not None
-                self._ask = self._run.program.polls
+                self._ask = self._run.program.structure.waits.at
             found = self._dependencies[at] = self._ask(at) or _NOTHING
         return found
 

@@ -110,7 +110,7 @@ def what_frees(dialect: Dialect, program: Program | None, machine: Machine, task
 
 def _is_of_program(program: Program | None, task: Task) -> bool:
     """Return True if a task waits for a condition that the program states."""
-    return program is not None and program.polls(task.at) is not None
+    return program is not None and program.structure.waits.at(task.at) is not None
 
 
 def _raises(program: Program | None, machine: Machine) -> str:
@@ -146,5 +146,5 @@ def _reads(program: Program | None, task: Task, wait: Wait) -> frozenset[Read]:
     """Return the values that the condition of a wait reads."""
     if wait.cause == "input" and wait.what:
         return frozenset(("input", channel) for channel in wait.what)
-    found = None if program is None else program.polls(task.at)
+    found = None if program is None else program.structure.waits.at(task.at)
     return frozenset() if found is None else found.leaves

@@ -48,19 +48,20 @@ def structure(
     polls: Callable[[int], LoopDependencies | None],
 ) -> Structure:
     """Return the structure of a checked program."""
-    for made in facts.statements.values():
-        found = polls(made.at) if made.waits == "condition" else None
-        if found is not None:
-            causes = {KINDS[kind] for kind, _ in found.leaves}
-            made.waits = causes.pop() if len(causes) == 1 else "condition"
-            axes = {number for kind, number in found.leaves if KINDS[kind] == "axis" and number is not None}
-            made.what = tuple(sorted(axes))
     units = sorted(_units(steps, graph, facts), key=lambda each: each.line)
 
     def polled(at: int) -> LoopDependencies | None:
         return polls(facts.repeats.get(at, at))
 
-    return Structure(facts.source, facts.statements, graph, units, facts.writes, polled)
+    result = Structure(facts.source, facts.statements, graph, units, facts.writes, polled)
+    for made in facts.statements.values():
+        found = result.waits.at(made.at) if made.waits == "condition" else None
+        if found is not None:
+            causes = {KINDS[kind] for kind, _ in found.leaves}
+            made.waits = causes.pop() if len(causes) == 1 else "condition"
+            axes = {number for kind, number in found.leaves if KINDS[kind] == "axis" and number is not None}
+            made.what = tuple(sorted(axes))
+    return result
 
 
 def _units(written: Mapping[Function, Steps], graph: StepGraph, reader: FactsReader) -> Iterator[Unit]:
