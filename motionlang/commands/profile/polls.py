@@ -65,7 +65,6 @@ class Polls:
     def __init__(self, run: Run, motions: Motions, waits: dict[str, list[Wait]]) -> None:
         self._run, self._motions = run, motions
         self._cost = run.machine.instruction_time
-        self._ask: Callable[[int], LoopDependencies | None] | None = None
         self._dependencies: dict[int, LoopDependencies] = {}
         self._changes: dict[str, dict[int | None, list[float]]] | None = None
         self.waits = waits
@@ -87,10 +86,8 @@ class Polls:
         """Return what the loop or the wait at a source offset reads."""
         found = self._dependencies.get(at)
         if found is None:
-            if self._ask is None:
-                assert self._run.program is not None
-                self._ask = self._run.program.structure.waits.at
-            found = self._dependencies[at] = self._ask(at) or _NOTHING
+            assert self._run.program is not None
+            found = self._dependencies[at] = self._run.program.structure.waits.at(at) or _NOTHING
         return found
 
     # ------------------------------------------------------------------------------------------- nesting

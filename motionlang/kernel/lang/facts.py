@@ -10,7 +10,7 @@ reads them: the linters, the map, the coverage, `improve` and `init`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
@@ -18,7 +18,6 @@ from typing import NamedTuple
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.step_graph import Point, StepGraph
 from motionlang.kernel.lang.wait_analysis import WaitAnalysis
-from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.source import Source
 
 # The kinds of access to a channel or a variable.
@@ -175,9 +174,8 @@ class Unit:
 class Structure:
     """The structure of a program.
 
-    `writes` are the offsets of the names of variables that a statement assigns to. `polls` maps the offset of a loop to
-    the readings that it waits for, None if it waits for none. `has_one_series` is True if inputs and outputs have one
-    series of numbers, so that an output can be read as an input is.
+    `writes` are the offsets of the names of variables that a statement assigns to. `has_one_series` is True if inputs
+    and outputs have one series of numbers, so that an output can be read as an input is.
     """
 
     source: Source
@@ -185,7 +183,6 @@ class Structure:
     graph: StepGraph
     units: Sequence[Unit]
     writes: frozenset[int]
-    polls: Callable[[int], LoopDependencies | None]
     has_one_series: bool = False
 
     @cached_property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
-    from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+    from motionlang.kernel.lang.wait_causes import InputRead
 
 
 @dataclass(eq=False, slots=True)
@@ -39,7 +39,7 @@ class Program:
     `values` of a program are in place of its own numbers and texts, by name or address.
 
     Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target`, `blocks` and `reads`
-    raise ProgramError for a text with syntax errors; `graph`, `polls`, `structure`, `step_list` and `start` for a
+    raise ProgramError for a text with syntax errors; `graph`, `structure`, `step_list` and `start` for a
     program with any error.
     """
 
@@ -119,11 +119,6 @@ class Program:
     def reads(self) -> list[InputRead]:
         """The lines where the program depends on digital inputs and keys."""
         return []
-
-    @property
-    def polls(self) -> Callable[[int], LoopDependencies | None]:
-        """A function that maps an offset to the readings of its loop or wait; None if they are not known."""
-        return lambda offset: None
 
     @property
     def graph(self) -> StepGraph:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -15,7 +15,7 @@ from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.mint.check.body import Program as Declared
 from motionlang.kernel.mint.check.check import Checked, declared, examined
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
@@ -233,12 +233,6 @@ class MintProgram(Program):
         return input_reads(self.tree, self._declared.names)
 
     @cached_property
-    def polls(self) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.kernel.mint.resolve.wait_causes import finder
-
-        return finder(self.tree, self.checked.names, self.graph)
-
-    @cached_property
     def _steps(self) -> dict[Function, Steps]:
         from motionlang.kernel.mint.steps.structure import written
 
@@ -261,7 +255,7 @@ class MintProgram(Program):
 
         if self.given:  # the steps need a value, and the text has one
             return self.with_values(self.values).structure
-        return structure(self._facts, self._steps, self.graph, self.polls)
+        return structure(self._facts, self._steps, self.graph)
 
     @cached_property
     def step_list(self) -> list[ListedUnit]:

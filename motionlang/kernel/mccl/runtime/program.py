@@ -5,7 +5,7 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_list import ListedUnit
-from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
@@ -128,12 +128,6 @@ class MacroFile(Program):
 
         return input_reads(self.whole)
 
-    @cached_property
-    def polls(self) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.kernel.mccl.resolve.wait_causes import asked
-
-        return asked(self.whole)
-
     @property
     def graph(self) -> StepGraph:
         return self.structure.graph
@@ -142,7 +136,7 @@ class MacroFile(Program):
     def structure(self) -> Structure:
         from motionlang.kernel.mccl.runtime.structure import structure
 
-        return structure(self.source, self.whole, self.polls, self.settings)
+        return structure(self.source, self.whole, self.settings)
 
     @cached_property
     def step_list(self) -> list[ListedUnit]:

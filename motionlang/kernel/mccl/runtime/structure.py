@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from motionlang.kernel.lang.facts import (
     READ,
@@ -20,7 +20,6 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
-from motionlang.kernel.lang.wait_causes import LoopDependencies
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.kernel.mccl.resolve.line import Line
@@ -35,7 +34,6 @@ _SILENT = frozenset(("define_macro", "jump", "jump_by", "repeat", "leave", "noth
 def structure(
     source: Source,
     lines: Sequence[Line],
-    polls: Callable[[int], LoopDependencies | None],
     settings: Mapping[str, object],
 ) -> Structure:
     """Return the structure of a file on a board with these settings; invalid commands do nothing."""
@@ -73,7 +71,7 @@ def structure(
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.verb == "store"
     )
-    return Structure(source, statements, graph, units, writes, polls, has_one_series=True)
+    return Structure(source, statements, graph, units, writes, has_one_series=True)
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:

@@ -39,9 +39,8 @@ class FactsReader:
     def __init__(self, source: Source, names: Names) -> None:
         self.source, self.names = source, names
         self.statements: dict[int, Statement] = {}
-        # The offsets of labels, and of each Repeat by that of its condition.
+        # The offsets of labels.
         self.labels: dict[tuple[Function, str], int] = {}
-        self.repeats: dict[int, int] = {}
         everything = list(walk(statement for each in names.functions for statement in each.body))
         # The code of each key that a node compares with.
         self._keys = {id(node): code for node, code in keys(everything)}
@@ -90,7 +89,6 @@ class FactsReader:
             case nodes.Repeat():
                 self._add(node.start, "Repeat", []).is_silent = True
                 at, text = node.condition.start, self._text(node.condition)
-                self.repeats[at] = node.start
                 # The step tests if the loop goes on.
                 self._add(at, f"Until {text}", [node.condition]).condition = f"not ({text})"
                 self._block(node.body)

@@ -1,8 +1,4 @@
-"""Dependencies of loops and PAUSEs: the inputs and positions they wait for.
-
-These are the readings in their conditions. If the loop itself assigns a variable of its condition, the assigned value
-counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. If only other tasks assign a variable,
-the loop waits for these tasks. A call of a function counts as the readings in the function.
+"""Where a program depends on the inputs and keys of its machine.
 
 `input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
 input it waits for: `PAUSE Not INX(3)` waits for 0. Of a bank it lists the channels whose bits the program compares or
@@ -15,43 +11,23 @@ A loop that moves an axis is work: `While INX(2) = 1` is a run switch, which is 
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from functools import cache, cached_property
 from math import inf
 
-from motionlang.kernel.lang.keyword import BANK, Keyword
-from motionlang.kernel.lang.step_graph import StepGraph
-from motionlang.kernel.lang.wait_causes import InputRead, LoopDependencies, Read
+from motionlang.kernel.lang.keyword import BANK
+from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.mint.keywords.event_kinds import label_event
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL
-from motionlang.kernel.mint.resolve.handlers import handled, raised_by
+from motionlang.kernel.mint.resolve.handlers import raised_by
 from motionlang.kernel.mint.resolve.names import Names
-from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.traversal import meant, walk
-from motionlang.kernel.mint.syntax.unparse import shown
 
 # A node of a condition, an input that it reads, and a level.
 Levels = Iterator[tuple[nodes.Node, int | None, int | None]]
-
-LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
-LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
-# The kind of a read, by the section of the machine file that drives the keyword.
-DRIVEN = {
-    "input": "input",
-    "analogue": "analogue",
-    "encoder": "encoder",
-    "key": "operator",
-    "answer": "operator",
-    "comms": "host",
-    "netdata": "host",
-    "dpr": "host",
-    "serial": "host",
-    "remote": "host",
-}
 
 # The roles of keywords that move an axis.
 MOTION = ("move", "course", "path", "go", "act")
@@ -59,200 +35,6 @@ COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
 
 # The codes of keys that a person presses, from the space on.
 FIRST_KEY, LAST_KEY = 32, 126
-
-
-def finder(module: Module, names: Names, graph: StepGraph) -> Callable[[int], LoopDependencies | None]:
-    """Return a function that maps an offset to the dependencies of its loop or PAUSE, each analysed once."""
-    return cache(_Survey(module, names.functions, graph).at)
-
-
-class _Part:
-    """Summary of a statement or an expression with all below it, but not of what it calls.
-
-    `calls`    the subs, labels and Defines that it uses
-    `lines`    its lines
-    `leaving`  the conditions that guard a statement that leaves a loop, and `why` their texts
-    `tested`   the conditions of all statements in it
-    `given`    the values that it assigns to each variable, and the conditions for it
-    `reads`    the readings of keywords in it
-    `symbols`  the variables and parameters in it
-    """
-
-    def __init__(self, survey: _Survey, node: object) -> None:
-        self.nodes = list(walk([node]))
-        self.lines = frozenset(survey.module.line(each.start) for each in self.nodes)
-        conditions = sorted(_leaving([node]), key=lambda each: each.start)
-        self.leaving, self.why = survey.parts(conditions), [shown(each) for each in conditions]
-        self.calls: list[Symbol | nodes.Node] = []
-        self.tested: list[_Part] = []
-        self.given: dict[Symbol | None, list[_Part]] = {}
-        self.reads: set[Read] = set()
-        self.symbols: set[Symbol] = set()
-        for each in self.nodes:
-            if isinstance(each, (nodes.If, nodes.Select, nodes.While, nodes.Repeat)):
-                self.tested += survey.parts(_guarded(each)[0])
-            if isinstance(each, nodes.Assign):
-                self.given.setdefault(each.target.symbol, []).extend(survey.parts(each.values))
-            elif isinstance(each, nodes.If):
-                for symbol in _assigned(walk([*each.body, *each.orelse])):
-                    self.given.setdefault(symbol, []).extend(survey.parts([each.condition]))
-            elif isinstance(each, nodes.Jump):
-                if each.kind == "gosub" and each.symbol is not None:
-                    self.calls.append(each.symbol)
-            elif isinstance(each, nodes.Name):
-                if each.definition is not None:
-                    self.calls.append(each.definition)
-                elif each.symbol is None:
-                    self.reads.update(_read(each, each.row))
-                elif each.symbol.kind == "sub":
-                    self.calls.append(each.symbol)
-                elif each.symbol.kind in ("variable", "parameter"):
-                    self.symbols.add(each.symbol)
-
-
-class _Survey:
-    """The loops and PAUSEs of a program, each analysed on request.
-
-    Loops made of Gotos overlap, so a statement may belong to many; it is summarised once.
-    """
-
-    def __init__(self, module: Module, functions: Iterable[Function], graph: StepGraph) -> None:
-        self.module = module
-        self._parts: dict[int, _Part] = {}
-        # The parts of each body, by the id of its list.
-        self._bodies: dict[int, list[_Part]] = {}
-        self._nodes: dict[int, nodes.Node] = {}
-        self._by_labels: dict[int, tuple[list[nodes.Stmt], slice]] = {}
-        # The statements of each label that a Gosub may call, to their Return.
-        self._routines: dict[Symbol | None, tuple[list[nodes.Stmt], slice]] = {}
-        for function in functions:
-            for node in walk(function.body):
-                if isinstance(node, (*LOOPS, nodes.Pause)):
-                    self._nodes[node.start] = node
-            self._by_labels.update(_by_labels(function))
-            self._routines.update(_routines(function))
-        # The statements of each task, of the parent task and of each event handler.
-        self._tasks: list[Sequence[nodes.Node]] = []
-        # The variables that labels which handle events assign, as an Event does.
-        self._handled: set[Symbol | None] = set()
-        for function in functions:
-            if function.kind in ("main", "task", "event"):
-                self._tasks.append(function.body)
-            if labelled := list(handled(function, graph)):
-                self._tasks.append(labelled)
-                for part in self._reached(self.parts(labelled)):
-                    self._handled.update(part.given)
-
-    @cached_property
-    def _roots(self) -> list[tuple[set[int], set[Symbol | None]]]:
-        """The ids of the nodes that each task or handler may execute, and the variables that these assign."""
-        nodes_of = [
-            [node for part in self._reached(self.parts(body)) for node in part.nodes] for body in self._tasks
-        ]
-        return [({id(node) for node in found}, _assigned(found)) for found in nodes_of]
-
-    def at(self, offset: int) -> LoopDependencies | None:
-        """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
-        node = self._nodes.get(offset)
-        if isinstance(node, nodes.Pause):
-            reads = self._reads(self.parts([node.condition]), [])
-            return LoopDependencies(reads, why=f"until {shown(node.condition)}")
-        if node is not None:
-            return self._loop(node)  # type: ignore[arg-type]
-        if offset not in self._by_labels:
-            return None
-        body, own = self._by_labels[offset]
-        return self._dependencies(self._body(body)[own])
-
-    def _loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
-        condition = None if isinstance(node, (nodes.For, nodes.Loop)) else node.condition
-        word = "until" if isinstance(node, nodes.Repeat) else "while"
-        found = self._dependencies(self._body(node.body), condition, word)
-        found.counts = isinstance(node, nodes.For)
-        return found
-
-    def _dependencies(
-        self, body: list[_Part], condition: nodes.Expr | None = None, word: str = ""
-    ) -> LoopDependencies:
-        """Return the dependencies of a loop with a condition at its head or end, or of a loop made of Gotos."""
-        leaving = [each for part in body for each in part.leaving]
-        why = " or ".join(dict.fromkeys([text for part in body for text in part.why]))
-        if condition is not None:
-            leaving += self.parts([condition])
-            why = f"{word} {shown(condition)}"
-        reached = self._reached(body)
-        lines = frozenset[int]().union(*[part.lines for part in reached])
-        tested = [each for part in reached for each in part.tested]
-        within = self._reads([*leaving, *tested], reached)
-        return LoopDependencies(self._reads(leaving, reached), within, lines, why)
-
-    def _reads(self, conditions: list[_Part], body: list[_Part]) -> frozenset[Read]:
-        """Return the readings in the conditions of a loop; `body` are its statements and what they call."""
-        given: defaultdict[Symbol | None, list[_Part]] = defaultdict(list)
-        for part in body:
-            for assigned in part.given:
-                given[assigned] += part.given[assigned]
-        found: set[Read] = set()
-        seen: set[Symbol] = set()
-        others: set[Symbol] = set()
-        counts = False
-        while conditions:
-            reached = self._reached(conditions)
-            conditions = []
-            found.update(*[part.reads for part in reached])
-            for symbol in {each for part in reached for each in part.symbols} - seen:
-                seen.add(symbol)
-                if symbol.type.name == TIME:
-                    found.add(("time", None))
-                elif symbol in given:
-                    conditions += given[symbol]
-                    counts = True
-                elif symbol.shared or symbol in self._handled:
-                    others.add(symbol)
-        if others and not counts and self._is_written(others, body):
-            found.add(("task", None))
-        return frozenset(found)
-
-    def _is_written(self, symbols: set[Symbol], body: list[_Part]) -> bool:
-        """True if a task or handler other than the loop's own assigns one of the variables."""
-        inside = {id(node) for part in body for node in part.nodes}
-        return any(inside.isdisjoint(root) and assigned & symbols for root, assigned in self._roots)
-
-    def _reached(self, body: list[_Part]) -> list[_Part]:
-        """Return the parts of a body and of the subs, routines and Defines that it uses."""
-        found = list(body)
-        seen: set[int] = set()
-        for part in found:  # the list grows during the loop
-            for called in part.calls:
-                if id(called) not in seen:
-                    seen.add(id(called))
-                    found += self._called(called)
-        return found
-
-    def _called(self, called: Symbol | nodes.Node) -> list[_Part]:
-        if not isinstance(called, Symbol):
-            return self.parts([called])
-        if called.kind == "sub":
-            return self._body(called.home.body)
-        if called not in self._routines:
-            return []
-        body, own = self._routines[called]
-        return self._body(body)[own]
-
-    def _body(self, body: list[nodes.Stmt]) -> list[_Part]:
-        if id(body) not in self._bodies:
-            self._bodies[id(body)] = self.parts(body)
-        return self._bodies[id(body)]
-
-    def parts(self, of: Iterable[object]) -> list[_Part]:
-        """Return the summaries of some nodes."""
-        found: list[_Part] = []
-        for node in of:
-            part = self._parts.get(id(node))
-            if part is None:
-                part = self._parts[id(node)] = _Part(self, node)
-            found.append(part)
-        return found
 
 
 def _by_labels(function: Function) -> Iterator[tuple[int, tuple[list[nodes.Stmt], slice]]]:
@@ -268,77 +50,6 @@ def _by_labels(function: Function) -> Iterator[tuple[int, tuple[list[nodes.Stmt]
                     last[first] = number
     for first, number in last.items():
         yield body[first].start, (body, slice(first, number + 1))
-
-
-def _routines(function: Function) -> Iterator[tuple[Symbol | None, tuple[list[nodes.Stmt], slice]]]:
-    """Yield each label of a function, with the statements from there to the next Return: a list and its slice."""
-    body, end = function.body, len(function.body)
-    for first in range(len(body) - 1, -1, -1):
-        if isinstance(body[first], nodes.Return):
-            end = first
-        elif isinstance(label := body[first], nodes.Label):
-            yield label.symbol, (body, slice(first, end))
-
-
-def _guarded(
-    node: nodes.If | nodes.Select | nodes.While | nodes.Repeat,
-) -> tuple[list[nodes.Expr], list[object]]:
-    """Return the condition of a statement, and the statements that it guards: those of a loop run in any case."""
-    if isinstance(node, nodes.If):
-        return [node.condition], [*node.body, *node.orelse]
-    if isinstance(node, nodes.Select):
-        return [node.subject], [each for case in node.cases for each in case.body]
-    return [node.condition], []
-
-
-def _leaving(body: Iterable[object]) -> list[nodes.Expr]:
-    """Return the conditions in a body that guard a statement that leaves a loop."""
-    found: list[nodes.Expr] = []
-    for node in walk(body):
-        if isinstance(node, (nodes.If, nodes.Select)):
-            conditions, inner = _guarded(node)
-            if any(isinstance(each, LEAVES) for each in walk(inner)):
-                found += conditions
-    return found
-
-
-def _assigned(body: Iterable[nodes.Node]) -> set[Symbol | None]:
-    """Return the variables that some nodes assign."""
-    return {node.target.symbol for node in body if isinstance(node, nodes.Assign)}
-
-
-def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
-    """Yield the readings that the use of a keyword depends on."""
-    if row is None or row.kind not in ("reading", "setting"):
-        return
-    if row.verb == "time" or (row.unit == "s" and row.index == "none"):
-        yield "time", None
-    elif row.driven in DRIVEN and row.index not in ("axis", "axes"):
-        kind = DRIVEN[row.driven]
-        number = next(_numbers(node), None) if row.index in ("input", "channel") else None
-        yield kind, number
-    elif row.driven == "input":
-        yield "input", None
-    elif row.index in ("axis", "axes"):
-        numbers = list(_numbers(node))
-        kind = "position" if row.solved or row.changes == "motion" else "axis"
-        yield from ((kind, number) for number in numbers or [None])
-    elif row.index == "task":
-        yield "task", None
-    elif row.index == "latch":
-        yield "latch", next(_numbers(node), None)
-    else:
-        yield "other", None
-
-
-def _numbers(node: nodes.Name) -> Iterator[int | None]:
-    """Yield the indices in the brackets, None for one known only at run time."""
-    for each in node.args or ():
-        found = meant(each)
-        value: object = found.value if isinstance(found, nodes.Number) else None
-        if isinstance(found, nodes.Name) and found.symbol is not None:
-            value = found.symbol.const
-        yield int(value) if isinstance(value, (int, float)) else None
 
 
 def input_reads(module: Module, names: Names) -> list[InputRead]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from motionlang.kernel.lang.facts import READ, ChannelUse, Structure, Unit
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import CALL, Steps
-from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies
+from motionlang.kernel.lang.wait_causes import KINDS
 from motionlang.kernel.mint.keywords.event_kinds import is_timed
 from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
@@ -45,15 +45,10 @@ def structure(
     facts: FactsReader,
     steps: Mapping[Function, Steps],
     graph: StepGraph,
-    polls: Callable[[int], LoopDependencies | None],
 ) -> Structure:
     """Return the structure of a checked program."""
     units = sorted(_units(steps, graph, facts), key=lambda each: each.line)
-
-    def polled(at: int) -> LoopDependencies | None:
-        return polls(facts.repeats.get(at, at))
-
-    result = Structure(facts.source, facts.statements, graph, units, facts.writes, polled)
+    result = Structure(facts.source, facts.statements, graph, units, facts.writes)
     for made in facts.statements.values():
         found = result.waits.at(made.at) if made.waits == "condition" else None
         if found is not None:

@@ -1,103 +1,10 @@
-"""The values that loops and PAUSEs read, and the inputs of a program."""
+"""The inputs of a program."""
 
 from __future__ import annotations
 
 from motionlang.kernel import Source
 from motionlang.kernel.mint import DIALECT as MINT
 from tests.cases import cases
-
-Read = tuple[str, int | None]
-
-# A condition, and the readings that it waits for.
-PAUSES: list[tuple[str, set[Read]]] = [
-    ("INX(3) And POS(1) > 5", {("input", 3), ("position", 1)}),
-    ("IDLE(0) Or AXISERROR(2)", {("axis", 0), ("axis", 2)}),
-    ("POS(0) > POS(1)", {("position", 0), ("position", 1)}),
-    ("POS(second) > VEL(n)", {("position", 1), ("position", None)}),
-    ("VEL > 5", {("position", None)}),
-    ("INX(n)", {("input", None)}),
-    ("INX(second)", {("input", 1)}),
-    ("IN(0)", {("input", None)}),
-    ("door", {("input", 9)}),
-    ("ready()", {("input", 7)}),
-    ("ADC(4) > 5", {("analogue", 4)}),
-    ("ENCODER(0) > 5", {("encoder", 0)}),
-    ("INKEY = 65", {("operator", None)}),
-    ("COMMS(3)", {("host", None)}),
-    ("TIME > 5", {("time", None)}),
-    ("began > 5", {("time", None)}),
-    ("TASKSTATUS(work)", {("task", None)}),
-    ("flag", {("task", None)}),  # another task sets it
-    ("n = 5", set()),
-    ("OUTX(3)", {("other", None)}),
-]
-AROUND = """\
-Dim n As Integer, began As Time, flag As Integer
-Const second = 1
-Define door = INX(9)
-n = 2
-PAUSE {}
-End
-Function ready() As Integer
-  ready = INX(7)
-End Function
-Task work
-  flag = 1
-End Task
-"""
-
-
-@cases("condition, reads", PAUSES)
-def test_the_reads_of_a_pause(condition: str, reads: set[Read]) -> None:
-    text = AROUND.format(condition)
-    find = MINT.program(Source("a.mnt", text)).polls
-    found = [each for at in range(len(text)) if (each := find(at))]
-    assert [({*each.leaves}, each.why[:6], each.counts) for each in found] == [(reads, "until ", False)]
-
-
-# A loop, the readings that end it, all in it, the lines that it executes, and what it waits for.
-LOOPS: list[tuple[str, set[Read], set[Read], set[int], str]] = [
-    ("While INX(3)\nWAIT 1\nWend", {("input", 3)}, {("input", 3)}, {2}, "while INX(3)"),
-    ("Repeat\nWAIT 1\nUntil INX(3)", {("input", 3)}, {("input", 3)}, {2}, "until INX(3)"),
-    ("Loop\nWAIT 1\nEnd Loop", set(), set(), {2}, ""),
-    # A condition that leaves the loop, and one that does not.
-    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(4) Then PRINT 1\nEnd Loop",
-     {("input", 3)}, {("input", 3), ("input", 4)}, {2, 3}, "INX(3)"),
-    ("Loop\nIf INX(3) Then\nPRINT 1\nElse\nEnd\nEnd If\nEnd Loop", {("input", 3)}, {("input", 3)}, {2, 3, 5}, "INX(3)"),
-    ("Loop\nIf INX(3) Then Exit Loop\nIf INX(3) Then End\nIf INX(4) Then Return\nEnd Loop\nGosub over\n#over\nReturn",
-     {("input", 3), ("input", 4)}, {("input", 3), ("input", 4)}, {2, 3, 4}, "INX(3) or INX(4)"),
-    ("Loop\nSelect Case INX(2)\nCase 1\nExit Loop\nEnd Select\nEnd Loop",
-     {("input", 2)}, {("input", 2)}, {2, 3, 4}, "INX(2)"),
-    ("While 1\nWhile INX(1)\nWAIT 1\nWend\nWend", set(), {("input", 1)}, {2, 3}, "while 1"),
-    # The value that the loop itself assigns counts, and the condition for it.
-    ("While Not done\ndone = IDLE(0)\nWend\nDim done", {("axis", 0)}, {("axis", 0)}, {2}, "while Not done"),
-    ("While Not done\nIf INX(2) Then done = 1\nWend\nDim done", {("input", 2)}, {("input", 2)}, {2}, "while Not done"),
-    ("While n < 5\nn = n + 1\nWend\nDim n", set(), set(), {2}, "while n < 5"),
-    # A sub belongs to the loop that calls it, but its conditions only decide within.
-    ("While 1\nact()\nWend\nSub act()\nWAIT 1\nIf INX(6) Then End\nEnd Sub",
-     set(), {("input", 6)}, {2, 5, 6}, "while 1"),
-    # A loop of Gotos.
-    ("#a\nWAIT 1\nIf INX(5) Then Goto b\nGoto a\n#b", {("input", 5)}, {("input", 5)}, {1, 2, 3, 4}, "INX(5)"),
-    ("#a\nWAIT 1\nIf INX(5) Then Goto a\nWAIT 2", {("input", 5)}, {("input", 5)}, {1, 2, 3}, "INX(5)"),
-]  # fmt: skip
-
-
-@cases("text, leaves, within, lines, why", LOOPS)
-def test_the_reads_of_a_loop(
-    text: str, leaves: set[Read], within: set[Read], lines: set[int], why: str
-) -> None:
-    found = MINT.program(Source("a.mnt", text)).polls(0)
-    assert found is not None
-    assert ({*found.leaves}, {*found.within}, {*found.lines}, found.why) == (leaves, within, lines, why)
-    assert not found.counts
-
-
-def test_a_for_also_counts() -> None:
-    found = MINT.program(Source("a.mnt", "For i = 1 To 5\nIf INX(3) Then Exit For\nNext")).polls(0)
-    assert found is not None
-    assert found.counts
-    assert found.leaves == {("input", 3)}
-
 
 # A program, and for each input or key its kind, number, the level that lets the program continue or makes a test true,
 # its line, and the last line of a loop.
