@@ -152,7 +152,7 @@ def inputs(request: Message) -> list[int]:
         reads = dialect(request["dialect"]).program(Source(request["name"], request["program"])).reads
     except ProgramError:
         return []
-    return sorted({each.channel for each in reads if each.is_input and each.channel is not None})
+    return sorted({each.channel for each in reads if each.channel is not None})
 
 
 @contextmanager

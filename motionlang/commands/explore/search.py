@@ -233,14 +233,14 @@ class Explorer:
         given = {number for table, number in given_in(kept) if table == "input"}
         self.channels = [
             channel
-            for channel in dict.fromkeys(each.channel for each in reads if each.is_input)
+            for channel in dict.fromkeys(each.channel for each in reads)
             if channel is not None and channel not in given
         ]
         self._given = given
         # The inputs that each line reads, and the level that it compares each with, if that is known.
         self._read_in: dict[int, dict[int, float]] = {}
         for each in reads:
-            if each.is_input and each.channel is not None and each.channel not in given:
+            if each.channel is not None and each.channel not in given:
                 self._read_in.setdefault(each.line, {})[each.channel] = (
                     1.0 if each.level is None else each.level
                 )

@@ -213,7 +213,7 @@ def _inputs(draft: Draft) -> list[str]:
     program = exploration.program
     read_at: dict[int, dict[int, None]] = {}
     for read in program.reads:
-        if read.is_input and read.channel is not None:
+        if read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
     for each in channels_of(program, draft.run.dialect):
         if each.kind == "input" and each.number.isdecimal() and each.set_up:
@@ -279,7 +279,7 @@ def _transitions(exploration: Exploration) -> list[Transition]:
 
 def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
     """Return the comment about lines that read inputs of unknown channels; empty if there are none."""
-    lines = dict.fromkeys(each.line for each in reads if each.is_input and each.channel is None)
+    lines = dict.fromkeys(each.line for each in reads if each.channel is None)
     quoted = "".join(f"# line {line}: {_quoted(source.line(line))}\n" for line in lines)
     return [UNKNOWN.format(lines=quoted)] if quoted else []
 

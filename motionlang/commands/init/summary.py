@@ -105,7 +105,7 @@ def _unmoved(structure: Structure, draft: Draft, guessed: Collection[int]) -> li
     lines = sorted(_move_lines(structure) - {each.line for each in log.moves})
     still: dict[int, set[int]] = {}
     for each in draft.exploration.program.reads:
-        if each.is_input and each.channel is not None and each.channel not in guessed:
+        if each.channel is not None and each.channel not in guessed:
             still.setdefault(each.channel, set()).add(each.line)
     if not lines or not len(log.moves):
         return []

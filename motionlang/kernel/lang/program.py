@@ -117,7 +117,7 @@ class Program:
 
     @property
     def reads(self) -> list[InputRead]:
-        """The lines where the program depends on digital inputs and keys."""
+        """The lines where the program depends on digital inputs."""
         return []
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
 Read = tuple[str, int | None]
@@ -43,29 +44,13 @@ class LoopDependencies:
     counts: bool = False
 
 
-@dataclass(eq=False, slots=True)
-class InputRead:
-    """A position at which a program depends on the world around it.
+class InputRead(NamedTuple):
+    """A position at which a program depends on a digital input.
 
-    `kind`    "wait" (the program stops here until the level comes), "either" (or until something else comes), "poll"
-              (the condition of a loop that waits), "work" (the condition that ends a loop with moves), "guard" (an If
-              that jumps away at the other level, or a loop with moves that ends there), "test" (any other reading),
-              "event" (a handler), "key" (a key that the program compares with) or "answer" (a number that it compares
-              an answer with)
-    `channel` the number of the input, the code of the key, or the number; None if it is only known at run time
-    `level`   the level that lets the program continue, or makes a test true; None if that is unknown
-    `line`    the line; `last` is the last line of a loop, or the line that asks for the answer
-    `at_any_time`   true in a handler of an event, which no line comes before
+    `channel` is the number of the input, None if it is only known at run time. `level` is that at which the condition
+    in the line is true, None if that is unknown, if the line tests nothing, or for a handler.
     """
 
-    kind: str
     channel: int | None
     level: int | None
     line: int
-    last: int
-    at_any_time: bool = False
-
-    @property
-    def is_input(self) -> bool:
-        """True for a digital input, False for a key or an answer."""
-        return self.kind not in ("key", "answer")

@@ -14,6 +14,7 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.facts import ChannelUse
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.wait_causes import Read
     from motionlang.kernel.lang.waits import Wait
@@ -89,7 +90,7 @@ def _channels_of_bank(program: Program | None, machine: Machine, task: Task) -> 
     found = {
         each.channel
         for each in program.reads
-        if each.kind in ("wait", "either", "poll") and each.line == line and each.channel is not None
+        if each.line == line and each.channel is not None
         if each.level is not None and each.level != levels[each.channel]
     }
     return sorted(found) if len(found) <= MAX_NAMED else []
@@ -115,13 +116,19 @@ def _is_of_program(program: Program | None, task: Task) -> bool:
 
 def _raises(program: Program | None, machine: Machine) -> str:
     """Return the option that calls a handler of an input; "" if there is none."""
-    reads = [] if program is None else program.reads
-    handler = next((each for each in reads if each.kind == "event" and each.channel is not None), None)
-    if handler is None or handler.channel is None:
+    units = [] if program is None else program.structure.units
+    triggers = [(unit.line, int(each.number)) for unit in units for each in unit.triggers if _is_input(each)]
+    if not triggers:
         return ""
-    level, at = 1 - machine.controller.inputs[handler.channel], round(machine.clock.now + SOON, 1)
-    option = f"--input {handler.channel}={level:.10g}@{at:.10g}"
-    return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
+    line, channel = triggers[0]
+    level, at = 1 - machine.controller.inputs[channel], round(machine.clock.now + SOON, 1)
+    option = f"--input {channel}={level:.10g}@{at:.10g}"
+    return f"{option} calls the handler in line {line}, as does [[input]] of the machine file"
+
+
+def _is_input(use: ChannelUse) -> bool:
+    """True for the use of a digital input with a known number."""
+    return use.channel == "input" and use.number.isdecimal()
 
 
 def _frees(program: Program | None, controller: Controller, kind: str, axis: int) -> str:

@@ -228,7 +228,7 @@ class MintProgram(Program):
 
     @cached_property
     def reads(self) -> list[InputRead]:
-        from motionlang.kernel.mint.resolve.wait_causes import input_reads
+        from motionlang.kernel.mint.resolve.input_reads import input_reads
 
         return input_reads(self.tree, self._declared.names)
 

@@ -83,7 +83,7 @@ def check_inputs_are_read(
         return
     numbers = Counter(number for _, text in tokens for number in text.split("."))
     numbers -= Counter(banks)
-    read = {each.channel for each in reads if each.kind != "key"}
+    read = {each.channel for each in reads}
     read |= {int(bank) * BANK + k for bank in set(banks) for k in range(BANK)}
     switches = {value for key, value in settings.items() if key.endswith("_input")}
     for entry in given.get("input", ()):  # type: ignore[attr-defined]

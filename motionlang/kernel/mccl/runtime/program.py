@@ -124,7 +124,7 @@ class MacroFile(Program):
 
     @cached_property
     def reads(self) -> list[InputRead]:
-        from motionlang.kernel.mccl.resolve.wait_causes import input_reads
+        from motionlang.kernel.mccl.resolve.input_reads import input_reads
 
         return input_reads(self.whole)
 

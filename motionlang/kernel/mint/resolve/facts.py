@@ -20,7 +20,6 @@ from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.folding import fold
 from motionlang.kernel.mint.resolve.names import Names
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, TIME, Function, Symbol
-from motionlang.kernel.mint.resolve.wait_causes import keys
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, children, is_stop, meaning, meant, walk
 from motionlang.kernel.source import Source
@@ -31,6 +30,8 @@ _UNKNOWN = "?"
 _JUMPS = (nodes.Exit, nodes.Return)
 # Kinds of keywords that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant", "statement"))
+# The codes of keys that a person presses, from the space on.
+_FIRST_KEY, _LAST_KEY = 32, 126
 
 
 class FactsReader:
@@ -43,7 +44,7 @@ class FactsReader:
         self.labels: dict[tuple[Function, str], int] = {}
         everything = list(walk(statement for each in names.functions for statement in each.body))
         # The code of each key that a node compares with.
-        self._keys = {id(node): code for node, code in keys(everything)}
+        self._keys = {id(node): code for node, code in _keys(everything)}
         names_changed = [name for node in everything for name in changed(node)]
         dims = [each for node in everything if isinstance(node, nodes.Dim) for each in node.variables]
         self._changed = {meaning(name) for name in names_changed}
@@ -308,3 +309,30 @@ def _alias(node: nodes.Expr) -> str:
     if isinstance(node, nodes.Name) and (node.definition is not None or node.symbol is not None):
         return str(node.name)
     return ""
+
+
+def _keys(body: list[nodes.Node]) -> Iterator[tuple[nodes.Node, int]]:
+    """Yield each comparison of a key with a number, and the number."""
+    given: set[Symbol] = set()
+    for node in body:
+        if isinstance(node, nodes.Assign) and any(_is_key(each) for each in node.values):
+            symbol = node.target.symbol
+            if symbol is not None:
+                given.add(symbol)
+    for node in body:
+        compared: list[tuple[nodes.Expr, nodes.Node, nodes.Expr]] = []
+        if isinstance(node, nodes.Binary) and node.op in ("=", "<>"):
+            compared = [(node.left, node, node.right), (node.right, node, node.left)]
+        elif isinstance(node, nodes.Select):
+            tests = (test for case in node.cases for test in case.tests if test.op == "=")
+            compared = [(node.subject, test, test.value) for test in tests]
+        for side, at, other in compared:
+            code = fold(meant(other))
+            is_read = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
+            if is_read and isinstance(code, (int, float)) and _FIRST_KEY <= code <= _LAST_KEY:
+                yield at, int(code)
+
+
+def _is_key(node: object) -> bool:
+    row = node.row if isinstance(node, nodes.Name) else None
+    return row is not None and row.driven == "key"
