@@ -151,7 +151,7 @@ class WaitAnalysis:
             for at in dict.fromkeys([points[p].at for p in reached])
             if at in self._statements
         ]
-        deciding = self._deciding(reached, {**assigning, _END: ends})
+        deciding = self._deciding(head, reached, {**assigning, _END: ends})
         return LoopDependencies(
             self._reads([*ends, *deciding(_END)], reached, assigning, deciding),
             self._reads([p for p in reached if p in tests], reached, assigning, deciding),
@@ -229,7 +229,7 @@ class WaitAnalysis:
         return dict.fromkeys(self._points[p].at for p in self._with_calls(self._at[at]))
 
     def _deciding(
-        self, inside: list[int], ends: dict[Variable, list[int]]
+        self, head: int, inside: list[int], ends: dict[Variable, list[int]]
     ) -> Callable[[Variable], list[int]]:
         """Return a function for the branches that decide in an iteration whether it comes to any of some points.
 
@@ -243,7 +243,6 @@ class WaitAnalysis:
                 masks[variable] |= bit
                 bit <<= 1
         # What an iteration may still come to from each point: it ends at the head.
-        head = min(inside, default=-1)
         bits, changed = dict(own), True
         while changed:
             changed = False
@@ -268,22 +267,24 @@ class WaitAnalysis:
     # -------------------------------------------------------------------------------------------- other tasks
 
     @cached_property
-    def _tasks(self) -> list[tuple[set[int], set[Variable]]]:
-        """The points of each task and handler, and the variables that it assigns to."""
-        structure = self._structure
-        units = [*structure.tasks(), *(unit for unit in structure.units if unit.kind == "event")]
-        reached = [self._graph.reached(unit.entry) for unit in units]
-        none: set[Variable] = set()
-        return [
-            (each, none.union(*(self._assigned[p] for p in each if p in self._assigned))) for each in reached
-        ]
+    def _tasks(self) -> tuple[dict[int, set[str]], dict[Variable, set[str]]]:
+        """The tasks and handlers that carry out each point, and those that assign to each variable."""
+        units = [*self._structure.tasks(), *(each for each in self._structure.units if each.kind == "event")]
+        carrying: defaultdict[int, set[str]] = defaultdict(set)
+        assigning: defaultdict[Variable, set[str]] = defaultdict(set)
+        for unit in units:
+            for p in self._graph.reached(unit.entry):
+                carrying[p].add(unit.title)
+                for variable in self._assigned.get(p, ()):
+                    assigning[variable].add(unit.title)
+        return carrying, assigning
 
     def _is_assigned_elsewhere(self, variables: set[Variable], points: list[int]) -> bool:
         """True if a task other than the one that carries out some points assigns to one of the variables."""
-        home = [k for k, (own, _) in enumerate(self._tasks) if not own.isdisjoint(points)]
-        return any(
-            home != [k] and not assigned.isdisjoint(variables) for k, (_, assigned) in enumerate(self._tasks)
-        )
+        carrying, assigning = self._tasks
+        home = {task for p in points if p in carrying for task in carrying[p]}
+        by = {task for variable in variables if variable in assigning for task in assigning[variable]}
+        return bool(by - home if len(home) == 1 else by)
 
 
 def _readings(made: Statement) -> set[Read]:

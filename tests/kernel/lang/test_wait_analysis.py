@@ -123,6 +123,16 @@ def test_the_reads_of_a_loop(
     assert not found.counts
 
 
+def test_a_loop_that_calls_what_is_above_it() -> None:
+    text = (
+        "b()\nSub a()\nWAIT 1\nEnd Sub\n"
+        "Sub b()\nLoop\na()\nIf INX(5) Then\nIf INX(6) Then Exit Loop\nEnd If\nEnd Loop\nEnd Sub"
+    )
+    found = found_in("a.mnt", text, text.index("Loop"))
+    assert found is not None
+    assert found.leaves == {("input", 5), ("input", 6)}
+
+
 def test_a_for_also_counts() -> None:
     found = found_in("a.mnt", "For i = 1 To 5\nIf INX(3) Then Exit For\nNext")
     assert found is not None
