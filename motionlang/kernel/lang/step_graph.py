@@ -110,11 +110,13 @@ class StepGraph:
             self.ranges[steps.name] = range(length, length + len(steps))
             length += len(steps)
         after = {id(one): self.first(two) for one, two in pairwise(in_sequence)}
-        # The names of labels, by their points.
+        # The names of labels, by their points, and the points that lead back in the loops that statements write.
         self.labels: dict[int, str] = {}
+        self.closing: set[int] = set()
         for steps in lists:
             self.points += self._linked(steps, after.get(id(steps)), computed)
             self.labels |= {self.first(steps) + pc: name for pc, name in steps.labels.items()}
+            self.closing.update(self.first(steps) + pc for pc in steps.loops)
         # The junctions, each with its last Return.
         self._junctions: dict[int, int] = {}
         self.within = self._entered(enters)

@@ -15,8 +15,7 @@ tasks assign stands for these, unless the loop counts.
       End If
     End While
 
-Invariants. An element of an array is no variable that is assigned: the `Uses` of steps do not say so. The limit of a
-For is worked out before its loop, so it ends no loop.
+Invariants. An array or a record is one variable. The limit of a For is worked out before its loop, so it ends no loop.
 
 Cost. A question takes time in proportion to the loop and what it calls, times the depth of the loops in it. Nothing in
 the inner loops calls a function.
@@ -27,7 +26,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.kernel.lang.steps import HEAD, NOTE
 from motionlang.kernel.lang.wait_causes import LoopDependencies, Read
@@ -42,6 +41,17 @@ _END: Variable = ("end", 0)
 # The readings of axes, and those that the brackets number unless they have a bank or an axis.
 _OF_AXES = ("axis", "position")
 _NUMBERED = ("input", "analogue", "encoder", "latch")
+
+
+class _Loop(NamedTuple):
+    """A loop: its first point, the points that lead back to it, and the offsets at which it is asked for.
+
+    These are the offset of its begin, if a step notes that, and those of the points that lead back.
+    """
+
+    head: int
+    edges: list[int]
+    offsets: list[int]
 
 
 class WaitAnalysis:
@@ -60,8 +70,8 @@ class WaitAnalysis:
             if use is not None:
                 name = "" if structure.graph.enters else point.key[0]
                 self._variables[point.at] |= {(name if n < 0 else "", n) for n in use.reads}
-                if use.sets:
-                    self._assigned[p] = {(name if n < 0 else "", n) for n in use.sets}
+                if use.sets or use.parts:
+                    self._assigned[p] = {(name if n < 0 else "", n) for n in use.sets | use.parts}
         self._readings = {at: _readings(made) for at, made in self._statements.items()}
 
     def all(self) -> Iterator[LoopDependencies]:
@@ -69,8 +79,8 @@ class WaitAnalysis:
         for at, made in self._statements.items():
             if made.waits and made.condition:
                 yield self._wait(made)
-            elif at in self._loops and self._loops[at][0] == at:
-                found = self._loop(*self._loops[at][1:])
+            elif at in self._loops and self._loops[at].offsets[0] == at:
+                found = self._loop(self._loops[at])
                 if found is not None:
                     yield found
 
@@ -79,7 +89,7 @@ class WaitAnalysis:
         made = self._statements.get(offset)
         if made is not None and made.waits:
             return self._wait(made) if made.condition else None
-        return self._loop(*self._loops[offset][1:]) if offset in self._loops else None
+        return self._loop(self._loops[offset]) if offset in self._loops else None
 
     def _wait(self, made: Statement) -> LoopDependencies:
         points = self._at[made.at]
@@ -89,28 +99,44 @@ class WaitAnalysis:
     # ---------------------------------------------------------------------------------------------------- loops
 
     @cached_property
-    def _loops(self) -> dict[int, tuple[int, int, list[int]]]:
-        """The offset, the head and the edges back of the loop at each offset.
+    def _loops(self) -> dict[int, _Loop]:
+        """The loop at each offset.
 
-        A loop whose begin a step notes is there and at its edges. Any other edge back is a loop of its own. Its head is
-        the first one if it has several, and its steps are those of the last list that has the statement: the line that
-        defines a macro has its commands, too, but never carries them out.
+        The steps of a macro are those of the last list that has its commands: the line that defines it has them, too,
+        but never carries them out.
         """
-        back: defaultdict[int, list[int]] = defaultdict(list)
-        for p, point in enumerate(self._points):
-            for after in point.next:
-                if after <= p:
-                    back[after].append(p)
-        found: dict[int, tuple[int, int, list[int]]] = {}
-        heads = sorted(back, key=lambda head: (self._graph.ranges[self._points[head].key[0]].start, -head))
-        for head in heads:
-            noted = [self._points[p].at for p in (head, head - 1) if p >= 0 and self._points[p].kind == NOTE]
-            for p in back[head]:
-                at = self._points[p].at
-                found[at] = (noted[0], head, back[head]) if noted else (at, head, [p])
-            if noted:
-                found[noted[0]] = noted[0], head, back[head]
-        return found
+        ranges, points = self._graph.ranges, self._points
+        found = sorted(
+            self._edges_back(), key=lambda each: (ranges[points[each.head].key[0]].start, -each.head)
+        )
+        return {at: loop for loop in found for at in loop.offsets}
+
+    def _edges_back(self) -> Iterator[_Loop]:
+        """Yield the loops of statements, and those of jumps.
+
+        Jumps back to one label are one loop, and so are those whose ranges overlap, unless one is within the other.
+        """
+        points, closing = self._points, self._graph.closing
+        jumps: defaultdict[int, list[int]] = defaultdict(list)
+        for p, point in enumerate(points):
+            for head in point.next:
+                if head <= p and p in closing:
+                    # A label may be the first statement of a loop.
+                    within = jumps.get(head, [])
+                    yield _Loop(head, [*within, p], [points[head - 1].at, point.at])
+                elif head <= p:
+                    jumps[head].append(p)
+        around: list[_Loop] = []
+        for head in sorted(jumps):
+            while around and around[-1].edges[-1] < head:
+                yield around.pop()
+            begins = [points[head].at] if points[head].kind == NOTE else []
+            around.append(_Loop(head, jumps[head], [*begins, *(points[p].at for p in jumps[head])]))
+            while len(around) > 1 and around[-2].edges[-1] < around[-1].edges[-1]:
+                inner = around.pop()
+                around[-1].edges.extend(inner.edges)
+                around[-1].offsets.extend(inner.offsets)
+        yield from around
 
     @cached_property
     def _before(self) -> list[list[int]]:
@@ -131,16 +157,16 @@ class WaitAnalysis:
             if len(point.next) > 1 and point.role != HEAD and point.at not in waiting
         }
 
-    def _loop(self, head: int, edges: list[int]) -> LoopDependencies | None:
-        """Return the dependencies of the loop from a head to some edges back."""
-        points, before = self._points, self._before
-        body, stack = set[int](), list(edges)
+    def _loop(self, loop: _Loop) -> LoopDependencies | None:
+        """Return the dependencies of a loop, None if its head never leads to its edges."""
+        points, before, head = self._points, self._before, loop.head
+        body, stack = set[int](), list(loop.edges)
         for p in stack:  # the list grows during the loop
             if p >= head and p not in body:
                 body |= {p}
                 stack += before[p] if p > head else []
         if head not in body:
-            return None  # a jump back to what never leads to it
+            return None
         reached = sorted(self._with_calls(body))
         assigning = self._assigning(reached)
         leaving = [p for p in reached if p in body for after in points[p].next if after not in body]
@@ -156,7 +182,7 @@ class WaitAnalysis:
             self._reads([*ends, *deciding(_END)], reached, assigning, deciding),
             self._reads([p for p in reached if p in tests], reached, assigning, deciding),
             frozenset([each.line for each in made]),
-            self._why(ends, [points[p].at for p in edges]),
+            self._why(ends, [points[p].at for p in loop.edges]),
             HEAD in [points[p].role for p in leaving],
         )
 

@@ -38,11 +38,12 @@ PAUSES: list[tuple[str, set[Read]]] = [
     ("began > 5", {("time", None)}),
     ("TASKSTATUS(work)", {("task", None)}),
     ("flag", {("task", None)}),  # another task sets it
+    ("parts(2) > 1", {("task", None)}),
     ("n = 5", set()),  # this task sets it
     ("OUTX(3)", {("other", None)}),
 ]
 AROUND = """\
-Dim n As Integer, began As Time, flag As Integer
+Dim n As Integer, began As Time, flag As Integer, parts(3) As Integer
 Const second = 1
 Define door = INX(9)
 n = 2
@@ -53,6 +54,7 @@ Function ready() As Integer
 End Function
 Task work
   flag = 1
+  parts(1) = 2
 End Task
 """
 
@@ -138,6 +140,35 @@ def test_a_for_also_counts() -> None:
     assert found is not None
     assert found.counts
     assert found.leaves == {("input", 3)}
+
+
+def test_loops_that_begin_together() -> None:
+    text = "Repeat\nRepeat\nWAIT 1\nUntil INX(1)\nUntil INX(2)"
+    outer, inner = found_in("a.mnt", text), found_in("a.mnt", text, text.rindex("Repeat"))
+    assert outer is not None
+    assert inner is not None
+    assert (outer.why, outer.leaves, outer.lines) == ("until INX(2)", {("input", 2)}, {2, 3, 4, 5})
+    assert (inner.why, inner.leaves, inner.lines) == ("until INX(1)", {("input", 1)}, {3, 4})
+
+    text = "Loop\n#a\nIf INX(3) Then Goto a\nIf INX(4) Then Exit Loop\nEnd Loop"
+    outer, inner = found_in("a.mnt", text), found_in("a.mnt", text, text.index("#a"))
+    assert outer is not None
+    assert inner is not None
+    assert (outer.leaves, outer.why) == ({("input", 3), ("input", 4)}, "INX(4)")
+    assert (inner.leaves, inner.why) == ({("input", 3)}, "INX(3)")
+
+
+def test_loops_of_gotos_that_overlap_are_one() -> None:
+    text = "#a\nWAIT 1\n#b\nIf INX(1) Then Goto a\nIf INX(2) Then Goto b\n"
+    for label in ("#a", "#b"):
+        found = found_in("a.mnt", text, text.index(label))
+        assert found is not None
+        assert ({*found.leaves}, found.why) == ({("input", 1), ("input", 2)}, "INX(2)")
+
+    text = "#a\nWAIT 1\n#b\nIf INX(2) Then Goto b\nIf INX(3) Then Goto a\n"
+    found = found_in("a.mnt", text, text.index("#b"))
+    assert found is not None
+    assert found.leaves == {("input", 2)}
 
 
 @cases(

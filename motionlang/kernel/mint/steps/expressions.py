@@ -164,6 +164,10 @@ def target(w: UnitWriter, node: nodes.Name | nodes.Member) -> tuple[Get, Get, Ty
     found = place(w, node)
     if plain_variable(w, node) is not None:
         w.reads = reads
+        return found
+    while isinstance(node, nodes.Member):
+        node = node.value  # type: ignore[assignment]
+    w.parts.add(w.program.places.number(w.symbol(node)))
     return found
 
 

@@ -23,7 +23,7 @@ _PURE = frozenset(("function", "constant"))
 class UnitWriter:
     """Writes the steps of one function.
 
-    `reads` and `nonlinear` collect what the next step uses of the variables; `is_known` is False if it may use others.
+    `reads`, `nonlinear` and `parts` collect what the next step uses of the variables; `is_known` is False if it may use others.
     """
 
     def __init__(self, program: ProgramWriter, function: Function) -> None:
@@ -46,6 +46,7 @@ class UnitWriter:
         """Begin with the variables of the next step."""
         self.reads: set[int] = set()
         self.nonlinear: set[int] = set()
+        self.parts: set[int] = set()
         self.is_known = True
 
     # ------------------------------------------------------------------------------------------------- steps
@@ -65,7 +66,8 @@ class UnitWriter:
         uses = None
         if self.is_known and kind not in (CALL, RETURN):
             is_set = frozenset() if sets is None else frozenset((sets,))
-            uses = Uses(frozenset(self.reads), is_set, frozenset(self.nonlinear))
+            reads, nonlinear, parts = map(frozenset, (self.reads, self.nonlinear, self.parts))
+            uses = Uses(reads, is_set, nonlinear, parts=parts)
         self.forget_uses()
         return self.steps.add(kind, do, to, self.at, uses, cost, role)
 
