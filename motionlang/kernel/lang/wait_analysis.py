@@ -117,6 +117,7 @@ class WaitAnalysis:
         Jumps back to one label are one loop, and so are those whose ranges overlap, unless one is within the other.
         """
         points, closing = self._points, self._graph.closing
+        cycle_of = {p: number for number, cycle in enumerate(self._graph.cycles) for p in cycle}
         jumps: defaultdict[int, list[int]] = defaultdict(list)
         for p, point in enumerate(points):
             for head in point.next:
@@ -124,7 +125,7 @@ class WaitAnalysis:
                     # A label may be the first statement of a loop.
                     within = jumps.get(head, [])
                     yield _Loop(head, [*within, p], [points[head - 1].at, point.at])
-                elif head <= p:
+                elif head <= p and p in cycle_of and cycle_of.get(head) == cycle_of[p]:
                     jumps[head].append(p)
         around: list[_Loop] = []
         for head in sorted(jumps):

@@ -188,6 +188,8 @@ def test_loops_of_gotos_that_overlap_are_one() -> None:
         # Macros that jump to each other.
         ("MD1,IN5,BK,NO,MJ2\nMD2,IN6,BK,NO,MJ1\nMC1", "MJ1", {("input", 5), ("input", 6)},
          {("input", 5), ("input", 6)}, {1, 2}, "channel 5 on or channel 6 on"),
+        # A macro that it leaves for, and that does not come back.
+        ("MD1,NO\nMD2,IN5,MJ1,NO,JR-3\nMC2", "JR-3", {("input", 5)}, {("input", 5)}, {2}, "channel 5 on"),
         # What comes into the accumulator is tested, also in a macro that the loop calls.
         ("RA9,IB5,JP0,NO", "JP0", set(), set(), {1}, "accumulator < 5"),
         ("GA2,IB5,JP0,NO", "JP0", {("analogue", 2)}, {("analogue", 2)}, {1}, "accumulator < 5"),
