@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.errors import Diagnostic, OutOfTime, ProgramError
 from motionlang.kernel.execution import run
+from motionlang.kernel.lang import BANK
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import missing
 
@@ -145,14 +146,17 @@ def start(request: Message, send: Send, alarm: Alarm = bool) -> None:
 
 
 def inputs(request: Message) -> list[int]:
-    """Return the digital inputs that a program reads; none if it has a syntax error."""
+    """Return the digital inputs that a program reads, all those of a bank; none if it has a syntax error."""
     from motionlang.kernel.lang.dialect import dialect
 
     try:
-        reads = dialect(request["dialect"]).program(Source(request["name"], request["program"])).reads
+        program = dialect(request["dialect"]).program(Source(request["name"], request["program"]))
+        uses = [use for _, use in program.structure.inputs() if use.number.isdecimal()]
     except ProgramError:
         return []
-    return sorted({each.channel for each in reads if each.channel is not None})
+    banks = {int(use.number) for use in uses if use.channel == "input bank"}
+    single = {int(use.number) for use in uses if use.channel == "input"}
+    return sorted(single.union(*(range(bank * BANK, (bank + 1) * BANK) for bank in banks)))
 
 
 @contextmanager

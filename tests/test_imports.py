@@ -35,8 +35,8 @@ LAZY = {
     "commands/run/command.py": "keyboard",
     # Questions about a program that a run does not ask.
     "kernel/mccl/runtime/program.py": "resolve.board resolve.chosen_rates resolve.definitions resolve.errors "
-    "resolve.input_reads runtime.listing runtime.structure",
-    "kernel/mint/program.py": "check.port resolve.definitions resolve.input_reads steps.listing steps.structure "
+    "runtime.listing runtime.structure",
+    "kernel/mint/program.py": "check.port resolve.definitions steps.listing steps.structure "
     "syntax.extent syntax.layout",
     # Those that need one another.
     "kernel/planners/curve.py": "sequence",

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from itertools import chain
 from math import inf
-from operator import attrgetter
+from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
@@ -228,22 +228,15 @@ class Explorer:
         self.trials = Trials(program, kept, most, is_over)
         self.program = program = self.trials.program
         self.nodes: dict[RestState | None, Node] = {}
-        reads = program.reads
         # What a person has given does not change.
         given = {number for table, number in given_in(kept) if table == "input"}
-        self.channels = [
-            channel
-            for channel in dict.fromkeys(each.channel for each in reads)
-            if channel is not None and channel not in given
-        ]
         self._given = given
-        # The inputs that each line reads, and the level that it compares each with, if that is known.
+        # The inputs that each line reads, and the level that leads on, if that is known.
         self._read_in: dict[int, dict[int, float]] = {}
-        for each in reads:
-            if each.channel is not None and each.channel not in given:
-                self._read_in.setdefault(each.line, {})[each.channel] = (
-                    1.0 if each.level is None else each.level
-                )
+        for line, use in sorted(program.structure.inputs(), key=itemgetter(0)):
+            if use.channel == "input" and use.number.isdecimal() and int(use.number) not in given:
+                self._read_in.setdefault(line, {})[int(use.number)] = 1.0
+        self.channels = list(dict.fromkeys(channel for known in self._read_in.values() for channel in known))
         # The statements that read an input of a computed number.
         self._computed = {
             at
@@ -255,7 +248,6 @@ class Explorer:
             at: []
             for at, statement in program.structure.statements.items()
             if any(use.channel == "input bank" for use in statement.channels)
-            and not self._read_in.get(statement.line)  # else its text says which
         }
         # The statements of the handlers that more than time starts.
         units = program.structure.units
@@ -344,6 +336,7 @@ class Explorer:
         trial = self.play((), 0.0)
         behind = self._behind(trial, self._arrive(start, start.first, (), trial)[1])
         read_first = dict.fromkeys(channel for line in behind for channel in self._read_in.get(line, ()))
+        self._solve_banks(start.first, behind)
         start.left = [Departure(start.first, ((Change("input", each, 1.0),) for each in read_first))]
         while not self.trials.is_over:
             left = [(node, departure) for node in self.nodes.values() for departure in node.left]
@@ -368,6 +361,7 @@ class Explorer:
             news, rest = self._arrive(node, visit, causes, trial)
             if news or (len(self.trials.seen), len(self.nodes)) != before:
                 behind = self._behind(trial, rest)
+                self._solve_banks(visit, behind, causes)
                 more = chain(
                     self._together(behind, causes, visit.levels),
                     self._values_behind(node, visit, behind, causes),
@@ -376,8 +370,7 @@ class Explorer:
 
     def _single(self, node: Node, visit: Visit) -> Iterator[Causes]:
         """Yield each change once, and those of several inputs that one line reads."""
-        for at in sorted(at for place in node.state or () for at in place.statements if self._banks.get(at)):
-            self._read_bank(visit, at, self._banks.pop(at))
+        self._solve_banks(visit, {self.line(at) for place in node.state or () for at in place.statements})
         levels = visit.levels
         for channel in self.channels:
             change = Change("input", channel, 1 - levels.get(channel, 0.0))
@@ -387,14 +380,19 @@ class Explorer:
         yield from self._read_together(node, levels)
         yield from self._values(node, visit) if visit.question is None else self._answers(node, visit)
 
-    def _read_bank(self, visit: Visit, at: int, channels: Sequence[int]) -> None:
+    def _solve_banks(self, visit: Visit, lines: Collection[int], causes: Causes = ()) -> None:
+        """Find the inputs that matter of the banks that some lines read, behind changes of a visit."""
+        for at in sorted(at for at, channels in self._banks.items() if channels and self.line(at) in lines):
+            self._read_bank(visit, at, self._banks.pop(at), causes)
+
+    def _read_bank(self, visit: Visit, at: int, channels: Sequence[int], causes: Causes) -> None:
         """Find the inputs of a bank that make a difference where a statement reads it, by halves."""
-        usual = compared_in(self.play(visit.timeline, 0.0))
+        usual = compared_in(self._changed(visit, causes) if causes else self.play(visit.timeline, 0.0))
         left, wanted, levels = [channels], dict[int, float](), visit.levels
         while left and not self.trials.is_over:
             some = left.pop()
-            changes = tuple(Change("input", each, 1 - levels.get(each, 0.0)) for each in some)
-            new = compared_in(self._changed(visit, changes)) - usual
+            changes = (Change("input", each, 1 - levels.get(each, 0.0)) for each in some)
+            new = compared_in(self._changed(visit, (*causes, *changes))) - usual
             if not new:
                 continue
             if len(some) == 1:

@@ -15,8 +15,8 @@ from motionlang.commands.init import Choice, Draft, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.kernel import Run, Source
-from motionlang.kernel.lang import InputRead, Target
+from motionlang.kernel import Run
+from motionlang.kernel.lang import Structure, Target
 from motionlang.kernel.report import moves
 
 # Lines of the program that a comment quotes, and characters of one.
@@ -110,7 +110,7 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     head = HEAD.format(
         program=name, model=_model(target), cycles=_cycles(draft), **_end(until, _stop(result))
     )
-    sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(source, exploration.program.reads)]
+    sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(exploration.program.structure)]
     for table in (each for each in HEADS if each != "input"):
         guessed = [_guess(each) for each in draft.entries(table)]
         sections += _table(table, HEADS[table], _lines(draft.given, table) + guessed)
@@ -212,9 +212,9 @@ def _inputs(draft: Draft) -> list[str]:
     exploration = draft.exploration
     program = exploration.program
     read_at: dict[int, dict[int, None]] = {}
-    for read in program.reads:
-        if read.channel is not None:
-            read_at.setdefault(read.channel, {})[read.line] = None
+    for line, use in program.structure.inputs():
+        if use.channel == "input" and use.number.isdecimal():
+            read_at.setdefault(int(use.number), {})[line] = None
     for each in channels_of(program, draft.run.dialect):
         if each.kind == "input" and each.number.isdecimal() and each.set_up:
             read_at.setdefault(int(each.number), {}).update(dict.fromkeys(each.set_up))
@@ -277,10 +277,10 @@ def _transitions(exploration: Exploration) -> list[Transition]:
     return [each for node in exploration.nodes for each in node.transitions]
 
 
-def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
+def _unknown(structure: Structure) -> list[str]:
     """Return the comment about lines that read inputs of unknown channels; empty if there are none."""
-    lines = dict.fromkeys(each.line for each in reads if each.channel is None)
-    quoted = "".join(f"# line {line}: {_quoted(source.line(line))}\n" for line in lines)
+    lines = dict.fromkeys(line for line, use in structure.inputs() if not use.number.isdecimal())
+    quoted = "".join(f"# line {line}: {_quoted(structure.source.line(line))}\n" for line in lines)
     return [UNKNOWN.format(lines=quoted)] if quoted else []
 
 

@@ -104,9 +104,9 @@ def _unmoved(structure: Structure, draft: Draft, guessed: Collection[int]) -> li
     log = draft.run.machine.log
     lines = sorted(_move_lines(structure) - {each.line for each in log.moves})
     still: dict[int, set[int]] = {}
-    for each in draft.exploration.program.reads:
-        if each.channel is not None and each.channel not in guessed:
-            still.setdefault(each.channel, set()).add(each.line)
+    for line, use in structure.inputs():
+        if use.channel == "input" and use.number.isdecimal() and int(use.number) not in guessed:
+            still.setdefault(int(use.number), set()).add(line)
     if not lines or not len(log.moves):
         return []
     kept = "; ".join(f"input {each} ({_lines(still[each])})" for each in sorted(still))

@@ -74,7 +74,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.vocabulary import Vocabulary as Vocabulary
     from motionlang.kernel.lang.wait_causes import KINDS as KINDS
     from motionlang.kernel.lang.wait_causes import MOVING as MOVING
-    from motionlang.kernel.lang.wait_causes import InputRead as InputRead
     from motionlang.kernel.lang.wait_causes import LoopDependencies as LoopDependencies
     from motionlang.kernel.lang.wait_causes import Read as Read
     from motionlang.kernel.lang.wait_hints import what_ends as what_ends
@@ -95,7 +94,7 @@ PUBLIC = {
     "machine.terminal": "Terminal",
     "facts": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep",
-    "wait_causes": "InputRead Read LoopDependencies KINDS MOVING",
+    "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
     "step_graph": "StepGraph",
     "step_task": "StepTask",

@@ -10,7 +10,7 @@ reads them: the linters, the map, the coverage, `improve` and `init`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
@@ -22,6 +22,8 @@ from motionlang.kernel.source import Source
 
 # The kinds of access to a channel or a variable.
 READ, WRITE, SET_UP = "read", "write", "set up"
+# The channels by which a program reads digital inputs.
+INPUTS = ("input", "input bank")
 # The axis of a use: its number, the parameter of a sub that holds it, None if it is unknown or if all are meant.
 AxisKey = int | str | None
 
@@ -194,6 +196,15 @@ class Structure:
     def points(self) -> Sequence[Point]:
         """The points of the graph."""
         return self.graph.points
+
+    def inputs(self) -> Iterator[tuple[int, ChannelUse]]:
+        """Yield the lines that read digital inputs or their banks, and those of handlers that inputs call."""
+        for each in self.statements.values():
+            yield from (
+                (each.line, use) for use in each.channels if use.access == READ and use.channel in INPUTS
+            )
+        for unit in self.units:
+            yield from ((unit.line, use) for use in unit.triggers if use.channel in INPUTS)
 
     def line(self, at: int) -> int:
         """Return the line of an offset."""

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_graph import StepGraph
     from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
-    from motionlang.kernel.lang.wait_causes import InputRead
 
 
 @dataclass(eq=False, slots=True)
@@ -38,7 +37,7 @@ class Program:
     A program made of another one by `on`, `with_values` or `for_values` shares its text, which is not read again. The
     `values` of a program are in place of its own numbers and texts, by name or address.
 
-    Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target`, `blocks` and `reads`
+    Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target` and `blocks`
     raise ProgramError for a text with syntax errors; `graph`, `structure`, `step_list` and `start` for a
     program with any error.
     """
@@ -114,11 +113,6 @@ class Program:
     def blocks(self) -> Sequence[tuple[str, int, int]]:
         """Name, first and last line of each sub, task and handler."""
         return ()
-
-    @property
-    def reads(self) -> list[InputRead]:
-        """The lines where the program depends on digital inputs."""
-        return []
 
     @property
     def graph(self) -> StepGraph:

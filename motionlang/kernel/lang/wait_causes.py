@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
 Read = tuple[str, int | None]
@@ -42,15 +41,3 @@ class LoopDependencies:
     lines: frozenset[int] = frozenset()
     why: str = ""
     counts: bool = False
-
-
-class InputRead(NamedTuple):
-    """A position at which a program depends on a digital input.
-
-    `channel` is the number of the input, None if it is only known at run time. `level` is that at which the condition
-    in the line is true, None if that is unknown, if the line tests nothing, or for a handler.
-    """
-
-    channel: int | None
-    level: int | None
-    line: int

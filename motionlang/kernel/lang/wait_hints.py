@@ -5,11 +5,14 @@ The wait itself may state its purpose; if it does not, the condition at its sour
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.lang.keyword import BANK
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 
@@ -50,7 +53,7 @@ def what_ends(
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
     levels = machine.controller.inputs
     if not channels and driven == ["input"]:
-        channels = _channels_of_bank(program, machine, task)
+        channels = _of_bank(program, machine, task, wait)
     options = []
     if channels:
         options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
@@ -81,19 +84,20 @@ def what_ends(
     return f"{entries} of the machine file says when it comes" if entries else ""
 
 
-def _channels_of_bank(program: Program | None, machine: Machine, task: Task) -> list[int]:
-    """Return the inputs that have to change for a value of a bank; empty if they are unknown or too many to name."""
-    if program is None:
-        return []
-    line, _ = program.source.location(task.at)
-    levels = machine.controller.inputs
-    found = {
-        each.channel
-        for each in program.reads
-        if each.line == line and each.channel is not None
-        if each.level is not None and each.level != levels[each.channel]
-    }
-    return sorted(found) if len(found) <= MAX_NAMED else []
+def _of_bank(program: Program | None, machine: Machine, task: Task, wait: Wait) -> list[int]:
+    """Return one or two inputs of a bank whose changes end a wait; none if it takes more."""
+    made = None if program is None else program.structure.statements.get(task.at)
+    read = [] if made is None else [use.number for use in made.channels if use.channel == "input bank"]
+    banks = sorted({int(number) for number in read if number.isdecimal()})
+    channels = [bank * BANK + k for bank in banks for k in range(BANK)]
+    ways = (way for count in (1, 2) for way in combinations(channels, count))
+    return list(next((way for way in ways if _would_end(machine, wait, way)), ()))
+
+
+def _would_end(machine: Machine, wait: Wait, channels: Iterable[int]) -> bool:
+    """True if a wait were over with some inputs changed."""
+    with machine.controller.inputs.supposing(channels):
+        return wait.ready()
 
 
 def what_frees(dialect: Dialect, program: Program | None, machine: Machine, task: Task, wait: Wait) -> str:

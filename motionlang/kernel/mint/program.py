@@ -15,7 +15,6 @@ from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.mint.check.body import Program as Declared
 from motionlang.kernel.mint.check.check import Checked, declared, examined
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
@@ -225,12 +224,6 @@ class MintProgram(Program):
         from motionlang.kernel.mint.syntax.extent import blocks_of
 
         return blocks_of(self.tree)
-
-    @cached_property
-    def reads(self) -> list[InputRead]:
-        from motionlang.kernel.mint.resolve.input_reads import input_reads
-
-        return input_reads(self.tree, self._declared.names)
 
     @cached_property
     def _steps(self) -> dict[Function, Steps]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.io.samples import AnalogueChanges
@@ -22,7 +23,16 @@ class Channels:
     true if it is on.
     """
 
-    __slots__ = ("_clock", "_values", "_where", "active_low", "changes", "listeners", "observer")
+    __slots__ = (
+        "_clock",
+        "_values",
+        "_where",
+        "active_low",
+        "changes",
+        "is_supposed",
+        "listeners",
+        "observer",
+    )
 
     def __init__(
         self,
@@ -34,6 +44,8 @@ class Channels:
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
         self.listeners: list[Callable[[int, float], None]] = []
+        # True while its values are only supposed.
+        self.is_supposed = False
         # Called with each channel that is read; None if that is not observed.
         self.observer: Callable[[int], None] | None = None
 
@@ -55,6 +67,16 @@ class Channels:
             self.changes.add(row if self._where is None else (*row, self._where()))
         self._notify(channel)
         return True
+
+    @contextmanager
+    def supposing(self, changed: Iterable[int]) -> Iterator[None]:
+        """Give some digital channels their other level in the block, which nobody else notices."""
+        before, self.is_supposed = self._values, True
+        self._values = before | {each: 1 - before.get(each, 0) for each in changed}
+        try:
+            yield
+        finally:
+            self._values, self.is_supposed = before, False
 
     @property
     def values(self) -> tuple[tuple[int, float], ...]:

@@ -70,26 +70,24 @@ def check_inputs_are_read(
     to a switch.
     """
     tokens = [(kind, text) for kind, text, _ in language.tokens(program.source.text)]
-    reads, statements = program.reads, program.structure.statements.values()
-    uses = [use for each in statements for use in each.channels]
+    uses = [use for _, use in program.structure.inputs()]
     banks = [use.number for use in uses if use.channel == "input bank"]
+    is_computed = not all(use.number.isdecimal() for use in uses)
     if banks:
+        statements = program.structure.statements.values()
         verbs = {use.row.verb for each in statements for use in each.uses if use.row is not None}
-        numbers_of = [use.number for use in uses if use.channel in ("input", "input bank")]
-        is_computed = "default_bank" in verbs or not all(map(str.isdecimal, numbers_of))
-    else:
-        is_computed = any(each.channel is None for each in reads)
+        is_computed |= "default_bank" in verbs
     if is_computed or any("@" in text for _, text in tokens):
         return
     numbers = Counter(number for _, text in tokens for number in text.split("."))
     numbers -= Counter(banks)
-    read = {each.channel for each in reads}
+    read = {int(use.number) for use in uses if use.channel == "input"}
     read |= {int(bank) * BANK + k for bank in set(banks) for k in range(BANK)}
     switches = {value for key, value in settings.items() if key.endswith("_input")}
     for entry in given.get("input", ()):  # type: ignore[attr-defined]
         channel = entry["channel"]
         if channel not in read | switches and str(channel) not in numbers:
-            listed = _spans(sorted(each for each in read if each is not None))
+            listed = _spans(sorted(read))
             hint = f"it reads {listed}" if listed else "it reads no input"
             raise WrongEntry(f"--input {channel}: the program never reads input {channel}", hint)
 

@@ -17,7 +17,6 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_list import ListedUnit
-from motionlang.kernel.lang.wait_causes import InputRead
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
@@ -121,12 +120,6 @@ class MacroFile(Program):
         from motionlang.kernel.mccl.resolve.board import written_for as target_of
 
         return target_of(self.source, self.whole)
-
-    @cached_property
-    def reads(self) -> list[InputRead]:
-        from motionlang.kernel.mccl.resolve.input_reads import input_reads
-
-        return input_reads(self.whole)
 
     @property
     def graph(self) -> StepGraph:

@@ -23,7 +23,8 @@ _PURE = frozenset(("function", "constant"))
 class UnitWriter:
     """Writes the steps of one function.
 
-    `reads`, `nonlinear` and `parts` collect what the next step uses of the variables; `is_known` is False if it may use others.
+    `reads`, `nonlinear` and `parts` collect what the next step uses of the variables; `is_known` is False if it may
+    use others.
     """
 
     def __init__(self, program: ProgramWriter, function: Function) -> None:
