@@ -35,9 +35,8 @@ LAZY = {
     "commands/run/command.py": "keyboard",
     # Questions about a program that a run does not ask.
     "kernel/mccl/runtime/program.py": "resolve.board resolve.chosen_rates resolve.definitions resolve.errors "
-    "runtime.listing runtime.structure",
-    "kernel/mint/program.py": "check.port resolve.definitions steps.listing steps.structure "
-    "syntax.extent syntax.layout",
+    "runtime.structure",
+    "kernel/mint/program.py": "check.port resolve.definitions steps.structure syntax.extent syntax.layout",
     # Those that need one another.
     "kernel/planners/curve.py": "sequence",
     # Modules that few programs, or few commands, need.

@@ -13,6 +13,7 @@ from motionlang.commands.check.steps_view import render_steps
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler
+from motionlang.kernel.lang.step_list import listed_units
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.mint import DIALECT
 from motionlang.kernel.mint.syntax.node import Node
@@ -141,7 +142,9 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
 
 
 def _code(source: Source) -> str:
-    lines = "".join(render_steps(DIALECT, DIALECT.program(source, {}).step_list, colour=False)).splitlines()
+    program = DIALECT.program(source, {})
+    units = listed_units(source, program.graph)
+    lines = "".join(render_steps(DIALECT, units, colour=False)).splitlines()
     begin = next(i for i, line in enumerate(lines) if line.endswith(STATEMENT))
     end = next(i for i in range(begin + 1, len(lines)) if lines[i][:4].strip())
     return "\n".join(lines[begin:end])

@@ -36,7 +36,7 @@ from motionlang.kernel import (
     read_machine,
     unknown_model,
 )
-from motionlang.kernel.lang import ListedUnit, Literal, one_sentence
+from motionlang.kernel.lang import ListedUnit, Literal, listed_units, one_sentence
 from motionlang.kernel.mccl import MODELS
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
@@ -309,7 +309,7 @@ def _checked(options: Check, file: str) -> tuple[Checked, Program | None]:
         if options.tree:
             checked.tree = render_tree(program.tree)
         if options.steps:
-            checked.steps = program.step_list
+            checked.steps = listed_units(program.source, program.graph)
     except ProgramError:  # its errors are among the findings
         pass
     return checked, program

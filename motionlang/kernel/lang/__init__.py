@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.step_graph import StepGraph as StepGraph
     from motionlang.kernel.lang.step_list import ListedStep as ListedStep
     from motionlang.kernel.lang.step_list import ListedUnit as ListedUnit
+    from motionlang.kernel.lang.step_list import listed_units as listed_units
     from motionlang.kernel.lang.step_task import StepTask as StepTask
     from motionlang.kernel.lang.steps import BACK as BACK
     from motionlang.kernel.lang.steps import BRANCH as BRANCH
@@ -93,7 +94,7 @@ PUBLIC = {
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
     "facts": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
-    "step_list": "ListedUnit ListedStep",
+    "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
     "step_graph": "StepGraph",

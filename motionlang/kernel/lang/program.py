@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.step_graph import StepGraph
-    from motionlang.kernel.lang.step_list import ListedUnit
     from motionlang.kernel.lang.task import Task
 
 
@@ -38,8 +37,7 @@ class Program:
     `values` of a program are in place of its own numbers and texts, by name or address.
 
     Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target` and `blocks`
-    raise ProgramError for a text with syntax errors; `graph`, `structure`, `step_list` and `start` for a
-    program with any error.
+    raise ProgramError for a text with syntax errors; `graph`, `structure` and `start` for a program with any error.
     """
 
     # The name of its language.
@@ -122,11 +120,6 @@ class Program:
     @property
     def structure(self) -> Structure:
         """The statements, units and graph on a machine with the settings."""
-        raise NotImplementedError
-
-    @property
-    def step_list(self) -> list[ListedUnit]:
-        """The steps on a machine with the settings, for people to read."""
         raise NotImplementedError
 
     @property

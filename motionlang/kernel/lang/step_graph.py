@@ -100,6 +100,8 @@ class StepGraph:
         enters: bool = False,
     ) -> None:
         self.enters = enters
+        # The lists for people to read: not the bodies of macros, whose lines have them, nor what ends a sequence.
+        self.listed = [each for each in in_sequence[:-1] or lists if each]
         # The points of each list, by its name.
         self.ranges: dict[str, range] = {}
         self.points: list[Point] = []

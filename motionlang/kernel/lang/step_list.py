@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import groupby
 
+from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import CALL, COMMAND, NAMES, Step, Steps
 from motionlang.kernel.source import Source
 
@@ -40,12 +40,21 @@ class ListedUnit:
     lines: list[ListedLine]
 
 
-def listed(source: Source, name: str, steps: Steps, line_of: Callable[[Step], int]) -> ListedUnit:
-    """Return the steps of a unit, grouped by the lines that `line_of` returns."""
-    lines = []
-    for line, group in groupby(enumerate(steps), lambda each: line_of(each[1])):
+def listed_units(source: Source, graph: StepGraph) -> list[ListedUnit]:
+    """Return the steps of a program, those of each unit grouped by their lines."""
+    return [_unit(source, graph, steps) for steps in graph.listed]
+
+
+def _unit(source: Source, graph: StepGraph, steps: Steps) -> ListedUnit:
+    first, lines = graph.first(steps), list[ListedLine]()
+
+    def line_of(found: tuple[int, Step]) -> int:
+        at = graph.points[first + found[0]].at
+        return source.location(at)[0] if at >= 0 else steps.line_number
+
+    for line, group in groupby(enumerate(steps), line_of):
         lines.append(ListedLine(line, source.line(line) if line else "", [_listed(*each) for each in group]))
-    return ListedUnit(name, lines)
+    return ListedUnit(steps.title, lines)
 
 
 def _listed(index: int, step: Step) -> ListedStep:

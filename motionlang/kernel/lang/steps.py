@@ -122,6 +122,8 @@ class Steps(list[Step]):
         self.origin: object = None
         # The unit that they are, unique in a program: two writings of one program have steps of the same names.
         self.name = ""
+        # Its name for people, and the line of steps without a statement; 0 if they are of no line.
+        self.title, self.line_number = "", 0
         # The steps that a CALL or an ENTER leads to, and the first of them, by its index, if known before the run.
         self.called: dict[int, tuple[Steps, int]] = {}
         # The step after each statement whose failure the program handles, by the steps of the statement.

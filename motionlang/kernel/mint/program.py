@@ -12,7 +12,6 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_graph import StepGraph
-from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.mint.check.body import Program as Declared
@@ -249,12 +248,6 @@ class MintProgram(Program):
         if self.given:  # the steps need a value, and the text has one
             return self.with_values(self.values).structure
         return structure(self._facts, self._steps, self.graph)
-
-    @cached_property
-    def step_list(self) -> list[ListedUnit]:
-        from motionlang.kernel.mint.steps.listing import step_list
-
-        return step_list(self.source, self.checked.names, self._steps)
 
     @property
     def warnings(self) -> list[Diagnostic]:

@@ -147,15 +147,15 @@ def test_loops_that_begin_together() -> None:
     outer, inner = found_in("a.mnt", text), found_in("a.mnt", text, text.rindex("Repeat"))
     assert outer is not None
     assert inner is not None
-    assert (outer.why, outer.leaves, outer.lines) == ("until INX(2)", {("input", 2)}, {2, 3, 4, 5})
-    assert (inner.why, inner.leaves, inner.lines) == ("until INX(1)", {("input", 1)}, {3, 4})
+    assert (outer.why, {*outer.leaves}, {*outer.lines}) == ("until INX(2)", {("input", 2)}, {2, 3, 4, 5})
+    assert (inner.why, {*inner.leaves}, {*inner.lines}) == ("until INX(1)", {("input", 1)}, {3, 4})
 
     text = "Loop\n#a\nIf INX(3) Then Goto a\nIf INX(4) Then Exit Loop\nEnd Loop"
     outer, inner = found_in("a.mnt", text), found_in("a.mnt", text, text.index("#a"))
     assert outer is not None
     assert inner is not None
-    assert (outer.leaves, outer.why) == ({("input", 3), ("input", 4)}, "INX(4)")
-    assert (inner.leaves, inner.why) == ({("input", 3)}, "INX(3)")
+    assert ({*outer.leaves}, outer.why) == ({("input", 3), ("input", 4)}, "INX(4)")
+    assert ({*inner.leaves}, inner.why) == ({("input", 3)}, "INX(3)")
 
 
 def test_loops_of_gotos_that_overlap_are_one() -> None:

@@ -16,7 +16,6 @@ from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import Names
 from motionlang.kernel.lang.program import Program, Target
-from motionlang.kernel.lang.step_list import ListedUnit
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.models import written_for
@@ -130,12 +129,6 @@ class MacroFile(Program):
         from motionlang.kernel.mccl.runtime.structure import structure
 
         return structure(self.source, self.whole, self.settings)
-
-    @cached_property
-    def step_list(self) -> list[ListedUnit]:
-        from motionlang.kernel.mccl.runtime.listing import step_list
-
-        return step_list(self.source, self.whole, self.settings)
 
     @cached_property
     def remarks(self) -> list[str]:

@@ -33,7 +33,7 @@ class LineSteps(Steps):
 
     def __init__(self, line: Line) -> None:
         super().__init__()
-        self.line = line
+        self.line, self.line_number = line, line.number
         self.starts: list[int] = []
         self.name = str(line.offsets[0]) if line.offsets else ""
 

@@ -60,6 +60,7 @@ class ProgramWriter:
         self.steps = {function: environment.steps_of(function) for function in names.functions}
         for function, steps in self.steps.items():
             steps.origin, steps.name = names, function.qualified_name
+            steps.title = "program" if function.kind == "main" else f"{function.kind} {function.name}"
         # The tasks and handlers, by names such as "task blink" and "event timer".
         self.blocks: dict[str, Unit] = {}
         for function in names.functions:

@@ -169,7 +169,7 @@ def test_no_name_is_looked_up_after_the_check(monkeypatch: pytest.MonkeyPatch) -
     program.require()
     looked_up = count_calls(monkeypatch, (Scope, "find"))
     assert program.names.definitions
-    assert program.step_list
+    assert program.graph
     assert looked_up.calls == 0
 
 
