@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel import (
     DEFAULT_AXES,
-    Checked,
+    CheckedSettings,
     Diagnostic,
     ProgramError,
     Run,
@@ -26,7 +26,7 @@ from motionlang.kernel import run as run_program
 from motionlang.kernel.lang import Given, one_sentence
 
 if TYPE_CHECKING:
-    from motionlang.commands.certify import Limit
+    from motionlang.commands.certify import CertifiedLimit
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.commands.cover import Coverage
     from motionlang.commands.diff.reports import Difference
@@ -161,7 +161,9 @@ def map(
     from motionlang.commands.map.program_map import map_of_machine, mapped
 
     source = program if isinstance(program, Source) else Source.read(program)
-    settings = Checked(checked_settings(machine) if machine is not None else settings_next_to(program))
+    settings = CheckedSettings(
+        checked_settings(machine) if machine is not None else settings_next_to(program)
+    )
     if run:
         return map_of_machine(source, dialect_for(source, None), settings)
     return mapped(source, settings)
@@ -241,7 +243,7 @@ def compare(
     return compare(_run_of(program), table, made, tolerances=tolerances, delay=delay)
 
 
-def certify(program: Program | Run) -> list[Limit]:
+def certify(program: Program | Run) -> list[CertifiedLimit]:
     """Return how far a run used each limit of its machine file.
 
     The result has an entry for each limit of each axis. `program` is a `Run`, or a program to run first. An entry has

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from pygls.exceptions import JsonRpcException
 
-from motionlang.ide.lsp.server import Server, prepare
+from motionlang.ide.lsp.server import EditorServer, prepare
 from motionlang.ide.lsp.workers import Inline
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def serve(send: Callable[[str], object]) -> Callable[[str], None]:
     Needs a running event loop, which a worker of Pyodide always has.
     """
     prepare()
-    server = Server(Inline())
+    server = EditorServer(Inline())
     server.protocol.set_writer(Writer(send), include_headers=False)
 
     def take(message: str) -> None:

@@ -15,10 +15,10 @@ from lsprotocol import types
 
 from motionlang.cli import main
 from motionlang.commands.explore import explore
-from motionlang.commands.map.behaviour import Names, behaviour_of
+from motionlang.commands.map.behaviour import ReaderNames, behaviour_of
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
-from motionlang.ide.lsp.documents import Document
+from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.ide.lsp.jobs import CHECK, Job, work
 from motionlang.kernel import Source, dialect_of
 from tests.counted_calls import all_calls
@@ -104,7 +104,7 @@ def _work(command: str, name: str, text: str) -> Callable[[], object]:
 
 def _edit(name: str, text: str) -> None:
     """Do what a language server does after a keystroke."""
-    document = Document(f"file:///{name}", text, 1)
+    document = OpenDocument(f"file:///{name}", text, 1)
     start = types.Position(0, 0)
     document.change([types.TextDocumentContentChangePartial(types.Range(start, start), " ")], 2)
     work(Job(CHECK, name, document.text, "mccl" if name.endswith(".mcl") else "mint", None, ""))
@@ -117,7 +117,9 @@ def _explore(name: str, text: str) -> None:
     program = language.program(Source(name, text), is_debug=True)
     made = program_map(program, language)
     found = explore(program, trials=TRIALS)
-    made.behaviour = behaviour_of(found, made.structure, Names(made.channels, made.axes), made.unreached)
+    made.behaviour = behaviour_of(
+        found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
+    )
     render(made, width=80)
 
 

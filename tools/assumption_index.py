@@ -7,7 +7,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING
 
 from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.kernel.assumptions.used import is_of
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.mint.keywords.switchable import name_of, with_default

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from motionlang.commands.probe.assumption import Assumption
 from motionlang.commands.probe.entries import Chapter, Section, chapters
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.kernel.lang.dialect import dialect
 
 HEAD = """\

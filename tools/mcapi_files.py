@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 from motionlang.hosts.mcapi.calls import readings, settings  # noqa: F401
-from motionlang.hosts.mcapi.table import CONSTANTS, FUNCTIONS, STRUCTURES, Argument, Function
+from motionlang.hosts.mcapi.table import CONSTANTS, FUNCTIONS, STRUCTURES, ApiFunction, Argument
 from motionlang.kernel.mccl.keywords import table
 
 ROOT = Path(__file__).parents[1]
@@ -119,12 +119,12 @@ def c_type(each: Argument) -> str:
     return C_TYPES[each.kind] + pointer
 
 
-def handle_index(function: Function) -> int:
+def handle_index(function: ApiFunction) -> int:
     """Return the index of the handle in the C argument list: after a window, which comes first."""
     return int(function.arguments[:1] != () and function.arguments[0].kind == "w")
 
 
-def c_arguments(function: Function) -> list[tuple[str, str]]:
+def c_arguments(function: ApiFunction) -> list[tuple[str, str]]:
     """Return type and name of each C argument, with the handle at its position."""
     found = [(c_type(each), each.name) for each in function.arguments]
     if function.has_handle:
@@ -132,7 +132,7 @@ def c_arguments(function: Function) -> list[tuple[str, str]]:
     return found
 
 
-def prototype(function: Function) -> str:
+def prototype(function: ApiFunction) -> str:
     given = ", ".join(kind + name for kind, name in c_arguments(function))
     return f"MCAPI_EXPORT {C_TYPES[function.kind]} APIENTRY {function.name}({given})"
 
@@ -154,7 +154,7 @@ def header() -> str:
     return f"{HEADER}\n{defines}\n\n{packed}\n{prototypes};\n{FOOT}"
 
 
-def letters(function: Function) -> str:
+def letters(function: ApiFunction) -> str:
     """Return the signature that the library reads, one code of letters per argument."""
     places = {name: place for place, (_, name) in enumerate(handle_first(function))}
     found = "h" if function.has_handle else ""
@@ -173,7 +173,7 @@ def letters(function: Function) -> str:
     return found
 
 
-def handle_first(function: Function) -> list[tuple[str, str]]:
+def handle_first(function: ApiFunction) -> list[tuple[str, str]]:
     """Return type and name of each C argument, with the handle moved to the front."""
     found = c_arguments(function)
     if function.has_handle:
@@ -181,7 +181,7 @@ def handle_first(function: Function) -> list[tuple[str, str]]:
     return found
 
 
-def stub(number: int, function: Function) -> str:
+def stub(number: int, function: ApiFunction) -> str:
     """Return the C stub of a function."""
     values = []
     for kind, name in handle_first(function):

@@ -15,11 +15,11 @@ PROGRAM = "motionlang"
 # summary.
 GROUPS = {
     "run a program": {
-        "run": ("commands.run.command:Run", "run a program and report what it did"),
-        "trace": ("commands.trace.command:Trace", "sample the motion of a run into a file"),
+        "run": ("commands.run.command:RunCommand", "run a program and report what it did"),
+        "trace": ("commands.trace.command:TraceCommand", "sample the motion of a run into a file"),
         "plot": ("commands.plot.command:Plot", "draw the motion of a run into a file"),
         "profile": (
-            "commands.profile.command:Profile",
+            "commands.profile.command:ProfileCommand",
             "show where the time of a run goes, by line, sub and cause",
         ),
         "prove": ("commands.prove.command:Prove", "verify the motion of a run against the commanded limits"),
@@ -35,13 +35,16 @@ GROUPS = {
             "find the errors and warnings of programs without running them",
         ),
         "map": ("commands.map.command:Map", "show what a program does: channels, axes, structure, states"),
-        "plan": ("commands.plan.command:Plan", "work out the figures of a move and write a program for it"),
+        "plan": (
+            "commands.plan.command:PlanCommand",
+            "work out the figures of a move and write a program for it",
+        ),
         "pvt": ("lab.pvt.command:Pvt", "work with position-velocity-time moves for Copley drives"),
-        "servo": ("lab.servo.command:Servo", "simulate and tune the servo loop behind the profile"),
+        "servo": ("lab.servo.command:ServoSimulation", "simulate and tune the servo loop behind the profile"),
         "repl": ("repl.command:Repl", "type a program line by line at an interactive prompt"),
     },
     "compare and verify": {
-        "sweep": ("commands.sweep.command:Sweep", "run many variants of a program and find the best"),
+        "sweep": ("commands.sweep.command:SweepCommand", "run many variants of a program and find the best"),
         "improve": (
             "commands.improve.command:Improve",
             "find a shorter cycle within the limits of the machine",
@@ -63,7 +66,7 @@ GROUPS = {
     },
     "connect hosts": {
         "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),
-        "mcapi": ("hosts.commands.mcapi:Mcapi", "run hosts of PMC boards as they are"),
+        "mcapi": ("hosts.commands.mcapi:McapiCommand", "run hosts of PMC boards as they are"),
     },
     "editor, shell and help": {
         "lsp": ("ide.lsp.command:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),

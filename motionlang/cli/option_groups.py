@@ -17,7 +17,7 @@ from motionlang.cli.readers import whole
 from motionlang.kernel import (
     STDIN,
     STDIN_NAME,
-    Checked,
+    CheckedSettings,
     Diagnostic,
     Dialect,
     ProgramError,
@@ -110,9 +110,9 @@ class ProgramOptions(OnMachine):
         """Return the path of the machine file: the given one, or that next to the program; None without one."""
         return machine_of(self.file or None, self.machine)
 
-    def settings(self) -> Checked:
+    def settings(self) -> CheckedSettings:
         """Return the settings of the machine file and of `--set`, which come first; Refused for a wrong file."""
-        settings, path = Checked(given_settings(self.set, self.language)), self.machine_path()
+        settings, path = CheckedSettings(given_settings(self.set, self.language)), self.machine_path()
         if path is not None:
             for key, value in settings_of(path, self.language).items():
                 settings.setdefault(key, value)
@@ -128,7 +128,7 @@ class ProgramOptions(OnMachine):
 
 
 @dataclass
-class World(Command):
+class WorldOptions(Command):
     """The world of a program: inputs, answers, keys."""
 
     title: ClassVar[str] = "world"
@@ -154,7 +154,7 @@ class World(Command):
 
 
 @dataclass
-class Output(Command):
+class OutputOptions(Command):
     """The form of the output, and its file."""
 
     title: ClassVar[str] = "report"
@@ -201,7 +201,7 @@ class Output(Command):
 
 
 @dataclass
-class Findings(Output):
+class Findings(OutputOptions):
     """Findings about programs, also in forms for other tools."""
 
     format: str = forms("text", "json", "csv", "none", "sarif", "junit", "github")

@@ -12,7 +12,7 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.event_status import complaints
-from motionlang.cli.option_groups import Output, ProgramOptions, World, forms
+from motionlang.cli.option_groups import OutputOptions, ProgramOptions, WorldOptions, forms
 from motionlang.cli.readers import allowed, machine_time, real
 from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
@@ -20,7 +20,7 @@ from motionlang.kernel import (
     DEFAULT_AXES,
     ONE_SHIFT,
     STDIN,
-    Checked,
+    CheckedSettings,
     Controller,
     Diagnostic,
     Machine,
@@ -57,7 +57,7 @@ Pace = Callable[[float], None]
 
 
 @dataclass
-class Simulated(Output, World, ProgramOptions):
+class Simulated(OutputOptions, WorldOptions, ProgramOptions):
     """A command that runs one program: it prints the program's output, its answer, and the report of the run."""
 
     title: ClassVar[str] = "run"
@@ -149,7 +149,7 @@ class Simulated(Output, World, ProgramOptions):
         if given:
             try:
                 check_inputs_are_read(program, language, settings, entries(settings, **given))
-                settings = Checked(with_entries(settings, **given))
+                settings = CheckedSettings(with_entries(settings, **given))
             except WrongEntry as error:
                 wrong = Diagnostic("option", error.message, hint=error.hint)
                 raise Refused([wrong], file=self.file, status=2) from None
@@ -164,7 +164,11 @@ class Simulated(Output, World, ProgramOptions):
     # ---------------------------------------------------------------------------------------------------- the run
 
     def simulated(
-        self, program: Program, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+        self,
+        program: Program,
+        settings: CheckedSettings,
+        outside: Outside | None = None,
+        pace: Pace | None = None,
     ) -> Run:
         """Return the run of a program; its output and the progress are shown meanwhile."""
 
@@ -197,7 +201,7 @@ class Simulated(Output, World, ProgramOptions):
     def _unreported(
         self,
         program: Program,
-        settings: Checked,
+        settings: CheckedSettings,
         outside: Outside | None,
         pace: Pace | None,
         show: Callable[[str], object],

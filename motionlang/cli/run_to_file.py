@@ -15,7 +15,7 @@ from motionlang.kernel.files import same_file
 
 
 @dataclass
-class Drawn(Simulated):
+class RunToFile(Simulated):
     """A command that writes a file about a run, and reports the run only on request."""
 
     out: str = argument("OUT", "the file to write")

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from motionlang.kernel import Checked, Dialect, Hook, Machine, Program, Run, Steps, Task, run
+from motionlang.kernel import CheckedSettings, Dialect, Hook, Machine, Program, Run, Steps, Task, run
 from motionlang.kernel.lang import BACK, BRANCH, Step, Values
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
@@ -22,7 +22,7 @@ MAX_STATEMENTS = 300_000
 
 
 @dataclass
-class World:
+class PlayedWorld:
     """The settings around a program, a run in them, and its events; `is_cut` if it had too many statements."""
 
     settings: Mapping[str, object]
@@ -44,7 +44,7 @@ class Worlds:
         """Return the settings that the check of the program depends on."""
         return {key: value for key, value in settings.items() if self.language.compiled_in(key)}
 
-    def run(self, settings: Mapping[str, object], until: float | None = None) -> World:
+    def run(self, settings: Mapping[str, object], until: float | None = None) -> PlayedWorld:
         """Run the program in a world."""
         deciding = self._decisive(settings)
         if deciding != self._deciding:
@@ -53,13 +53,13 @@ class Worlds:
         counts = Counts()
         result = run(
             self._last,
-            machine=Checked(settings),
+            machine=CheckedSettings(settings),
             until=until,
             hook=counts,
             observer=counts,
             begun=counts.attach,
         )
-        return World(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
+        return PlayedWorld(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
 
 
 class Counts(Hook):

@@ -1,7 +1,7 @@
 """Connections that carry characters: a TCP connection, a pseudo-terminal, a serial line.
 
-A server reads and writes its `Channel`s without waiting. A client has a `Wire`, whose calls wait. A serial line may be
-the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`, such as a wrapper of pyserial's
+A server reads and writes its `HostChannel`s without waiting. A client has a `Wire`, whose calls wait. A serial line may
+be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`, such as a wrapper of pyserial's
 `Serial`, can be passed to `Client`.
 """
 
@@ -19,7 +19,7 @@ from motionlang.kernel.tools import MissingExtra, need
 UNREAD = 65536
 
 
-class Channel(Protocol):
+class HostChannel(Protocol):
     """Both directions of a host's connection; no call waits.
 
     `receive` and `send` return b"" and 0 if nothing can be transferred now. `receive` returns None after the end of

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.errors import Terminated as Terminated
     from motionlang.kernel.execution import MACHINE_SUFFIX as MACHINE_SUFFIX
     from motionlang.kernel.execution import ONE_SHIFT as ONE_SHIFT
-    from motionlang.kernel.execution import Checked as Checked
+    from motionlang.kernel.execution import CheckedSettings as CheckedSettings
     from motionlang.kernel.execution import checked_settings as checked_settings
     from motionlang.kernel.execution import dialect_for as dialect_for
     from motionlang.kernel.execution import dialect_of as dialect_of
@@ -87,8 +87,8 @@ PUBLIC = {
     "lang.program": "Program",
     "lang.steps": "Steps",
     # Runs.
-    "execution": "run run_on Checked end_of ONE_SHIFT dialect_for dialect_of language_of machine_of settings_next_to "
-    "checked_settings MACHINE_SUFFIX",
+    "execution": "run run_on CheckedSettings end_of ONE_SHIFT dialect_for dialect_of language_of machine_of "
+    "settings_next_to checked_settings MACHINE_SUFFIX",
     "result": "Run who_ended",
     "assumptions.used": "depended_on",
     "report_types": "Report",

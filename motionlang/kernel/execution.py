@@ -42,7 +42,7 @@ MACHINE_SUFFIX = ".machine.toml"
 Listener = Callable[[Controller], MotionListener]
 
 
-class Checked(dict[str, object]):
+class CheckedSettings(dict[str, object]):
     """Settings that have been checked against the machine file's keys."""
 
     __slots__ = ()
@@ -227,7 +227,7 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
 
 def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
     """Return a caller's settings, checked against the machine file's keys."""
-    if machine and not isinstance(machine, Checked):
+    if machine and not isinstance(machine, CheckedSettings):
         mistake = first_mistake(machine)
         if mistake:
             raise ValueError(mistake)

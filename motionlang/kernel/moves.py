@@ -7,7 +7,7 @@ from typing import Any, overload
 
 from motionlang.kernel.report_types import ReportMove, ReportMoveMotor, ReportPhase
 from motionlang.kernel.result import Run
-from motionlang.kernel.rows import Table, transposed
+from motionlang.kernel.rows import RowTable, transposed
 from motionlang.kernel.tools import in_notebook
 
 # The columns of every table of moves; those of a simulated motor follow if there is one.
@@ -60,7 +60,7 @@ class Move:
         return in_notebook("move_html", self, self._run)
 
 
-class Moves(Table, Sequence[Move]):
+class Moves(RowTable, Sequence[Move]):
     """The moves of a run in order of start time.
 
     They can be converted to a table, with `to_polars` and `to_pandas`.

@@ -18,7 +18,7 @@ from motionlang.kernel.assumptions.used import depended_on, remembered_in
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.packed import RAMPS, packed
 from motionlang.kernel.planners.ramps import named_ramps
@@ -108,7 +108,7 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
         yield _move(run, move, running, figures.get(number))
 
 
-def _brief(run: Run, move: Move, running: dict[int, float | None]) -> Row:
+def _brief(run: Run, move: LoggedMove, running: dict[int, float | None]) -> Row:
     """Return the fields of a move's row that are used in sums."""
     profile, _ = _until_end(run, move, running)
     scale = move.scale or 1.0
@@ -177,7 +177,7 @@ def _running(run: Run) -> dict[int, float | None]:
     """
     found: dict[int, float | None] = {}
     for axis in run.controller.axes.values():
-        before: Move | None = None
+        before: LoggedMove | None = None
         for move in axis.entries:
             begin: float | None = None
             if before is not None:
@@ -212,7 +212,7 @@ def _standing(profile: Profile) -> list[Row]:
     return [{"name": name, "duration": duration, "distance": 0.0} for name, duration in merged]
 
 
-def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
+def _move(run: Run, move: LoggedMove, running: dict[int, float | None], motor: MotorFigures | None) -> Row:
     start, scale = move.start_time, move.scale or 1.0
     profile, ended = _until_end(run, move, running)
     size, peak = abs(scale), _peak(profile)
@@ -250,7 +250,7 @@ def _peak(profile: Profile) -> float:
     return profile.peak_speed if profile.duration else 0.0
 
 
-def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[Profile, str]:
+def _until_end(run: Run, move: LoggedMove, running: dict[int, float | None]) -> tuple[Profile, str]:
     """Return the profile of a move up to the end of the run, and the cause of its end."""
     begin, is_running = running.get(id(move)), id(move) in running
     ended = move.ended

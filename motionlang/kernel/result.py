@@ -23,7 +23,7 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of, in_notebook
 
@@ -342,7 +342,7 @@ def report_never_started(result: Run) -> None:
         result.diagnostics.append(diagnostic)
 
 
-def _what_starts(move: Move, axes: Sequence[Axis]) -> str:
+def _what_starts(move: LoggedMove, axes: Sequence[Axis]) -> str:
     """Return what starts a buffered move of some axes, or what it waits for; the first axis is the master."""
     if not move.released:
         return f"GO({axes[0].index}) starts the buffered moves"

@@ -10,7 +10,7 @@ from typing import Any
 from motionlang.kernel.tools import need
 
 
-class Table:
+class RowTable:
     """Base of classes whose rows can be converted to a table."""
 
     __slots__ = ()

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from motionlang.cli.command import argument
-from motionlang.cli.option_groups import ProgramOptions, World, with_world
+from motionlang.cli.option_groups import ProgramOptions, WorldOptions, with_world
 from motionlang.kernel import Diagnostic, Rejected, dialect, dialects, language_of
 from motionlang.repl.commands import load_file
 from motionlang.repl.lines import read_lines
@@ -18,7 +18,7 @@ from motionlang.views.terminal import draws, is_terminal, plain, wants_colour
 
 
 @dataclass
-class Repl(World, ProgramOptions):
+class Repl(WorldOptions, ProgramOptions):
     """Type a program line by line at an interactive prompt."""
 
     file: str = argument("FILE", "a program to run first, or the language", default="")

@@ -48,7 +48,7 @@ _MORE = ".help input explains a group, .help .run a command, .help WORD a keywor
 
 
 @dataclass(frozen=True, slots=True)
-class Command:
+class PromptCommand:
     """A command of the prompt, with its argument as shown in the help.
 
     `X` is a required argument, `[X]` an optional one, and an empty text means none.
@@ -335,75 +335,79 @@ def _quit(session: Session, _: str) -> None:
     session.over = True
 
 
-GROUPS: dict[str, tuple[Command, ...]] = {
+GROUPS: dict[str, tuple[PromptCommand, ...]] = {
     "prompt": (
-        Command("help", "[WORD]", "Show this list, or explain a keyword, a command or a group.", _help),
-        Command("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
-        Command("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
-        Command("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
-        Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
-        Command("quit", "", "Leave, like Ctrl-D.", _quit),
+        PromptCommand("help", "[WORD]", "Show this list, or explain a keyword, a command or a group.", _help),
+        PromptCommand("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
+        PromptCommand("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
+        PromptCommand("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
+        PromptCommand("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
+        PromptCommand("quit", "", "Leave, like Ctrl-D.", _quit),
     ),
     "time": (
-        Command("run", "S", "Let S seconds of machine time pass.", _run),
-        Command("settle", "", "Run until the motion ends.", _settle),
-        Command("live", "on|off", "Let machine time follow real time.", _live),
-        Command("time", "", "Show machine time and positions in one line.", _time),
+        PromptCommand("run", "S", "Let S seconds of machine time pass.", _run),
+        PromptCommand("settle", "", "Run until the motion ends.", _settle),
+        PromptCommand("live", "on|off", "Let machine time follow real time.", _live),
+        PromptCommand("time", "", "Show machine time and positions in one line.", _time),
     ),
     "input": (
-        Command(
+        PromptCommand(
             "input", "N=V@S", "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.", _input
         ),
-        Command("analog", "N=V@S", "An analogue input, in percent: 0=25 now, 0=25@1 in 1 s.", _analog),
-        Command(
+        PromptCommand("analog", "N=V@S", "An analogue input, in percent: 0=25 now, 0=25@1 in 1 s.", _analog),
+        PromptCommand(
             "answer", "TEXT", "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.", _answer
         ),
-        Command("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
+        PromptCommand("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
     ),
     "result": (
-        Command("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),
-        Command("report", "", "List every move so far: distance, duration, peak speed, phases.", _report),
-        Command(
+        PromptCommand("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),
+        PromptCommand(
+            "report", "", "List every move so far: distance, duration, peak speed, phases.", _report
+        ),
+        PromptCommand(
             "plot",
             "[FILE]",
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
         ),
-        Command("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
-        Command("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
-        Command(
+        PromptCommand("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
+        PromptCommand("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
+        PromptCommand(
             "improve", "FILE", "Find a shorter cycle of a program within the machine's limits.", _improve
         ),
     ),
     "debug": (
-        Command(
+        PromptCommand(
             "debug",
             "[FILE]",
             "Stop a program before its first statement; again: run its new text.",
             debugging.debug,
         ),
-        Command(
+        PromptCommand(
             "break",
             "[WHERE]",
             "A breakpoint: 12, 12 if n > 3, position(0) > 120; none lists, off removes.",
             debugging.break_,
         ),
-        Command("go", "", "Run to the next breakpoint, limit, fault or error.", debugging.go),
-        Command("step", "", "Run to the next statement, also into a sub.", debugging.step),
-        Command("over", "", "Run to the next statement, over a sub.", debugging.over),
-        Command("back", "", "Go back to the statement before.", debugging.back),
-        Command("reverse", "", "Go back to the breakpoint before.", debugging.reverse),
-        Command("goto", "S", "Go to a time, forward or back; line 12: to its next start.", debugging.goto),
-        Command(
+        PromptCommand("go", "", "Run to the next breakpoint, limit, fault or error.", debugging.go),
+        PromptCommand("step", "", "Run to the next statement, also into a sub.", debugging.step),
+        PromptCommand("over", "", "Run to the next statement, over a sub.", debugging.over),
+        PromptCommand("back", "", "Go back to the statement before.", debugging.back),
+        PromptCommand("reverse", "", "Go back to the breakpoint before.", debugging.reverse),
+        PromptCommand(
+            "goto", "S", "Go to a time, forward or back; line 12: to its next start.", debugging.goto
+        ),
+        PromptCommand(
             "changed", "X", "Go back to the last change of n, output 2, input 5 or axis 0.", debugging.changed
         ),
-        Command(
+        PromptCommand(
             "change",
             "N TEXT",
             "Replace line N of the program, and run it to the same time.",
             debugging.change,
         ),
-        Command(
+        PromptCommand(
             "vars",
             "[X]",
             "Show the state at the stop, or X; X = 5 sets a variable. Without a program, show what you assigned.",
@@ -411,4 +415,4 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         ),
     ),
 }
-COMMANDS: dict[str, Command] = {each.name: each for group in GROUPS.values() for each in group}
+COMMANDS: dict[str, PromptCommand] = {each.name: each for group in GROUPS.values() for each in group}

@@ -30,7 +30,7 @@ REST = 1e-3
 NOWHERE = Source("input", "")
 
 
-class Interrupted(Exception):
+class CommandInterrupted(Exception):
     """The user pressed Ctrl-C while a command was running."""
 
 
@@ -38,7 +38,7 @@ class Runner:
     """Executes the commands of a session on its machine.
 
     `tell(diagnostics, source)` reports errors. `poll(time)` is called between two steps of a command, when
-    every axis is consistent, with the machine time of the next step. It raises `Interrupted` to end the command.
+    every axis is consistent, with the machine time of the next step. It raises `CommandInterrupted` to end the command.
     """
 
     def __init__(
@@ -134,7 +134,7 @@ class Runner:
                     return work()
             finally:
                 self._pass_on(source)
-        except (Interrupted, KeyboardInterrupt) as error:
+        except (CommandInterrupted, KeyboardInterrupt) as error:
             at = self._scheduler.parent.at_error(error)
             self._report_at(source, at, "interrupted", "the command was interrupted from the keyboard")
         except Stuck as stuck:

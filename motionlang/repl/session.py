@@ -16,7 +16,7 @@ from motionlang.kernel import Diagnostic, Dialect, Machine, Rejected, Source
 from motionlang.kernel.lang import AT_PROMPT, one_sentence
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
-from motionlang.repl.runner import Interrupted, Runner
+from motionlang.repl.runner import CommandInterrupted, Runner
 from motionlang.repl.status import moving
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import WIDTH, harmless
@@ -163,7 +163,7 @@ class Session:
 
     def _poll(self, time: float) -> None:
         if self.interrupted():
-            raise Interrupted
+            raise CommandInterrupted
         if self.pace is not None:
             self.pace(time)
 

@@ -57,7 +57,7 @@ class Band:
 
 
 @dataclass(frozen=True)
-class Label:
+class PanelLabel:
     """A text above a panel, centred between two x: the first of `texts` that fits."""
 
     begin: float
@@ -66,7 +66,7 @@ class Label:
 
 
 @dataclass(frozen=True)
-class Event:
+class MarkedTime:
     """A dashed vertical line with a name at its foot; "" draws the line alone."""
 
     x: float
@@ -109,8 +109,8 @@ class Panel:
     height: float = 137.0
     areas: Sequence[Area] = ()
     bands: Sequence[Band] = ()
-    labels: Sequence[Label] = ()
-    events: Sequence[Event] = ()
+    labels: Sequence[PanelLabel] = ()
+    events: Sequence[MarkedTime] = ()
     notes: Sequence[Note] = ()
     lanes: Sequence[Lane] = ()
     x_limits: tuple[float, float] | None = None
@@ -121,7 +121,7 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Scale:
+class ColourScale:
     """A range of values and its colours."""
 
     label: str
@@ -151,7 +151,7 @@ class Figure:
     title: str = ""
     subtitle: str = ""
     legend: Sequence[tuple[str, str]] = ()
-    scale: Scale | None = None
+    scale: ColourScale | None = None
     width: float = 792.0
     has_shared_y: bool = False
 

@@ -9,7 +9,7 @@ from html import escape
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import need
 from motionlang.views.figure import Figure
-from motionlang.views.figure_layout import Point, Shape, Text, layout
+from motionlang.views.figure_layout import Point, Shape, TextLine, layout
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
 
@@ -37,7 +37,7 @@ def _png(figure: Figure) -> bytes:
 def svg(figure: Figure) -> str:
     """Return a figure as an SVG document."""
     width, height, items = layout(figure)
-    lines = [_text(each) if isinstance(each, Text) else _shape(each) for each in items]
+    lines = [_text(each) if isinstance(each, TextLine) else _shape(each) for each in items]
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}pt" height="{_number(height)}pt" '
@@ -67,7 +67,7 @@ def _points(points: Sequence[Point]) -> str:
     return "L".join(f"{_number(x)} {_number(y)}" for x, y in points)
 
 
-def _text(text: Text) -> str:
+def _text(text: TextLine) -> str:
     x, y = _number(text.x), _number(text.y)
     more = ' font-weight="bold"' if text.is_bold else ""
     if text.is_upright:

@@ -37,7 +37,7 @@ class Shape:
 
 
 @dataclass(frozen=True)
-class Text:
+class TextLine:
     """A line of text; `y` is its base line, `is_upright` turns it by 90 degrees."""
 
     x: float
@@ -50,7 +50,7 @@ class Text:
     is_upright: bool = False
 
 
-Item = Shape | Text
+Item = Shape | TextLine
 
 
 def layout(figure: Figure) -> tuple[float, float, list[Item]]:
@@ -88,12 +88,12 @@ def layout(figure: Figure) -> tuple[float, float, list[Item]]:
 def _head(figure: Figure, left: float, items: list[Item]) -> float:
     """Add title and legend; return the height that they take."""
     if figure.title:
-        items.append(Text(left, 26.0, figure.title, 14.0, side="start", is_bold=True))
+        items.append(TextLine(left, 26.0, figure.title, 14.0, side="start", is_bold=True))
     if figure.subtitle:
-        items.append(Text(left, 42.0, figure.subtitle, 9.0, FAINT, "start"))
+        items.append(TextLine(left, 42.0, figure.subtitle, 9.0, FAINT, "start"))
     end = figure.width - MARGIN
     for colour, name in reversed(figure.legend):
-        items.append(Text(end, 24.0, name, 8.5, FAINT, "end"))
+        items.append(TextLine(end, 24.0, name, 8.5, FAINT, "end"))
         end -= text_width(name, 8.5) + 14.0
         items.append(_box(end + 2.0, 16.0, end + 11.0, 25.0, colour))
         end -= 8.0
@@ -209,7 +209,7 @@ class _Axes:
         panel = self.panel
         if panel.title:
             high = 16.0 if panel.labels or panel.remark else 6.0
-            yield Text(self.left, self.top - high, panel.title, 10.0, side="start", is_bold=True)
+            yield TextLine(self.left, self.top - high, panel.title, 10.0, side="start", is_bold=True)
         yield from self._shades()
         if panel.has_frame:
             yield from self._grid(has_names=has_names)
@@ -225,21 +225,21 @@ class _Axes:
             frame = ((self.left, self.top), (self.left, self.bottom), (self.right, self.bottom))
             yield Shape([frame], "#b8c2cc")
         if panel.remark:
-            yield Text(self.right, self.top - 3.0, panel.remark, 7.5, FAINT, "end")
+            yield TextLine(self.right, self.top - 3.0, panel.remark, 7.5, FAINT, "end")
         yield from self._labels()
         yield from self._events()
         for note in panel.notes:
             x = self.at(note.x) + {"start": 4.0, "middle": 0.0, "end": -4.0}[note.side]
-            yield Text(x, self.height(note.y) - 3.5, note.text, note.size, note.colour, note.side)
+            yield TextLine(x, self.height(note.y) - 3.5, note.text, note.size, note.colour, note.side)
         yield from self._legend()
 
     def times(self, name: str) -> Iterator[Item]:
         """Yield the texts below the panel."""
         ticks = self._ticks
         for value, text in zip(ticks.values, ticks.names, strict=True):
-            yield Text(self.at(value), self.bottom + 12.0, text)
+            yield TextLine(self.at(value), self.bottom + 12.0, text)
         name += f" · 1e{ticks.power}" if ticks.power else ""
-        yield Text(0.5 * (self.left + self.right), self.bottom + 27.0, name, 9.0)
+        yield TextLine(0.5 * (self.left + self.right), self.bottom + 27.0, name, 9.0)
 
     def _level(self, y: float, colour: str) -> Shape:
         return Shape([((self.left, y), (self.right, y))], colour)
@@ -265,18 +265,18 @@ class _Axes:
         if not has_names:
             return
         for value, text in zip(up.values, up.names, strict=True):
-            yield Text(self.left - 5.0, self.height(value) + 3.0, text, side="end")
+            yield TextLine(self.left - 5.0, self.height(value) + 3.0, text, side="end")
         if up.power:
-            yield Text(self.left, self.top - 3.0, f"1e{up.power}", 7.5, FAINT, "end")
+            yield TextLine(self.left, self.top - 3.0, f"1e{up.power}", 7.5, FAINT, "end")
         panel, middle = self.panel, 0.5 * (self.top + self.bottom)
         names = [text for text in (panel.label, f"({panel.unit})" if panel.unit else "") if text]
         for n, text in enumerate(names):
-            yield Text(self.origin + MARGIN + 2.0 + 11.0 * n, middle, text, 8.5, is_upright=True)
+            yield TextLine(self.origin + MARGIN + 2.0 + 11.0 * n, middle, text, 8.5, is_upright=True)
 
     def _lanes(self) -> Iterator[Item]:
         for row, lane in enumerate(self.panel.lanes):
             middle = self.top + 3.0 + (row + 0.5) * LANE
-            yield Text(self.left - 5.0, middle + 3.0, lane.name, side="end")
+            yield TextLine(self.left - 5.0, middle + 3.0, lane.name, side="end")
             yield self._level(middle + 0.34 * LANE, AXIS)
             for begin, end in visible(lane.spans, self.x, self.point):
                 high = 0.34 * LANE
@@ -302,7 +302,7 @@ class _Axes:
             middle, half = 0.5 * (begin + end), 0.5 * text_width(text)
             if text and middle - half >= free:
                 free = middle + half + GAP
-                yield Text(middle, self.top - 3.0, text, 8.0, FAINT)
+                yield TextLine(middle, self.top - 3.0, text, 8.0, FAINT)
 
     def _events(self) -> Iterator[Item]:
         for event in self.panel.events:
@@ -311,7 +311,7 @@ class _Axes:
             is_late = x > 0.5 * (self.left + self.right)
             if event.text:
                 at, side = (x - 4.0, "end") if is_late else (x + 4.0, "start")
-                yield Text(at, self.bottom - 5.0, event.text, 7.5, EVENT, side)
+                yield TextLine(at, self.bottom - 5.0, event.text, 7.5, EVENT, side)
 
     def _legend(self) -> Iterator[Item]:
         """Name the curves in the corner at the right in which they do not end."""
@@ -321,7 +321,7 @@ class _Axes:
         ends_high = self.height(float(curves[0].y[-1])) < 0.5 * (self.top + self.bottom)
         end, y = self.right - 2.0, self.bottom - 7.0 if ends_high else self.top + 10.0
         for curve in reversed(curves):
-            yield Text(end, y, curve.name, 8.0, INK, "end")
+            yield TextLine(end, y, curve.name, 8.0, INK, "end")
             end -= text_width(curve.name) + 5.0
             points = [(end - 16.0, y - 3.0), (end, y - 3.0)]
             if curve.width:
@@ -345,9 +345,9 @@ def _scale(figure: Figure, box: _Axes) -> Iterator[Item]:
     for value, text in zip(ticks.values, ticks.names, strict=True):
         y = high - (value - scale.low) / ((scale.high - scale.low) or 1.0) * (high - low)
         if low - 0.5 <= y <= high + 0.5:
-            yield Text(right + 4.0, y + 3.0, text, side="start")
+            yield TextLine(right + 4.0, y + 3.0, text, side="start")
     name = scale.label + (f" · 1e{ticks.power}" if ticks.power else "")
-    yield Text(figure.width - 8.0, 0.5 * (low + high), name, 8.5, is_upright=True)
+    yield TextLine(figure.width - 8.0, 0.5 * (low + high), name, 8.5, is_upright=True)
 
 
 def _box(left: float, top: float, right: float, bottom: float, colour: str) -> Shape:

@@ -16,7 +16,7 @@ GROUPS = {
 }
 
 
-class Lane(NamedTuple):
+class ChannelLane(NamedTuple):
     """One channel: `values[i]` holds from `times[i]` (seconds) on.
 
     The first value holds from time 0.
@@ -44,16 +44,16 @@ class Lane(NamedTuple):
         return found if begin is None else [*found, (begin, end)]
 
 
-def lanes(controller: Controller) -> list[Lane]:
+def lanes(controller: Controller) -> list[ChannelLane]:
     """Return a lane for every channel that changed, by group and number."""
-    made: list[Lane] = []
+    made: list[ChannelLane] = []
     for group, (attribute, prefix, is_digital) in GROUPS.items():
         changes: Stream[Changed] | Stream[Switched] = getattr(controller.log, attribute)
-        found: dict[int, Lane] = {}
+        found: dict[int, ChannelLane] = {}
         for time, channel, value, *_ in changes:
             lane = found.get(channel)
             if lane is None:
-                lane = found[channel] = Lane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])
+                lane = found[channel] = ChannelLane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])
             if time == 0.0:
                 lane.values[0] = float(value)
             else:

@@ -11,12 +11,12 @@ from typing import Any, NamedTuple
 
 from motionlang.kernel import Run
 from motionlang.kernel.controller.motion.offset import OffsetMove
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
 from tests.forged.programs import PROGRAMS
 from tests.forged.verdicts import ran
 
-Entries = list[Move]
+Entries = list[LoggedMove]
 
 
 class Forged(NamedTuple):
@@ -30,7 +30,7 @@ class Forged(NamedTuple):
         return f"{self.program}: entry {self.entry}: {self.kind}"
 
 
-class Log(list[Move]):
+class Log(list[LoggedMove]):
     """A list of entries that replaces the log of a controller."""
 
     packed = 0
@@ -39,25 +39,25 @@ class Log(list[Move]):
         return {move.axis for move in self}
 
 
-def _profile(move: Move) -> Profile:
+def _profile(move: LoggedMove) -> Profile:
     assert move.profile is not None
     return move.profile
 
 
-def _end(move: Move) -> float:
+def _end(move: LoggedMove) -> float:
     """Return the duration of an entry; 1 s if it is endless."""
     return min(_profile(move).duration, 1.0)
 
 
-def _copy(move: Move) -> Move:
+def _copy(move: LoggedMove) -> LoggedMove:
     """Return an equal entry."""
-    made = (OffsetMove if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
+    made = (OffsetMove if move.overlaid else LoggedMove)(move.axis, move.command, move.line, move.target)
     for name in ("start_time", "profile", "scale", "zero", "ended", "offset", "commanded_speed", "action"):
         setattr(made, name, getattr(move, name))
     return made
 
 
-def _set(name: str, change: Callable[[Any, Move], object]) -> Callable[[Entries, int], None]:
+def _set(name: str, change: Callable[[Any, LoggedMove], object]) -> Callable[[Entries, int], None]:
     """Return a function that changes one field of an entry."""
 
     def forge(entries: Entries, k: int) -> None:
@@ -81,7 +81,7 @@ def _swapped(entries: Entries, k: int) -> None:
         entries[k].profile, others[0].profile = others[0].profile, entries[k].profile
 
 
-def _shape(move: Move) -> tuple[float, float, float]:
+def _shape(move: LoggedMove) -> tuple[float, float, float]:
     profile = _profile(move)
     return profile.start, profile.end, profile.duration
 

@@ -16,7 +16,7 @@ import jsonschema  # type: ignore[import-untyped]
 from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import Run, WholeTrack
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 from motionlang.views.report import render
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
@@ -64,7 +64,7 @@ def in_order(result: Run) -> Iterator[str]:
 def entries_end(result: Run) -> Iterator[str]:
     """Check that completed entries end within the run, the last one where its axis is."""
     axes, data = result.controller.axes, ExpectedMotion.of_run(result).data
-    last: dict[int, Move] = {}
+    last: dict[int, LoggedMove] = {}
     for move in result.controller.log.moves:
         profile, axis = move.profile, axes[move.axis]
         if profile is None:

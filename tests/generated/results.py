@@ -445,7 +445,7 @@ def _answers(page: Page, draw: Draw) -> Iterator[object]:
         yield _fields(hover(page, offset)), _fields(signature(page, offset))
         try:
             yield [_fields(edit) for edit in navigation.rename(page, offset, "feed")]
-        except navigation.Refused as reason:
+        except navigation.RenameRefused as reason:
             yield str(reason)
         if draw.chance(0.15):
             yield [_fields(item) for item in complete(page, offset)]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.check import check, rules
-from motionlang.commands.check.rule import Case
+from motionlang.commands.check.rule import RuleCase
 from motionlang.commands.check.rules import RULES
 from motionlang.kernel import CODES, Source, dialect, read_machine
 
@@ -26,7 +26,7 @@ def codes(language: str, text: str, machine: str) -> set[str]:
 
 @pytest.mark.parametrize(("code", "language", "case"), CASES)
 def test_a_rule_warns_of_its_wrong_program_and_not_of_the_right_one(
-    code: str, language: str, case: Case
+    code: str, language: str, case: RuleCase
 ) -> None:
     assert code in codes(language, case.wrong, case.machine)
     assert codes(language, case.right, case.machine) == set()

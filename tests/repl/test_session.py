@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.kernel import ONE_SHIFT, Source, dialect
 from motionlang.repl.command import open_session
-from motionlang.repl.commands import COMMANDS, Command
+from motionlang.repl.commands import COMMANDS, PromptCommand
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
@@ -255,7 +255,7 @@ def test_a_missing_library_is_reported_and_another_error_raised(monkeypatch: pyt
         raise errors[0]
 
     monkeypatch.setattr(session.runner._interactive, "task", fail)
-    monkeypatch.setitem(COMMANDS, "report", Command("report", "", "A report.", fail))
+    monkeypatch.setitem(COMMANDS, "report", PromptCommand("report", "", "A report.", fail))
     errors[:] = [ImportError("no numpy", name="numpy")]
     for line, user in (("PRINT 1", "this line"), (".report", ".report")):
         assert session.feed(line).startswith(f"error[extra]: {user} needs numpy\n")

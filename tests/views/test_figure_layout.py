@@ -11,9 +11,19 @@ import pytest
 
 from motionlang.commands.plot.view import run_figure
 from motionlang.kernel.tools import MissingExtra
-from motionlang.views.figure import FAINT, Band, Curve, Event, Figure, Label, Lane, Panel, Scale
+from motionlang.views.figure import (
+    FAINT,
+    Band,
+    ColourScale,
+    Curve,
+    Figure,
+    Lane,
+    MarkedTime,
+    Panel,
+    PanelLabel,
+)
 from motionlang.views.figure_files import svg, write_figure
-from motionlang.views.figure_layout import Item, Shape, Text, Ticks, layout
+from motionlang.views.figure_layout import Item, Shape, TextLine, Ticks, layout
 from tests.views.runs import ballscrew, pick
 
 LINE = Panel([Curve([0.0, 10.0], [0.0, 5.0], "#010203")], x_limits=(0.0, 10.0))
@@ -23,8 +33,8 @@ def items(panel: Panel) -> list[Item]:
     return layout(Figure([[panel]]))[2]
 
 
-def texts(panel: Panel) -> dict[str, Text]:
-    return {item.text: item for item in items(panel) if isinstance(item, Text)}
+def texts(panel: Panel) -> dict[str, TextLine]:
+    return {item.text: item for item in items(panel) if isinstance(item, TextLine)}
 
 
 def shapes(panel: Panel, colour: str) -> list[Shape]:
@@ -71,12 +81,12 @@ def test_labels_are_the_longest_that_fit_and_do_not_touch() -> None:
     """The third is too short for its name."""
     names = ("MOVER · line 7", "MOVER 7", "7")
     labels = [
-        Label(0.0, 4.0, names),
-        Label(4.0, 4.8, names),
-        Label(4.8, 4.81, names),
-        Label(5.0, 12.0, names),
+        PanelLabel(0.0, 4.0, names),
+        PanelLabel(4.0, 4.8, names),
+        PanelLabel(4.8, 4.81, names),
+        PanelLabel(5.0, 12.0, names),
     ]
-    found = [item for item in items(replace(LINE, labels=labels)) if isinstance(item, Text)]
+    found = [item for item in items(replace(LINE, labels=labels)) if isinstance(item, TextLine)]
     left, right = ends(LINE)
     shown = [
         (text.text, round((text.x - left) / (right - left) * 10.0, 6))
@@ -88,7 +98,7 @@ def test_labels_are_the_longest_that_fit_and_do_not_touch() -> None:
 
 @pytest.mark.parametrize(("x", "side"), [(3.0, "start"), (7.0, "end")])
 def test_an_event_is_named_towards_the_middle(x: float, side: str) -> None:
-    panel = replace(LINE, events=[Event(x, "limit"), Event(5.0, "")])
+    panel = replace(LINE, events=[MarkedTime(x, "limit"), MarkedTime(5.0, "")])
     assert texts(panel)["limit"].side == side
     assert len([shape for shape in shapes(panel, "#b3261e") if shape.is_dashed]) == 2
 
@@ -129,14 +139,14 @@ def test_lanes_are_named_bars() -> None:
 def test_rows_share_y_if_the_figure_says_so() -> None:
     rows = [[LINE, replace(LINE, curves=[Curve([0.0, 10.0], [0.0, 50.0], "#040506")])]]
     counts = [
-        sum(isinstance(item, Text) for item in layout(Figure(rows, has_shared_y=shared))[2])
+        sum(isinstance(item, TextLine) for item in layout(Figure(rows, has_shared_y=shared))[2])
         for shared in (False, True)
     ]
     assert counts[0] > counts[1]
 
 
 def test_colours_of_a_scale() -> None:
-    scale = Scale("", 0.0, 10.0, "000000 808080 ffffff")
+    scale = ColourScale("", 0.0, 10.0, "000000 808080 ffffff")
     assert [scale.colour(value) for value in (-1.0, 2.5, 5.0, 10.0)] == [
         "#000000", "#404040", "#808080", "#ffffff"]  # fmt: skip
 

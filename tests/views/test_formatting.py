@@ -8,7 +8,7 @@ from motionlang.kernel import Controller
 from motionlang.kernel.tools import count_of
 from motionlang.views.device_writes import MAX_ROWS, writes_table
 from motionlang.views.formatting import clock_time, dialect_name, figure, peak_of, significant
-from motionlang.views.lanes import Lane, lanes
+from motionlang.views.lanes import ChannelLane, lanes
 from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window
 
@@ -130,9 +130,9 @@ def test_a_window_of_a_run() -> None:
 
 
 def test_the_times_in_which_a_channel_is_on() -> None:
-    lane = Lane("inputs", "in1", True, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.0, 1.0, 2.0, 0.0, 0.0, 1.0])
+    lane = ChannelLane("inputs", "in1", True, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.0, 1.0, 2.0, 0.0, 0.0, 1.0])
     assert lane.spans(9.0) == [(1.0, 3.0), (5.0, 9.0)]
-    assert Lane("inputs", "in1", True, [0.0, 1.0], [1.0, 0.0]).spans(9.0) == [(0.0, 1.0)]
+    assert ChannelLane("inputs", "in1", True, [0.0, 1.0], [1.0, 0.0]).spans(9.0) == [(0.0, 1.0)]
 
 
 def test_a_lane_for_each_channel_that_changed() -> None:

@@ -28,7 +28,7 @@ SLACK = 1e-9
 JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 
 
-class Limit:
+class CertifiedLimit:
     """One line of the certificate: a limit, the extreme `reached`, when and where.
 
     `reached` is None if it is unknown because no motor is simulated. `margin` is the remaining fraction of
@@ -65,7 +65,7 @@ class Limit:
                                                        "margin", "verdict")}  # fmt: skip
 
 
-def certificate(controller: Controller, settings: Mapping[str, object], until: float) -> list[Limit]:
+def certificate(controller: Controller, settings: Mapping[str, object], until: float) -> list[CertifiedLimit]:
     """Return one line per limit of the machine file, by axis; two lines per position."""
     found = []
     for number, a in controller.axes.items():
@@ -77,7 +77,9 @@ def certificate(controller: Controller, settings: Mapping[str, object], until: f
     return found
 
 
-def _of_axis(controller: Controller, a: Axis, given: Mapping[str, object], until: float) -> Iterator[Limit]:
+def _of_axis(
+    controller: Controller, a: Axis, given: Mapping[str, object], until: float
+) -> Iterator[CertifiedLimit]:
     reached = extremes(a, until)
     for name, limit in given.items():
         field, unit = LIMITS[name]
@@ -88,12 +90,12 @@ def _of_axis(controller: Controller, a: Axis, given: Mapping[str, object], until
                 ("highest position", limit[1], reached.highest),
             )
             for which, bound, extreme in pairs:
-                yield Limit(a.index, which, unit, bound, extreme, _line(controller, a, extreme.time))
+                yield CertifiedLimit(a.index, which, unit, bound, extreme, _line(controller, a, extreme.time))
             continue
         assert isinstance(limit, (int, float))
         most = motor_peak(a, until, field) if name in MOTOR else getattr(reached, field)
         line = 0 if most is None else _line(controller, a, most.time)
-        yield Limit(a.index, name.replace("_", " "), unit, float(limit), most, line)
+        yield CertifiedLimit(a.index, name.replace("_", " "), unit, float(limit), most, line)
 
 
 def _line(controller: Controller, a: Axis, time: float) -> int:
@@ -115,7 +117,7 @@ def missing_limits(program: str, machine: str | None, axis: int) -> str:
     return f"add a section such as [axis.{axis}.limits] with speed = 500, acceleration = 8000 to {machine}"
 
 
-def violations(lines: list[Limit], hint: str) -> list[Diagnostic]:
+def violations(lines: list[CertifiedLimit], hint: str) -> list[Diagnostic]:
     """Return a diagnostic per exceeded or unknown limit; `hint` is for a machine without limits."""
     found = [_diagnostic_of(line) for line in lines if line.verdict != "within"]
     if not lines:
@@ -123,7 +125,7 @@ def violations(lines: list[Limit], hint: str) -> list[Diagnostic]:
     return found
 
 
-def _diagnostic_of(line: Limit) -> Diagnostic:
+def _diagnostic_of(line: CertifiedLimit) -> Diagnostic:
     if line.reached is None:
         message = f"the {line.name} of axis {line.axis} cannot be certified: no motor is simulated"
         return Diagnostic("beyond-limit", message, hint=f"add [axis.{line.axis}.plant] to the machine file")
@@ -136,7 +138,7 @@ def _diagnostic_of(line: Limit) -> Diagnostic:
     return Diagnostic("beyond-limit", f"{what}; the machine allows {line.limit:.6g}", line.line)
 
 
-def least_margin(lines: list[Limit]) -> float | None:
+def least_margin(lines: list[CertifiedLimit]) -> float | None:
     """Return the smallest relative margin of the limits; None if none is known.
 
     The margin of a position is taken relative to the magnitude of the limit.

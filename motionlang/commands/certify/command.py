@@ -12,7 +12,7 @@ from motionlang.cli.command import argument
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.program_files import programs
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.certify import Limit, certificate, missing_limits, violations
+from motionlang.commands.certify import CertifiedLimit, certificate, missing_limits, violations
 from motionlang.commands.certify.view import certificate_lines, limits_table
 from motionlang.commands.prove.checker import Proof
 from motionlang.commands.prove.command import Prove
@@ -107,7 +107,7 @@ examples:
         return certificate_text(result, self.certificate, self.proof, self.machine_path())
 
 
-def certify(result: Result, machine: str | None) -> list[Limit]:
+def certify(result: Result, machine: str | None) -> list[CertifiedLimit]:
     """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
     result.diagnostics += violations(
@@ -116,7 +116,9 @@ def certify(result: Result, machine: str | None) -> list[Limit]:
     return lines
 
 
-def certificate_text(result: Result, lines: Sequence[Limit], proof: Proof | None, machine: str | None) -> str:
+def certificate_text(
+    result: Result, lines: Sequence[CertifiedLimit], proof: Proof | None, machine: str | None
+) -> str:
     """Return the certificate as text for standard output."""
     width = width_of(sys.stdout) if is_terminal(sys.stdout) else 160
     text = _text_of(machine)

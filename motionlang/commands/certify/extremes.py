@@ -15,8 +15,8 @@ from math import inf
 
 from motionlang.kernel import Axis, WholeTrack
 from motionlang.kernel.planners import (
+    MotionState,
     Profile,
-    State,
     crest_points,
     even_points,
     state_in,
@@ -46,7 +46,7 @@ class Extremes:
         self.lowest, self.highest = Extreme(position, 0.0), Extreme(position, 0.0)
         self.speed, self.acceleration, self.jerk = (Extreme(0.0, 0.0) for _ in range(3))
 
-    def take(self, time: float, state: State) -> None:
+    def take(self, time: float, state: MotionState) -> None:
         """Include a state, in user units, at a time."""
         position = state.position
         if position < self.lowest.value:
@@ -68,7 +68,7 @@ def extremes(a: Axis, until: float) -> Extremes:
     jumps, the acceleration is infinite; where the acceleration jumps, the jerk is.
     """
     found: Extremes | None = None
-    before: State | None = None
+    before: MotionState | None = None
     zeros = _Zeros(a)
     for begin, length, profile in _track(a, until):
         zero = zeros.at(begin)
@@ -125,7 +125,7 @@ def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
         begin = end
 
 
-def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
+def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, MotionState]]]:
     """Yield the smooth stretches of the first `length` seconds.
 
     Each stretch is the states at its ends and at the extrema in between. Velocity and jerk of a sine have none: its
@@ -153,7 +153,7 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
 _SAMPLES = 48
 
 
-def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
+def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, MotionState]]:
     """Return the extrema of a formula, found by search."""
     end_inside = end - (end - begin) * 1e-12
     times = [begin + (end_inside - begin) * n / _SAMPLES for n in range(_SAMPLES + 1)]
@@ -176,7 +176,7 @@ _ROUNDING = 1e-9
 _MOMENT = 1e-10
 
 
-def _jump(found: Extremes, now: float, left: State, right: State) -> None:
+def _jump(found: Extremes, now: float, left: MotionState, right: MotionState) -> None:
     """Record an infinite derivative where the state jumps."""
     jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
     if jumps and found.acceleration.value < inf:
@@ -193,9 +193,9 @@ def _differ(left: float, right: float, slope: float, slope_after: float) -> bool
     return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
 
 
-def _in_units(a: Axis, state: State, zero: float) -> State:
+def _in_units(a: Axis, state: MotionState, zero: float) -> MotionState:
     size = abs(a.scale.counts)
-    return State(
+    return MotionState(
         a.scale.to_user(state.position - zero),
         state.velocity / size,
         state.acceleration / size,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from hashlib import sha256
 from math import inf
 
-from motionlang.commands.certify import Limit
+from motionlang.commands.certify import CertifiedLimit
 from motionlang.commands.prove.checker import Proof
 from motionlang.kernel import Run
 from motionlang.kernel.tools import count_of
@@ -16,7 +16,7 @@ from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled
 
 
-def limits_table(lines: Sequence[Limit]) -> Table:
+def limits_table(lines: Sequence[CertifiedLimit]) -> Table:
     """Return the limits of a certificate, each with its verdict."""
     columns = (
         Column("axis"),
@@ -37,7 +37,13 @@ VERDICTS = {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor 
 
 
 def certificate_lines(
-    run: Run, lines: Sequence[Limit], proof: Proof | None, machine: str, *, width: int, colour: bool = False
+    run: Run,
+    lines: Sequence[CertifiedLimit],
+    proof: Proof | None,
+    machine: str,
+    *,
+    width: int,
+    colour: bool = False,
 ) -> list[str]:
     """Return the certificate as lines.
 
@@ -59,7 +65,7 @@ def certificate_lines(
     return out
 
 
-def _zeros(run: Run, lines: Sequence[Limit]) -> list[str]:
+def _zeros(run: Run, lines: Sequence[CertifiedLimit]) -> list[str]:
     """Return from where the positions of each axis count that was homed or given another zero."""
     out, log = [], run.machine.log
     changed = {each.axis for each in log.zeros}
@@ -73,7 +79,7 @@ def _zeros(run: Run, lines: Sequence[Limit]) -> list[str]:
     return out
 
 
-def _margin(line: Limit) -> str:
+def _margin(line: CertifiedLimit) -> str:
     if line.reached == inf:
         return "none"
     if line.margin is None:

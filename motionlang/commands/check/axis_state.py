@@ -18,14 +18,14 @@ from motionlang.kernel.lang import TEST, UNTIL, Use
 from motionlang.kernel.lang import AxisKey as Key
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.facts import Facts, Part
+    from motionlang.commands.check.rule_facts import Facts, Part
 
 # Roles of keywords that command an axis. A keyword that only stops an axis is not among them.
 COMMANDS = frozenset((
     "move", "entry", "course", "path", "go", "act", "zero", "scale", "start", "run", "mode", "enable", "rescale",
 ))  # fmt: skip
 # What was wrong at a use of a keyword, for one of its axes, and what was known of that.
-Problem = tuple[Use, Key, "Axis"]
+Problem = tuple[Use, Key, "AxisFacts"]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 TARGETS, ENDLESS, OTHER = "targets", "endless", "other"
@@ -38,7 +38,7 @@ _OF_PATHS = frozenset(("vector speed", "vector accel", "vector decel"))
 _OF_LIMITS = frozenset(("upper limit", "lower limit"))
 
 
-class Axis(NamedTuple):
+class AxisFacts(NamedTuple):
     """The facts known about one axis.
 
     - `motion`: IDLE, MOVES or UNKNOWN.
@@ -89,11 +89,11 @@ class Axis(NamedTuple):
     distance: float | None = None
     off: bool = False
 
-    def joined(self, other: Axis, at_loop_head: bool) -> Axis:
+    def joined(self, other: AxisFacts, at_loop_head: bool) -> AxisFacts:
         """Return the facts on which both agree; at a loop head time has passed."""
         if self == other:
             return self._replace(fresh=False) if at_loop_head and self.fresh else self
-        return Axis(
+        return AxisFacts(
             motion=self.motion if self.motion == other.motion else UNKNOWN,
             fresh=self.fresh and other.fresh and not at_loop_head,
             waiting=min(self.waiting, other.waiting),
@@ -125,8 +125,8 @@ class Axis(NamedTuple):
         return min(self.span[0], target), max(self.span[1], target)
 
 
-ANY = Axis()
-AT_POWER_UP = Axis(
+ANY = AxisFacts()
+AT_POWER_UP = AxisFacts(
     IDLE,
     target=0.0,
     frame=0.0,
@@ -143,16 +143,16 @@ _NEEDED = frozenset(("speed", "accel", "decel"))
 
 
 @dataclass(eq=False, slots=True)
-class State:
+class AllAxes:
     """The facts about all axes: `axes` by key, and `rest` for all axes not in it.
 
     `skipped` is the state of a run in which a command of line `line` was rejected, so that the rest of that line is
     not carried out; None if none can have been. `is_sure`: the command was certainly rejected.
     """
 
-    rest: Axis
-    axes: dict[Key, Axis]
-    skipped: State | None = None
+    rest: AxisFacts
+    axes: dict[Key, AxisFacts]
+    skipped: AllAxes | None = None
     line: int = 0
     is_sure: bool = False
 
@@ -160,14 +160,14 @@ class State:
 
     def __eq__(self, other: object) -> bool:
         return (
-            isinstance(other, State)
+            isinstance(other, AllAxes)
             and self.rest == other.rest
             and self.axes == other.axes
             and self.skipped == other.skipped
             and self.is_sure == other.is_sure
         )
 
-    def joined(self, other: State, at_loop_head: bool) -> State:
+    def joined(self, other: AllAxes, at_loop_head: bool) -> AllAxes:
         if self is other and not at_loop_head:
             return self
         keys = self.axes.keys() | other.axes.keys()
@@ -176,37 +176,37 @@ class State:
         if self.skipped is not None and other.skipped is not None:
             skipped = self.skipped.joined(other.skipped, at_loop_head)
         is_sure, line = self.is_sure and other.is_sure, self.line or other.line
-        return State(self.rest.joined(other.rest, at_loop_head), axes, skipped, line, is_sure)
+        return AllAxes(self.rest.joined(other.rest, at_loop_head), axes, skipped, line, is_sure)
 
-    def __getitem__(self, key: Key) -> Axis:
+    def __getitem__(self, key: Key) -> AxisFacts:
         return self.axes.get(key, self.rest)
 
-    def put(self, key: Key, axis: Axis) -> State:
+    def put(self, key: Key, axis: AxisFacts) -> AllAxes:
         return replace(self, axes={**self.axes, key: axis})
 
-    def passed(self) -> State:
+    def passed(self) -> AllAxes:
         """Return the state after time has passed."""
         if not any(axis.fresh for axis in self.axes.values()):
             return self
         axes = {key: axis._replace(fresh=False) if axis.fresh else axis for key, axis in self.axes.items()}
         return replace(self, axes=axes)
 
-    def rejected(self, before: State, line: int, is_sure: bool) -> State:
+    def rejected(self, before: AllAxes, line: int, is_sure: bool) -> AllAxes:
         """Return the state behind a command that may have been rejected in the state `before`."""
-        one = State(before.rest, before.axes)
+        one = AllAxes(before.rest, before.axes)
         skipped = one if before.skipped is None else one.joined(before.skipped, False)
         return replace(self, skipped=skipped, line=line, is_sure=before.is_sure or is_sure)
 
-    def in_line(self, line: int) -> State:
+    def in_line(self, line: int) -> AllAxes:
         """Return the state at a command of a line: behind the line before, all its runs come together."""
         if self.skipped is None or self.line == line:
             return self
-        return self.skipped if self.is_sure else State(self.rest, self.axes).joined(self.skipped, False)
+        return self.skipped if self.is_sure else AllAxes(self.rest, self.axes).joined(self.skipped, False)
 
 
-ANYTHING = State(ANY, {})
+ANYTHING = AllAxes(ANY, {})
 # The facts about the axes that a sub changes, when it returns.
-After = dict[Key, Axis]
+After = dict[Key, AxisFacts]
 
 
 class Follower:
@@ -218,7 +218,7 @@ class Follower:
 
     def __init__(self, facts: Facts) -> None:
         self.facts, self.reach = facts, Reach(facts)
-        self.before: dict[Part, dict[int, State]] = {}
+        self.before: dict[Part, dict[int, AllAxes]] = {}
         self.after: dict[Part, After] = {}
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
@@ -261,7 +261,7 @@ class Follower:
                 found |= self.facts.touched(root, frozenset(("stop",)))
         return found
 
-    def known(self, state: State, key: Key) -> Axis:
+    def known(self, state: AllAxes, key: Key) -> AxisFacts:
         """Return the certain facts about an axis."""
         unsure = isinstance(key, str) and self.apart
         if key is None or unsure or key in self.apart or None in self.apart:
@@ -298,14 +298,14 @@ class Follower:
         first = ANYTHING
         if part.kind == "main":
             off = self.facts.at_power_up._replace(off=True)
-            first = State(self.facts.at_power_up, dict.fromkeys(self.facts.never_on, off))
-        found: dict[int, State] = {}
+            first = AllAxes(self.facts.at_power_up, dict.fromkeys(self.facts.never_on, off))
+        found: dict[int, AllAxes] = {}
 
-        def follow(p: int, state: State) -> tuple[State, State]:
+        def follow(p: int, state: AllAxes) -> tuple[AllAxes, AllAxes]:
             found[p] = state
             return self._follow(p, state)
 
-        def join(one: State, other: State, p: int) -> State:
+        def join(one: AllAxes, other: AllAxes, p: int) -> AllAxes:
             joined = one.joined(other, p in graph.heads)
             return one if joined == one else joined
 
@@ -316,7 +316,7 @@ class Follower:
         last = reduce(lambda one, other: one.joined(other, False), ends) if ends else ANYTHING
         return {key: _after_call(last[key]) for key in self.facts.touched(part, CHANGES)}
 
-    def _follow(self, p: int, state: State) -> tuple[State, State]:
+    def _follow(self, p: int, state: AllAxes) -> tuple[AllAxes, AllAxes]:
         statement = self.facts.statement_at.get(p)
         if statement is None:
             return state, state
@@ -333,7 +333,7 @@ class Follower:
             state = self.facts.refined(p, True, state)
         return state, state
 
-    def _act(self, act: Use, state: State) -> State:
+    def _act(self, act: Use, state: AllAxes) -> AllAxes:
         if act.role == "call":
             return self._call(act, state)
         if act.row is not None and act.row.verb == "wait" and act.values and act.number(0) != 0:
@@ -359,7 +359,7 @@ class Follower:
                 state = after.rejected(before, self._line, is_sure) if fails else after
         return state
 
-    def _all(self, follow: Callable[..., Axis], act: Use, number: int, state: State) -> State:
+    def _all(self, follow: Callable[..., AxisFacts], act: Use, number: int, state: AllAxes) -> AllAxes:
         """Return the state after an act on all axes; nothing is reported of those that nothing has named."""
         axes = {key: follow(self, act, number, key, self.known(state, key)) for key in state.axes}
         reports, self._reports = self._reports, False
@@ -367,7 +367,7 @@ class Follower:
         self._reports = reports
         return replace(state, rest=rest, axes=axes)
 
-    def _call(self, call: Use, state: State) -> State:
+    def _call(self, call: Use, state: AllAxes) -> AllAxes:
         callee = self.facts.callee(call)
         state = state.passed()
         after = self.after.get(callee, {})  # none while it is being analysed: it is recursive
@@ -383,29 +383,29 @@ class Follower:
                 return ANYTHING
         return state
 
-    def _report_problem(self, problem: str, act: Use, key: Key, axis: Axis) -> None:
+    def _report_problem(self, problem: str, act: Use, key: Key, axis: AxisFacts) -> None:
         if self._reports:
             self.problems.setdefault(problem, []).append((act, key, axis))
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
-    def _read(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _read(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         if act.row is not None and act.row.does("position") and axis.fresh and not self._polls:
             self._report_problem("in-motion", act, key, axis)
         return axis
 
-    def _move(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _move(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         target = self._target(act, number, key, axis, act.row.does("relative"))
         loaded = self._loaded(self._entry(act, number, key, axis), act)
         span = axis.reaching(target)
         return self._checked(act, number, key, loaded._replace(target=target, span=span))
 
-    def _loaded(self, axis: Axis, act: Use) -> Axis:
+    def _loaded(self, axis: AxisFacts, act: Use) -> AxisFacts:
         """Record the offset of the move if it is the first one in the buffer."""
         return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
 
-    def _target(self, act: Use, number: int, key: Key, axis: Axis, relative: bool) -> float | None:
+    def _target(self, act: Use, number: int, key: Key, axis: AxisFacts, relative: bool) -> float | None:
         """Return the end position of a move in user units, None if unknown."""
         value = act.number(number)
         if not relative or value is None:
@@ -413,28 +413,28 @@ class Follower:
         certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, str)
         return axis.target + value if certain and axis.target is not None else None
 
-    def _checked(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _checked(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Report a target that is out of reach, and drop it from the facts."""
         if axis.target is None or not self.reach.beyond(key, axis):
             return axis
         self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)
 
-    def _entry(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _entry(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         self._check_scale(act, key, axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
-    def _check_scale(self, act: Use, key: Key, axis: Axis) -> None:
+    def _check_scale(self, act: Use, key: Key, axis: AxisFacts) -> None:
         """Report the settings in an old unit that a motion uses, which `stale` then has."""
         is_path = act.row is not None and act.row.family == "contours"
         stale = axis.stale & _OF_PATHS if is_path else axis.stale - _OF_PATHS - _OF_LIMITS
         if stale and axis.scaled is not None:
             self._report_problem("scale-after-speed", act, key, axis._replace(stale=stale))
 
-    def _course(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _course(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         return self._entry(act, number, key, axis)._replace(target=None, span=None)
 
-    def _path(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _path(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Load a path, which waits for the GO of its first axis.
 
         The target is known only for a line.
@@ -448,7 +448,7 @@ class Follower:
             axis = self._loaded(self._entry(act, number, key, axis), act)
         return self._checked(act, number, key, axis._replace(target=target, span=span, empty=False))
 
-    def _go(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _go(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
             self._report_problem("zeros", act, key, axis)
@@ -463,7 +463,7 @@ class Follower:
             jogs=axis.jogs and axis.empty,
         )
 
-    def _stop(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _stop(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         if axis.fresh:
             self._report_problem("cut-short", act, key, axis)
@@ -484,7 +484,7 @@ class Follower:
             return axis
         return axis._replace(target=None, frame=None, span=None, zeros=frozenset())
 
-    def _at_once(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _at_once(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         if act.row.family == "contours":
             self._check_scale(act, key, axis)
@@ -502,7 +502,7 @@ class Follower:
             distance=None,
         )
 
-    def _slot(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _slot(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         slot = act.row.gives
         if slot == "speed":
@@ -520,14 +520,14 @@ class Follower:
             shape=act.row.name if slot == "shape" else axis.shape,
         )
 
-    def _scale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _scale(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         if axis.motion == MOVES:
             self._report_problem("scale-in-motion", act, key, axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
         return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
-    def _zero(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _zero(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         if axis.fresh:
             self._report_problem("in-motion", act, key, axis)
         value = act.number(number)
@@ -538,7 +538,7 @@ class Follower:
 
     # ---------------------------------------------------------------------- motion at once, without a buffer
 
-    def _start(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _start(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Start a move to a known end; it takes the place of the motion before it."""
         assert act.row is not None
         if axis.off:
@@ -571,31 +571,31 @@ class Follower:
         )
         return self._checked(act, number, key, started)
 
-    def _replaces(self, key: Key, axis: Axis) -> bool:
+    def _replaces(self, key: Key, axis: AxisFacts) -> bool:
         """True if a move takes the place of another one in motion, and does not wait for its end."""
         if axis.shape:
             return not self.facts.needs_rest(axis.shape)
         shaped = {key for act in self.facts.written_by(lambda row: row.gives == "shape") for key in act.axes}
         return not {key, None} & shaped
 
-    def _started_off(self, act: Use, key: Key, axis: Axis) -> Axis:
+    def _started_off(self, act: Use, key: Key, axis: AxisFacts) -> AxisFacts:
         """Report the start of a motion that the axis rejects, because it is off."""
         self._report_problem("motor-off", act, key, axis)
         return axis._replace(unmoved=False)
 
-    def _check_unit(self, act: Use, key: Key, axis: Axis) -> None:
+    def _check_unit(self, act: Use, key: Key, axis: AxisFacts) -> None:
         """Report a motion that is in another unit than the program has set."""
         if axis.pending is not None and axis.pending != NONE:
             self._report_problem("scale-pending", act, key, axis)
         else:
             self._check_scale(act, key, axis)
 
-    def _mode(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _mode(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         mode = next((each for each in (TARGETS, ENDLESS) if act.row.does(each)), OTHER)
         return axis._replace(mode=mode)
 
-    def _run(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _run(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Start the motion of the mode."""
         if axis.mode == TARGETS:
             self._report_problem("nothing-loaded", act, key, axis)
@@ -615,7 +615,7 @@ class Follower:
             stale=frozenset(),
         )
 
-    def _rest(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _rest(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Wait for standstill."""
         if axis.jogs:
             self._report_problem("still-running", act, key, axis)
@@ -624,7 +624,7 @@ class Follower:
         reached = None if axis.target is None or axis.motion != MOVES else (axis.target, axis.target)
         return axis._replace(motion=IDLE, fresh=False, jogs=False, distance=0.0, span=axis.span or reached)
 
-    def _enable(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _enable(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Switch the axis on: a scale that waits for this comes into force."""
         motion = IDLE if axis.motion == IDLE else UNKNOWN
         axis = axis._replace(motion=motion, fresh=False, jogs=False, off=False)
@@ -643,14 +643,14 @@ class Follower:
             distance=0.0 if axis.distance == 0.0 else None,
         )
 
-    def _rescale(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _rescale(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Change the scale, or the zero, from the next time on that the axis is switched on."""
         assert act.row is not None
         if act.row.does("datum"):
             return axis._replace(frame=None)
         return axis._replace(pending=act.at if axis.pending in (NONE, None) else axis.pending)
 
-    def _use(self, act: Use, number: int, key: Key, axis: Axis) -> Axis:
+    def _use(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
         if self.facts.disturbs(act.row):
             return axis._replace(
@@ -673,14 +673,14 @@ class Follower:
         return axis._replace(fresh=fresh, limited=self.facts.limited(act, number, axis.limited))
 
 
-def _after_call(inner: Axis) -> Axis:
+def _after_call(inner: AxisFacts) -> AxisFacts:
     """Return the facts about an axis after a sub; earlier settings remain valid."""
     return inner._replace(fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
 
 # Roles of keywords in a sub that change the facts its caller has about an axis.
 CHANGES = COMMANDS | {"stop", "rest", "use"}
-_FOLLOW: dict[str, Callable[..., Axis]] = {
+_FOLLOW: dict[str, Callable[..., AxisFacts]] = {
     "read": Follower._read,
     "move": Follower._move,
     "entry": Follower._entry,

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class Checked:
+class CheckedFile:
     """A file as far as it has been checked, with what else was asked for.
 
     `language` is "" if it is unknown. `source` is the file that the diagnostics are about: the program or its machine
@@ -146,7 +146,7 @@ examples:
             sys.stdout.write(written(findings, self.format, "check"))
         return 1 if any(each.is_wrong for each in findings) else 0
 
-    def _report(self, checked: Checked, found: Found) -> None:
+    def _report(self, checked: CheckedFile, found: Found) -> None:
         """Print what is known of a file, or keep it for the document."""
         source, text = checked.source, self.format == "text"
         notes = list(checked.notes)
@@ -167,7 +167,7 @@ examples:
                 sys.stdout.write(f"{found.file}: {self._tally(checked, found.file)}\n")
         self._show(checked, found.file)
 
-    def _show(self, checked: Checked, file: str) -> None:
+    def _show(self, checked: CheckedFile, file: str) -> None:
         """Print what else was asked for, or keep it for the document."""
         text, colour = self.format == "text", wants_colour(sys.stdout)
         self._shown.literals += [(file, each) for each in checked.literals]
@@ -202,7 +202,7 @@ examples:
         }
         return Document([*(table for option, table in asked.items() if getattr(self, option)), *tables])
 
-    def _tally(self, checked: Checked, file: str) -> str:
+    def _tally(self, checked: CheckedFile, file: str) -> str:
         """Return the number of findings of a file, and what the option for fixes would correct."""
         fixed = f"{len(checked.fixed)} fixed, " if checked.fixed else ""
         text = f"{fixed}{tally(checked.diagnostics) or 'no problems'}"
@@ -228,7 +228,7 @@ def _literal_lines(source: Source, literals: Sequence[Literal]) -> Iterator[str]
         yield f"  {each.address.ljust(width)}  {each.text.rjust(values)}  {line}\n"
 
 
-def _checked_and_fixed(options: Check, file: str) -> Checked:
+def _checked_and_fixed(options: Check, file: str) -> CheckedFile:
     """Return what is known of a file after its fixes."""
     checked, program = _checked(options, file)
     if not options.fix or file == STDIN or program is None:
@@ -275,32 +275,32 @@ def _left_of_port(options: Check, language: Dialect, file: str, before: Program)
     return found
 
 
-def _checked(options: Check, file: str) -> tuple[Checked, Program | None]:
+def _checked(options: Check, file: str) -> tuple[CheckedFile, Program | None]:
     """Return what is known of a file, and its program if that could be checked."""
     language = language_of(options.lang, file)
     if language is None:
-        return Checked("", diagnostics=[no_dialect(file)]), None
+        return CheckedFile("", diagnostics=[no_dialect(file)]), None
     path = machine_of(file, options.machine)
     settings: dict[str, object] = {}
     try:
         source = read(file)
         machine = None if path is None else read(path)
     except Refused as refused:
-        return Checked(language.name, diagnostics=refused.diagnostics), None
+        return CheckedFile(language.name, diagnostics=refused.diagnostics), None
     if machine is not None:
         try:
             settings = read_machine(machine, language=language)
         except ProgramError as error:
-            return Checked(language.name, machine, error.diagnostics), None
+            return CheckedFile(language.name, machine, error.diagnostics), None
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
         wrong = missing_axes(settings, axes, language.first_axis)
         if wrong:
-            return Checked(language.name, machine, wrong), None
+            return CheckedFile(language.name, machine, wrong), None
     if options.model is not None:
         settings["controller.model"] = options.model
     program = language.program(source, settings)
     found = one_sentence(language, source, check_program(program))
-    checked = Checked(language.name, source, found, notes=program.remarks)
+    checked = CheckedFile(language.name, source, found, notes=program.remarks)
     if options.literals:
         checked.literals = program.literals
     if options.evidence:

@@ -12,8 +12,8 @@ from motionlang.kernel.tools import StackSpace
 
 # The facts that the rules of each language read, imported for its programs only.
 _FACTS = {
-    "mint": "motionlang.commands.check.mint.facts:MintFacts",
-    "mccl": "motionlang.commands.check.mccl.facts:MacroFacts",
+    "mint": "motionlang.commands.check.mint.mint_facts:MintFacts",
+    "mccl": "motionlang.commands.check.mccl.mccl_facts:MacroFacts",
 }
 
 

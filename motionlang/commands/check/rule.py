@@ -31,7 +31,7 @@ Check = Callable[[Any, Warn], None]
 
 
 @dataclass(eq=False)
-class Case:
+class RuleCase:
     """A rule in one language: its check, a program with the mistake, and the corrected one.
 
     `check` is None if the kernel reports the mistake. `machine` is the machine file of both programs.
@@ -54,11 +54,11 @@ class Rule:
     group: str
     text: str
     fix: str
-    mint: Case | None = None
-    mccl: Case | None = None
+    mint: RuleCase | None = None
+    mccl: RuleCase | None = None
 
     @cached_property
-    def cases(self) -> Mapping[str, Case]:
+    def cases(self) -> Mapping[str, RuleCase]:
         """The cases by the names of their languages."""
         found = {"mint": self.mint, "mccl": self.mccl}
         return {language: case for language, case in found.items() if case is not None}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, flag, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.option_groups import Output, read
+from motionlang.cli.option_groups import OutputOptions, read
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, real
 from motionlang.commands.compare.view import comparison_document, render_comparison
@@ -57,7 +57,7 @@ class Recording(Command):
 
 
 @dataclass
-class Compared(Output, Recording):
+class Compared(OutputOptions, Recording):
     """A comparison that is printed, and drawn on request."""
 
     all: bool = flag("list everything, not only the first rows of each kind")

@@ -28,7 +28,7 @@ TIMES = ("time", "t", "time_s", "zeit", "timestamp", "sec", "seconds")
 UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9}
 
 
-class Table(NamedTuple):
+class RecordedColumns(NamedTuple):
     """Columns of equal length by name, NaN for missing numbers.
 
     `lines` has the file line of each row. `remarks` are warnings about the file, `doubts` about single
@@ -66,7 +66,7 @@ class Table(NamedTuple):
         )
 
 
-def read_table(source: Source) -> Table:
+def read_table(source: Source) -> RecordedColumns:
     """Return the columns of a file.
 
     Raises ProgramError if it has fewer than two rows of numbers.
@@ -122,7 +122,7 @@ def read_table(source: Source) -> Table:
             )
         )
     columns = {name: data[:, k] for k, name in enumerate(names)}
-    return Table(columns, units, np.array(numbers), remarks, doubts)
+    return RecordedColumns(columns, units, np.array(numbers), remarks, doubts)
 
 
 def _separator(lines: Sequence[str]) -> tuple[str, int]:
@@ -194,7 +194,7 @@ def _bad_cells(name: str, count: int, line: int, text: str, rows: int) -> Diagno
     )
 
 
-def time_column(table: Table, source: Source, wanted: str | None) -> str:
+def time_column(table: RecordedColumns, source: Source, wanted: str | None) -> str:
     """Return the time column: the requested one, or the first one named like a time."""
     if wanted is not None:
         return table.find(wanted, source)
@@ -208,7 +208,9 @@ def time_column(table: Table, source: Source, wanted: str | None) -> str:
     )
 
 
-def seconds(table: Table, name: str, factor: float | None, units: Mapping[str, float] = UNITS) -> Array:
+def seconds(
+    table: RecordedColumns, name: str, factor: float | None, units: Mapping[str, float] = UNITS
+) -> Array:
     """Return the times of a column in seconds.
 
     Without a `factor` the unit decides: the one in the column's name, or the one in the row of units.
@@ -217,7 +219,7 @@ def seconds(table: Table, name: str, factor: float | None, units: Mapping[str, f
     return table.columns[name] * scale
 
 
-def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Diagnostic]]:
+def usable_rows(times: Array, table: RecordedColumns) -> tuple[NDArray[np.int64], list[Diagnostic]]:
     """Return the rows with increasing times, and diagnostics about the dropped rows.
 
     Rows without a time are dropped. Of several rows at one time the last one is used. If time runs backwards,

@@ -169,7 +169,7 @@ class Matched(NamedTuple):
         return max(SAME_SHARE * seconds, self.resolution)
 
 
-class Motion(NamedTuple):
+class SampledMotion(NamedTuple):
     """Positions on an even grid that begins at `start` (s), and the standard deviation of their noise."""
 
     start: float
@@ -188,7 +188,7 @@ class Motion(NamedTuple):
         slopes = self.slopes(window) if len(self.positions) >= 2 * window else np.zeros(1)
         return float(np.abs(slopes).max())
 
-    def padded(self, count: int) -> Motion:
+    def padded(self, count: int) -> SampledMotion:
         """Return the motion with `count` samples of rest at each end where it is slow."""
         if len(self.positions) < 2:
             return self
@@ -224,8 +224,12 @@ def match(trace: Trace, signal: Signal) -> Matched | None:
     times = np.arange(int(trace.end / step) + 2) * step
     positions = trace.at(signal.axis, "position", np.clip(times, 0.0, trace.end))
     # The same share of the slopes is noise, so that the same motion has the same strokes.
-    noise = recorded.noise * Motion(0.0, step, positions, 0.0).top_slope(window) / recorded.top_slope(window)
-    run = Motion(0.0, step, positions, noise)
+    noise = (
+        recorded.noise
+        * SampledMotion(0.0, step, positions, 0.0).top_slope(window)
+        / recorded.top_slope(window)
+    )
+    run = SampledMotion(0.0, step, positions, noise)
     expected, _, _ = _strokes(run.padded(2 * window), window)
     measured, first, last = _strokes(recorded.padded(2 * window), window)
     if len(expected) * len(measured) > MAX_CELLS:
@@ -265,7 +269,7 @@ def _shift(pairs: Sequence[Pair], stroke: Stroke) -> float:
     return before[-1].recorded.end - before[-1].run.end if before else pairs[0].lag
 
 
-def _recorded(signal: Signal, step: float) -> Motion | None:
+def _recorded(signal: Signal, step: float) -> SampledMotion | None:
     """Return the position of a signal on a grid, None if it has none."""
     if len(signal.times) < MIN_WINDOWS * MIN_WINDOW:
         return None
@@ -282,7 +286,7 @@ def _recorded(signal: Signal, step: float) -> Motion | None:
         noise = _noise(signal.values)
     else:
         return None
-    return Motion(float(signal.times[0]), step, values, noise)
+    return SampledMotion(float(signal.times[0]), step, values, noise)
 
 
 def _noise(positions: Array) -> float:
@@ -295,7 +299,7 @@ def _noise(positions: Array) -> float:
     return float(np.median(np.abs(np.diff(positions, 2)))) / (0.6745 * sqrt(6.0)) + resolution
 
 
-def _window(motion: Motion) -> int | None:
+def _window(motion: SampledMotion) -> int | None:
     """Return the smallest window whose noise is small against the slopes, None if there is none."""
     count, window = len(motion.positions), MIN_WINDOW
     while MIN_WINDOWS * window <= count:
@@ -306,7 +310,7 @@ def _window(motion: Motion) -> int | None:
     return None
 
 
-def _strokes(motion: Motion, window: int) -> tuple[list[Stroke], float, float]:
+def _strokes(motion: SampledMotion, window: int) -> tuple[list[Stroke], float, float]:
     """Return the complete strokes of a motion in times of the grid, and the times between which all are known."""
     start, end = motion.start, motion.start + (len(motion.positions) - 1) * motion.step
     if len(motion.positions) < 4 * window:

@@ -19,7 +19,7 @@ from motionlang.kernel.lang import Step, Structure, Values
 
 
 @dataclass
-class Condition:
+class CoveredCondition:
     """A condition of a statement, and how often it was true and false."""
 
     at: int
@@ -30,7 +30,7 @@ class Condition:
 
 
 @dataclass
-class Part:
+class CoveredPart:
     """A sub, task, handler or macro, and how often it began."""
 
     kind: str
@@ -40,7 +40,7 @@ class Part:
 
 
 @dataclass
-class Statement:
+class CoveredStatement:
     """A statement, and how often it began."""
 
     at: int
@@ -60,9 +60,9 @@ class Coverage:
     file: str
     source: Source
     worlds: Sequence[str]
-    statements: list[Statement]
-    conditions: list[Condition]
-    parts: list[Part]
+    statements: list[CoveredStatement]
+    conditions: list[CoveredCondition]
+    parts: list[CoveredPart]
     unreached: list[tuple[int, int]]
 
     @property
@@ -118,10 +118,11 @@ def coverage(
     reached = graph.reached
     begun = {at: counts.get((at, BEGINS, True), 0) for at in sorted(offsets) if at in reached}
     statements = [
-        Statement(at, structure.line(at), structure.statements[at].text, count) for at, count in begun.items()
+        CoveredStatement(at, structure.line(at), structure.statements[at].text, count)
+        for at, count in begun.items()
     ]
     parts = [
-        Part(unit.kind, unit.name, unit.line, begun.get(_first(structure, unit.entry, begun), 0))
+        CoveredPart(unit.kind, unit.name, unit.line, begun.get(_first(structure, unit.entry, begun), 0))
         for unit in structure.units
         if unit.kind != "program"
     ]
@@ -130,9 +131,9 @@ def coverage(
     return Coverage(source.name, source, worlds, statements, outcomes, parts, graph.unreached_lines)
 
 
-def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[Condition]:
+def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[CoveredCondition]:
     """Yield the conditions of a program in the order of its text; what a task waits for is none."""
-    found: dict[tuple[int, int], Condition] = {}
+    found: dict[tuple[int, int], CoveredCondition] = {}
     for _, points in groupby(structure.points, lambda point: point.key[0]):
         steps = [Step(each.kind, _nothing if each.branches else None, at=each.at) for each in points]
         for pc, number in conditions(steps):
@@ -141,7 +142,7 @@ def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[Con
             if statement is not None and not statement.waits:
                 true, false = (counts.get((at, number, holds), 0) for holds in (True, False))
                 text = statement.condition or statement.text
-                found[at, number] = Condition(at, statement.line, text, true, false)
+                found[at, number] = CoveredCondition(at, statement.line, text, true, false)
     yield from (found[key] for key in sorted(found))
 
 

@@ -14,13 +14,13 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable
-from motionlang.cli.option_groups import Jobs, Language, Output, read
+from motionlang.cli.option_groups import Jobs, Language, OutputOptions, read
 from motionlang.cli.output_files import written
 from motionlang.cli.program_files import PATHS, programs
 from motionlang.cli.readers import machine_time, real, wall_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
-from motionlang.commands.cover.suggestions import Search, Suggestion
+from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.explore import Interrupted, explore, without_world
 from motionlang.commands.processes.parallel import in_parallel
@@ -39,7 +39,7 @@ UNTIL_FACTOR, MIN_UNTIL = 2.0, 30.0
 
 
 @dataclass
-class Cover(Output, Jobs, Language):
+class Cover(OutputOptions, Jobs, Language):
     """Show which statements and conditions of programs their runs reach."""
 
     title: ClassVar[str] = "coverage"
@@ -160,7 +160,7 @@ examples:
         self.show(coverage_document(rows[1:]), text)
         return SIGNALS.status if ended else 0
 
-    def _write_scenario(self, file: str, world: Suggestion) -> dict[str, str]:
+    def _write_scenario(self, file: str, world: SuggestedWorld) -> dict[str, str]:
         """Write the scenario of a world that was found; return what the file is about, by its name."""
         folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
         os.makedirs(folder, exist_ok=True)

@@ -34,7 +34,7 @@ REVIEW = "The expectations are what the program does in it: check whether they a
 
 
 @dataclass
-class Suggestion:
+class SuggestedWorld:
     """A world: its name, settings on top of the program's own, and the lines that it is the first to reach."""
 
     name: str
@@ -61,11 +61,11 @@ class Search:
         self.events = before.copy()
         # What all runs together have reached.
         self.coverage = self._covered()
-        self.found: list[Suggestion] = []
+        self.found: list[SuggestedWorld] = []
         names = names_in_comments(exploration.program.source, worlds.language)
         self._names = {(each.kind, str(each.number)): each.name for each in names}
 
-    def run(self) -> Iterator[Suggestion]:
+    def run(self) -> Iterator[SuggestedWorld]:
         """Yield the worlds that reach something new."""
         for name, settings in self._candidates():
             if self.coverage.reached == self.coverage.total:
@@ -117,7 +117,7 @@ class Search:
             parts.append(slug(text))
         return "-and-".join(parts)
 
-    def _try(self, name: str, settings: dict[str, object]) -> Iterator[Suggestion]:
+    def _try(self, name: str, settings: dict[str, object]) -> Iterator[SuggestedWorld]:
         """Run a world, and yield it if it reaches something new and its expectations hold."""
         world = self.worlds.run(layered(self.own, settings))
         if not any(event not in self.events for event in world.events):
@@ -128,7 +128,7 @@ class Search:
         reaches = sorted(before.missed.keys() - found.missed.keys())
         if world.is_cut:  # the scenario ends where its run did
             settings = {**settings, "run.until": round(world.result.time, 2)}
-        suggestion = Suggestion(name, settings, "", reaches)
+        suggestion = SuggestedWorld(name, settings, "", reaches)
         text = self._verified(suggestion, world.result) if found.reached > before.reached else None
         if text is None:
             self.events = events
@@ -138,7 +138,7 @@ class Search:
         self.found.append(suggestion)
         yield suggestion
 
-    def _verified(self, suggestion: Suggestion, result: Run) -> str | None:
+    def _verified(self, suggestion: SuggestedWorld, result: Run) -> str | None:
         """Return the text of a scenario that `verify` passes, without prints if it must be; None if it does not."""
         program = self.exploration.program
         for prints in (True, False):
@@ -155,7 +155,7 @@ class Search:
 
 
 def scenario_text(
-    program: Program, world: Suggestion, result: Run, own: Mapping[str, object], has_prints: bool
+    program: Program, world: SuggestedWorld, result: Run, own: Mapping[str, object], has_prints: bool
 ) -> str:
     """Return a world as a scenario of a program with `own` settings; its results are the expectations."""
     lines = ", ".join(ranges(world.reaches))

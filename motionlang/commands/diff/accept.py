@@ -22,7 +22,7 @@ Shifts = tuple[list[Shift], list[Shift]]
 
 
 @dataclass(eq=False, slots=True)
-class Change:
+class AcceptedChange:
     """One change: its `kind`, and its number in `Difference`."""
 
     kind: str
@@ -34,19 +34,21 @@ class Change:
         return self.kind, id(self.what) if isinstance(self.what, LineChange) else self.what
 
 
-def changes(found: Difference) -> list[Change]:
+def changes(found: Difference) -> list[AcceptedChange]:
     """Return all changes in the order of their report; empty if there is none."""
-    made = [Change("status", "")] if found.status is not None else []
+    made = [AcceptedChange("status", "")] if found.status is not None else []
     by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
-    made += [Change("line", each) for each in by_time]
-    made += [Change("moves", number) for number in dict.fromkeys(found.hunks.values())]
-    made += [Change("end", "")] if found.tail else []
+    made += [AcceptedChange("line", each) for each in by_time]
+    made += [AcceptedChange("moves", number) for number in dict.fromkeys(found.hunks.values())]
+    made += [AcceptedChange("end", "")] if found.tail else []
     for kind, pairs in (("print", found.prints), ("event", found.events), ("error", found.errors)):
-        made += [Change(kind, n) for n in range(len(pairs))]
-    return made + [Change("field", name) for name in found.fields]
+        made += [AcceptedChange(kind, n) for n in range(len(pairs))]
+    return made + [AcceptedChange("field", name) for name in found.fields]
 
 
-def merged(old: Report, new: Report, found: Difference, accepted: Collection[Change]) -> dict[str, Any]:
+def merged(
+    old: Report, new: Report, found: Difference, accepted: Collection[AcceptedChange]
+) -> dict[str, Any]:
     """Return the old report with the accepted changes applied."""
     keys = {change.key for change in accepted}
     line = Timeline()

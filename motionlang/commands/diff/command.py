@@ -14,7 +14,14 @@ from typing import Any, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.option_groups import Language, ProgramOptions, World, given_settings, read, with_world
+from motionlang.cli.option_groups import (
+    Language,
+    ProgramOptions,
+    WorldOptions,
+    given_settings,
+    read,
+    with_world,
+)
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import integer
 from motionlang.cli.signals import SIGNALS
@@ -85,13 +92,13 @@ class B(Command):
 
 
 @dataclass
-class Given(World, ProgramOptions):
+class GivenProgram(WorldOptions, ProgramOptions):
     """A program of one side, with its machine and what it receives."""
 
     variant: int | None = None
 
     @classmethod
-    def of(cls, diff: Diff, side: str, file: str) -> Given:
+    def of(cls, diff: Diff, side: str, file: str) -> GivenProgram:
         """Return what is given for a side, "a" or "b"."""
         own = {
             name: getattr(diff, f"{name}_{side}")
@@ -104,7 +111,7 @@ class Given(World, ProgramOptions):
 
 
 @dataclass
-class Diff(Compared, World, A, B, Language):
+class Diff(Compared, WorldOptions, A, B, Language):
     """Compare two runs: programs, machines or variants, or a program and its golden files."""
 
     title: ClassVar[str] = "comparison"
@@ -226,7 +233,7 @@ examples:
         """Return the report of one side, and its run if it is a program, in a scenario if one is given."""
         if path.lower().endswith(".json"):
             return _report(path)
-        given = Given.of(self, side, path)
+        given = GivenProgram.of(self, side, path)
         language = given.known_language()
         settings: dict[str, object] = given.settings()
         if scenario:

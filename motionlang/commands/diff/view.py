@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import fsum
 from typing import TYPE_CHECKING, Any
 
-from motionlang.commands.diff.accept import Change
+from motionlang.commands.diff.accept import AcceptedChange
 from motionlang.commands.diff.charged import Charge
 from motionlang.commands.diff.literals import ChangedLiteral
 from motionlang.commands.diff.reports import Difference, LineChange
@@ -248,7 +248,7 @@ def _move(move: dict[str, Any]) -> str:
     )
 
 
-def change_lines(found: Difference, change: Change) -> list[str]:
+def change_lines(found: Difference, change: AcceptedChange) -> list[str]:
     """Return the text of a single change."""
     kind, what = change.kind, change.what
     if kind == "status":

@@ -40,9 +40,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
 
-from motionlang.commands.explore.cycles import Cycle, cycles
+from motionlang.commands.explore.cycles import MachineCycle, cycles
 from motionlang.commands.explore.rests import RestState, TaskRest
-from motionlang.commands.explore.search import MAX_TRIALS, Explorer, Node, Transition, Visit
+from motionlang.commands.explore.search import MAX_TRIALS, Explorer, StateNode, Transition, Visit
 from motionlang.commands.explore.trials import (
     TABLES,
     Act,
@@ -59,23 +59,23 @@ from motionlang.commands.explore.trials import (
 )
 from motionlang.commands.explore.values import is_probe
 from motionlang.commands.explore.view import exploration_text
-from motionlang.commands.explore.world import World, played, world_of
+from motionlang.commands.explore.world import FoundWorld, played, world_of
 from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
 
 __all__ = [
     "TABLES",
     "Act",
     "Change",
-    "Cycle",
     "Entry",
     "Exploration",
+    "FoundWorld",
     "Interrupted",
-    "Node",
+    "MachineCycle",
     "RestState",
+    "StateNode",
     "TaskRest",
     "Transition",
     "Visit",
-    "World",
     "asks",
     "described",
     "entries",
@@ -125,15 +125,15 @@ class Exploration:
         """Return what the tasks that work do in a trial from a time on, in order."""
         return self._explorer.acts(self._explorer.part(trial, since, inf))
 
-    def world_of(self, likeliest: Sequence[Cycle]) -> World:
+    def world_of(self, likeliest: Sequence[MachineCycle]) -> FoundWorld:
         """Return the world of the first of some cycles that repeats when it is played."""
         return world_of(self._explorer, likeliest)
 
-    def world_once(self, cycle: Cycle) -> World:
+    def world_once(self, cycle: MachineCycle) -> FoundWorld:
         """Return the world in which a cycle runs once."""
         return world_of(self._explorer, [cycle], times=1)
 
-    def variants(self) -> Iterator[tuple[Cycle, Trial]]:
+    def variants(self) -> Iterator[tuple[MachineCycle, Trial]]:
         """Yield the cycles with another key or answer, or number of a host, in place of one that leads to the same.
 
         Each value is played once, in the likeliest cycle that has its transition.

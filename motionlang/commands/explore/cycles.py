@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from motionlang.commands.explore.rests import RestState
-from motionlang.commands.explore.search import Node, Transition, Visit, Work
+from motionlang.commands.explore.search import StateNode, Transition, Visit, Work
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000
@@ -26,7 +26,7 @@ FASTER = 0.95
 
 
 @dataclass(frozen=True)
-class Cycle:
+class MachineCycle:
     """A repetition of a machine: its transitions, none for work without a rest.
 
     `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing. The
@@ -50,14 +50,14 @@ class Cycle:
         return not self.transitions or self.transitions[-1].target is not None
 
 
-def cycles(nodes: Mapping[RestState | None, Node], work: Iterable[Work]) -> list[Cycle]:
+def cycles(nodes: Mapping[RestState | None, StateNode], work: Iterable[Work]) -> list[MachineCycle]:
     """Return the cycles of an exploration, the likeliest first and those without motion last.
 
     Of those of the same states it is the best.
     """
     at_start = (node.first.moved for node in nodes.values() if not node.first.timeline)
     found = [*_loops(nodes, frozenset[int]().union(*at_start)), *_runs(nodes), *_without_rest(work)]
-    best: dict[object, Cycle] = {}
+    best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
     ):
@@ -65,7 +65,7 @@ def cycles(nodes: Mapping[RestState | None, Node], work: Iterable[Work]) -> list
     return list(best.values())
 
 
-def _loops(nodes: Mapping[RestState | None, Node], at_start: frozenset[int]) -> Iterator[Cycle]:
+def _loops(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int]) -> Iterator[MachineCycle]:
     """Yield the loops of transitions; `at_start` are the lines that move an axis before any change."""
     count = 0
     for start, node in nodes.items():
@@ -84,7 +84,9 @@ def _loops(nodes: Mapping[RestState | None, Node], at_start: frozenset[int]) -> 
                     paths.append((*path, each))
 
 
-def _loop(transitions: tuple[Transition, ...], node: Node, at_start: frozenset[int]) -> Iterator[Cycle]:
+def _loop(
+    transitions: tuple[Transition, ...], node: StateNode, at_start: frozenset[int]
+) -> Iterator[MachineCycle]:
     """Yield a loop with changes; what is only known of a later visit is a loop that begins there."""
     first, is_later = transitions[0], any(each.is_later for each in transitions)
     if is_later and not first.is_later:
@@ -93,10 +95,10 @@ def _loop(transitions: tuple[Transition, ...], node: Node, at_start: frozenset[i
     work = _work(transitions)
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
-        yield Cycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start))
+        yield MachineCycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start))
 
 
-def _runs(nodes: Mapping[RestState | None, Node]) -> Iterator[Cycle]:
+def _runs(nodes: Mapping[RestState | None, StateNode]) -> Iterator[MachineCycle]:
     """Yield the runs that end after a piece."""
     for node in nodes.values():
         for each in node.transitions:
@@ -104,10 +106,10 @@ def _runs(nodes: Mapping[RestState | None, Node]) -> Iterator[Cycle]:
                 lines = (*sorted(node.moved - set(each.lines)), *each.lines)
                 work = each.work | each.visit.moved
                 value = _value((each,), each.visit, work) - WHOLE_RUN
-                yield Cycle((each,), each.visit, lines, work, value)
+                yield MachineCycle((each,), each.visit, lines, work, value)
 
 
-def _without_rest(works: Iterable[Work]) -> Iterator[Cycle]:
+def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
     """Yield work without a rest; of the same lines the fastest, since time-outs and rejects take longer."""
     fastest: dict[frozenset[int], Work] = {}
     for work in works:
@@ -116,7 +118,7 @@ def _without_rest(works: Iterable[Work]) -> Iterator[Cycle]:
             fastest[work.lines] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * len(work.outputs) - BEFORE * len(work.timeline)
-        yield Cycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
+        yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:

@@ -10,7 +10,7 @@ from itertools import accumulate, chain, pairwise
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.trials import HANDLERS, Begun, Motion, Trial
+from motionlang.commands.explore.trials import HANDLERS, Begun, Trial, TrialMotion
 
 # What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1
@@ -227,7 +227,7 @@ def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
 class _Motions:
     """The times at which moves with an end of their own begin, in order, and the last end of those begun by each."""
 
-    def __init__(self, moves: Sequence[Motion]) -> None:
+    def __init__(self, moves: Sequence[TrialMotion]) -> None:
         ordered = sorted(moves, key=lambda each: each.begin)
         self.begins = [each.begin for each in ordered]
         self._ends = list(accumulate((each.end for each in ordered), max))

@@ -13,16 +13,16 @@ from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
-from motionlang.commands.explore.switches import Switches
+from motionlang.commands.explore.switches import FoundSwitches
 from motionlang.commands.explore.trials import (
     AT_REST,
     HANDLERS,
     Act,
     Change,
     Moment,
-    Motion,
     Timeline,
     Trial,
+    TrialMotion,
     Trials,
     given_in,
     levels_at,
@@ -139,7 +139,7 @@ class Departure:
 
 
 @dataclass
-class Node:
+class StateNode:
     """A state: the shortest way there, and a later one with further moves, since these may decide what follows.
 
     `printed` is what the program prints before it asks the question of the state, `refused` what it does with answers
@@ -191,7 +191,7 @@ class ChangeInMove(NamedTuple):
     """An input that may change in the middle of a move; `onward` are the lines that move an axis later."""
 
     change: Change
-    motion: Motion
+    motion: TrialMotion
     onward: frozenset[int]
 
     @property
@@ -223,11 +223,11 @@ class Explorer:
         target = program.target
         if target.model:
             kept.setdefault("controller.model", target.model)
-        self.switches = Switches(kept)
+        self.switches = FoundSwitches(kept)
         self.progress = progress
         self.trials = Trials(program, kept, most, is_over)
         self.program = program = self.trials.program
-        self.nodes: dict[RestState | None, Node] = {}
+        self.nodes: dict[RestState | None, StateNode] = {}
         # What a person has given does not change.
         given = {number for table, number in given_in(kept) if table == "input"}
         self._given = given
@@ -332,7 +332,7 @@ class Explorer:
 
     def explore(self) -> None:
         """Find the states and the transitions."""
-        start = self.nodes[None] = Node(None, Visit((), -DELAY))
+        start = self.nodes[None] = StateNode(None, Visit((), -DELAY))
         trial = self.play((), 0.0)
         behind = self._behind(trial, self._arrive(start, start.first, (), trial)[1])
         read_first = dict.fromkeys(channel for line in behind for channel in self._read_in.get(line, ()))
@@ -346,7 +346,7 @@ class Explorer:
             node.left.remove(departure)
             self._leave(node, departure)
 
-    def _leave(self, node: Node, departure: Departure) -> None:
+    def _leave(self, node: StateNode, departure: Departure) -> None:
         """Try the changes of a departure; what leads to something new is tried again with one more change."""
         visit, tried = departure.visit, departure.tried
         for causes in departure.changes or self._single(node, visit):
@@ -368,7 +368,7 @@ class Explorer:
                 )
                 node.left.append(Departure(visit, more, departure.depth + 1, tried))
 
-    def _single(self, node: Node, visit: Visit) -> Iterator[Causes]:
+    def _single(self, node: StateNode, visit: Visit) -> Iterator[Causes]:
         """Yield each change once, and those of several inputs that one line reads."""
         self._solve_banks(visit, {self.line(at) for place in node.state or () for at in place.statements})
         levels = visit.levels
@@ -403,7 +403,7 @@ class Explorer:
         self._read_in.setdefault(self.line(at), {}).update(wanted)
         self.channels += [each for each, level in wanted.items() if level and each not in self.channels]
 
-    def _read_together(self, node: Node, levels: Mapping[int, float]) -> Iterator[Causes]:
+    def _read_together(self, node: StateNode, levels: Mapping[int, float]) -> Iterator[Causes]:
         """Yield the changes of several inputs that a line of a state reads."""
         places = [at for each in node.state or () for at in sorted(each.statements)]
         lines = dict.fromkeys(map(self.line, places))
@@ -418,7 +418,7 @@ class Explorer:
                 if len(changes) > 1:
                     yield tuple(changes)
 
-    def _answers(self, node: Node, visit: Visit) -> Iterator[Causes]:
+    def _answers(self, node: StateNode, visit: Visit) -> Iterator[Causes]:
         """Yield answers to the question of a state: usual ones, and those that comparisons tell apart."""
         assert visit.question is not None
         first, second = (Change("answer", 0, each, visit.question) for each in ANSWERS)
@@ -451,7 +451,7 @@ class Explorer:
         ]
 
     def _in_moves(
-        self, node: Node, visit: Visit, causes: Causes, possible: Sequence[ChangeInMove]
+        self, node: StateNode, visit: Visit, causes: Causes, possible: Sequence[ChangeInMove]
     ) -> Iterator[Causes]:
         """Play the changes with one more in the middle of a move, where none was yet; yield those that are counted."""
         for each in possible:
@@ -467,7 +467,7 @@ class Explorer:
             yield from self._counted(node, visit, causes, partial(each.added, causes, visit.change_time))
 
     def _counted(
-        self, node: Node, visit: Visit, causes: Causes, often: Callable[[int], Causes]
+        self, node: StateNode, visit: Visit, causes: Causes, often: Callable[[int], Causes]
     ) -> Iterator[Causes]:
         """Yield changes with one more, which comes as often as a program counts it."""
         tried = [causes, *map(often, range(1, ENOUGH))]
@@ -485,7 +485,7 @@ class Explorer:
 
     def _changes_in_moves(self, trial: Trial, since: float, until: float) -> list[ChangeInMove]:
         """Return the inputs that are read while an axis moves, or that start a handler."""
-        motions: dict[int, Motion] = {}
+        motions: dict[int, TrialMotion] = {}
         for each in trial.part(since, until).motions:
             if each.words and each.end - each.begin > SHORTEST:
                 motions.setdefault(each.line, each)
@@ -500,7 +500,7 @@ class Explorer:
                     found.append(possible)
         return found
 
-    def _read_between(self, trial: Trial, motion: Motion) -> Iterator[int]:
+    def _read_between(self, trial: Trial, motion: TrialMotion) -> Iterator[int]:
         """Yield the inputs that statements read while a move goes on."""
         begun = chain.from_iterable(trial.statements.values())
         places = [each.at for each in begun if motion.begin <= each.time < motion.end]
@@ -510,7 +510,7 @@ class Explorer:
             yield from (channel for channel in trial.readings.get(at, ()) if channel in known)
 
     def _values_behind(
-        self, node: Node, visit: Visit, behind: Sequence[int], causes: Causes
+        self, node: StateNode, visit: Visit, behind: Sequence[int], causes: Causes
     ) -> Iterator[Causes]:
         """Yield the changes with a value of one more channel that the lines behind them read."""
         changed = {(each.table, each.number) for each in causes}
@@ -518,13 +518,13 @@ class Explorer:
             if (first.table, first.number) not in changed and first.table != "key" and read_in & set(behind):
                 yield from self._compared(node, visit, causes, first, second)
 
-    def _values(self, node: Node, visit: Visit) -> Iterator[Causes]:
+    def _values(self, node: StateNode, visit: Visit) -> Iterator[Causes]:
         """Yield the changes of what has more than two levels, by the comparisons that follow."""
         for first, second, _ in self.probes if node.state is not None else ():
             yield from self._compared(node, visit, (), first, second)
 
     def _compared(
-        self, node: Node, visit: Visit, others: Causes, first: Change, second: Change
+        self, node: StateNode, visit: Visit, others: Causes, first: Change, second: Change
     ) -> Iterator[Causes]:
         """Yield the changes to values at which the comparisons behind two of a channel turn."""
         if self.trials.is_over:
@@ -538,7 +538,9 @@ class Explorer:
 
     # ------------------------------------------------------------------------------------------------ arriving
 
-    def _arrive(self, node: Node, visit: Visit, causes: Causes, trial: Trial) -> tuple[bool, Rest | None]:
+    def _arrive(
+        self, node: StateNode, visit: Visit, causes: Causes, trial: Trial
+    ) -> tuple[bool, Rest | None]:
         """Take the rests of a trial behind a change, and return the first one.
 
         The first result is True if it leads this state elsewhere for the first time.
@@ -605,13 +607,13 @@ class Explorer:
         """Return the rests of the machine in a trial."""
         return rests(trial, self.beside)
 
-    def _reached(self, rest: Rest, trial: Trial) -> tuple[Node, Visit]:
+    def _reached(self, rest: Rest, trial: Trial) -> tuple[StateNode, Visit]:
         """Return the node of a rest, and this visit; the shortest one is that of the node, and a later one is kept."""
         moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
         visit = Visit(trial.timeline, rest.begin, rest.end, moved, rest.question)
         node = self.nodes.get(rest.state)
         if node is None:
-            node = self.nodes[rest.state] = Node(rest.state, visit, left=[Departure(visit)])
+            node = self.nodes[rest.state] = StateNode(rest.state, visit, left=[Departure(visit)])
         elif (
             visit.lasts > node.first.lasts
             and trial.time - rest.begin > node.first.end - node.first.time + QUIET
@@ -632,7 +634,7 @@ class Explorer:
 
     def _link(
         self,
-        source: Node,
+        source: StateNode,
         visit: Visit,
         causes: Causes,
         target: RestState | None,
@@ -760,7 +762,7 @@ def _beside(structure: Structure) -> frozenset[int]:
     return frozenset(others - working)
 
 
-def _urgency(left: tuple[Node, Departure]) -> tuple[bool, int, bool, int, int]:
+def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, int]:
     """Return the order in which states are left: by the fewest changes at once and before, and later visits last."""
     node, departure = left
     visit = departure.visit

@@ -15,7 +15,7 @@ HOME_AHEAD = 1.0
 SWITCHES = ("home_switch", "index_every")
 
 
-class Switches:
+class FoundSwitches:
     """The switches that were put where an axis looked for them: the settings of each axis by key.
 
     Settings of the keys that are given stay as they are.

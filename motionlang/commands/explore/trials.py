@@ -17,9 +17,9 @@ from math import inf
 from operator import attrgetter
 from typing import NamedTuple
 
-from motionlang.kernel import Checked, Hook, Machine, Program, Run, Task, dialect, run, run_on
+from motionlang.kernel import CheckedSettings, Hook, Machine, Program, Run, Task, dialect, run, run_on
 from motionlang.kernel.lang import DRIVES, Snapshot
-from motionlang.kernel.log import Move, Printed, Switched, Waited
+from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 from motionlang.kernel.tools import count_of
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
@@ -143,7 +143,7 @@ class Begun(NamedTuple):
     callers: tuple[int, ...]
 
 
-class Recorder(Hook):
+class TrialRecorder(Hook):
     """A record of the tasks of a run from a time on: their statements, the inputs that they read, comparisons."""
 
     def __init__(self, since: float, snapshot_at: float = inf) -> None:
@@ -282,7 +282,7 @@ class Act(NamedTuple):
         return f"{self.subject} {self.words}".strip()
 
 
-class Motion(NamedTuple):
+class TrialMotion(NamedTuple):
     """A move of a trial: when it began, s, its axis and its line, and how it was cut off, as in the log.
 
     `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `words` are its target
@@ -304,8 +304,8 @@ class Trial(NamedTuple):
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
     for which it has no answer.
-    `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `Recorder` has them,
-    `statements`, `comparisons` and `readings` are those from `since` on.
+    `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `TrialRecorder` has
+    them, `statements`, `comparisons` and `readings` are those from `since` on.
     """
 
     timeline: Timeline
@@ -316,7 +316,7 @@ class Trial(NamedTuple):
     is_homing: bool
     is_idle: bool
     question: str | None
-    moves: Sequence[Motion]
+    moves: Sequence[TrialMotion]
     outputs: Sequence[Switched]
     prints: Sequence[Printed]
     waits: Sequence[Waited]
@@ -339,7 +339,7 @@ class Trial(NamedTuple):
         return self.status in ("ended", "fault", "stopped") and not self.is_stuck
 
     @property
-    def motions(self) -> list[Motion]:
+    def motions(self) -> list[TrialMotion]:
         """The moves that have an end of their own."""
         return [each for each in self.moves if each.end < inf]
 
@@ -356,7 +356,7 @@ class Start(NamedTuple):
 
     before: Timeline
     since: float
-    recorder: Recorder
+    recorder: TrialRecorder
     run: Run
 
     def leads_to(self, before: Timeline, since: float) -> bool:
@@ -418,7 +418,7 @@ class Trials:
         if since > 0.0:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
-            recorder = Recorder(since)
+            recorder = TrialRecorder(since)
             self.last = self._run(tables_of(timeline), until, recorder)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
@@ -433,7 +433,7 @@ class Trials:
         self.seen |= recorder.seen
         return trial
 
-    def _continue(self, timeline: Timeline, since: float, until: float) -> Recorder:
+    def _continue(self, timeline: Timeline, since: float, until: float) -> TrialRecorder:
         """Play on from shortly before the changes; bring the run there first if it is not the last start."""
         start = self._start = self._start_before(timeline, since)
         self.last = start.run
@@ -455,7 +455,7 @@ class Trials:
             self._change(start, before)
             result = self._run_on(start.run.machine, at)
         else:
-            recorder = Recorder(since, at)
+            recorder = TrialRecorder(since, at)
             result = self._run(tables_of(before), at, recorder)
         self.seen |= recorder.seen
         return Start(before, since, recorder, result)
@@ -466,8 +466,8 @@ class Trials:
         changes = tuple(each for each in timeline if each[0] >= start.since)
         machine.add_entries(tables_of(changes, machine.clock.now))
 
-    def _run(self, tables: Mapping[str, object], until: float, recorder: Recorder) -> Run:
-        settings = Checked(merged(self.base, tables))
+    def _run(self, tables: Mapping[str, object], until: float, recorder: TrialRecorder) -> Run:
+        settings = CheckedSettings(merged(self.base, tables))
         return self._noted(
             run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
         )
@@ -484,7 +484,7 @@ class Trials:
     def run_in(self, tables: Mapping[str, object], until: float) -> tuple[Run, set[int]]:
         """Run the program with some tables of the machine file up to a time, and return what has begun, too."""
         self.count += 1
-        recorder = Recorder(inf)
+        recorder = TrialRecorder(inf)
         result = self._run(tables, until, recorder)
         self.seen |= recorder.seen
         return result, {each for each in recorder.seen if isinstance(each, int)}
@@ -573,7 +573,7 @@ ENDLESS = frozenset(("jog", "gear"))
 
 
 def _trial(
-    timeline: Timeline, since: float, result: Run, recorder: Recorder, base: Mapping[str, object]
+    timeline: Timeline, since: float, result: Run, recorder: TrialRecorder, base: Mapping[str, object]
 ) -> Trial:
     """Return what a run did that has just ended."""
     log = result.machine.log
@@ -633,19 +633,19 @@ def _is_stuck(result: Run) -> bool:
     return asks(result) or any(each.code == "never" for each in result.diagnostics)
 
 
-def _moves(result: Run) -> Iterator[Motion]:
+def _moves(result: Run) -> Iterator[TrialMotion]:
     homes = result.dialect.table().homes
     for move in result.machine.log.moves:
         profile, end = move.profile, inf
         is_homing = homes(move.command)
         if profile is not None and profile.duration < inf and (profile.shape not in ENDLESS or is_homing):
             end = move.start_time + profile.duration
-        yield Motion(
+        yield TrialMotion(
             move.start_time, end, move.axis, move.line, described(move, is_homing), move.ended, is_homing
         )
 
 
-def described(move: Move, is_homing: bool) -> str:
+def described(move: LoggedMove, is_homing: bool) -> str:
     """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing."""
     profile = move.profile
     if profile is None:

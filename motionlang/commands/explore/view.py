@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
-from motionlang.commands.explore.cycles import Cycle
+from motionlang.commands.explore.cycles import MachineCycle
 from motionlang.commands.explore.rests import RestState, TaskRest
-from motionlang.commands.explore.search import Node, Transition
+from motionlang.commands.explore.search import StateNode, Transition
 from motionlang.commands.explore.trials import in_words
-from motionlang.commands.explore.world import World
+from motionlang.commands.explore.world import FoundWorld
 from motionlang.kernel import Program
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import count_of, ranges
@@ -19,7 +19,11 @@ MAX_CYCLES, MAX_ACTS = 3, 8
 
 
 def exploration_text(
-    program: Program, nodes: Sequence[Node], trials: int, cycles: Sequence[Cycle], world: World
+    program: Program,
+    nodes: Sequence[StateNode],
+    trials: int,
+    cycles: Sequence[MachineCycle],
+    world: FoundWorld,
 ) -> str:
     """Return the states of a program with their transitions, its likeliest cycles and a world."""
     structure = program.structure
@@ -34,7 +38,7 @@ def exploration_text(
     return "\n".join(lines) + "\n"
 
 
-def _world(world: World) -> Iterator[str]:
+def _world(world: FoundWorld) -> Iterator[str]:
     """Yield the entries of a world in the form of a machine file, and how often lines then move an axis."""
     lines = Counter(each.line for each in world.run.machine.log.moves)
     counts = ", ".join(f"line {line} {count_of(count, 'move')}" for line, count in sorted(lines.items()))
@@ -72,20 +76,20 @@ def causes_of(transition: Transition) -> str:
     return in_words(transition.causes)
 
 
-def _head(node: Node, structure: Structure) -> str:
+def _head(node: StateNode, structure: Structure) -> str:
     if node.state is None:
         return "power-up"
     return f"waits in {lines_of(node.state, structure.line)}: {statements_of(node.state, structure)}"
 
 
-def _rows(node: Node, line: Callable[[int], int]) -> Iterator[str]:
+def _rows(node: StateNode, line: Callable[[int], int]) -> Iterator[str]:
     for each in node.transitions:
         acts = ", ".join((*map(str, each.acts[:MAX_ACTS]), *(["…"] if len(each.acts) > MAX_ACTS else [])))
         target = "end" if each.target is None else lines_of(each.target, line)
         yield f"  {causes_of(each)} → {target}, {each.seconds:.2f} s{': ' if acts else ''}{acts}"
 
 
-def _cycle(cycle: Cycle, line: Callable[[int], int]) -> str:
+def _cycle(cycle: MachineCycle, line: Callable[[int], int]) -> str:
     lines = ", ".join(map(str, dict.fromkeys(cycle.lines)))
     steps = " → ".join(f"{lines_of(each.source, line)} ({causes_of(each)})" for each in cycle.transitions)
     return f"{steps or 'work without a rest'}; lines {lines} move axes"

@@ -21,7 +21,7 @@ from itertools import pairwise
 from math import fsum, inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.cycles import Cycle
+from motionlang.commands.explore.cycles import MachineCycle
 from motionlang.commands.explore.rests import BODY, Rest, RestState
 from motionlang.commands.explore.search import DELAY, Causes, Explorer, delay
 from motionlang.commands.explore.trials import (
@@ -30,9 +30,9 @@ from motionlang.commands.explore.trials import (
     Change,
     Entry,
     Moment,
-    Motion,
     Timeline,
     Trial,
+    TrialMotion,
     entries,
     is_about,
     levels_at,
@@ -71,21 +71,21 @@ NUMBERS = ("comms", "netdata", "dpr", "modbus.register")
 WRITES = (*NUMBERS, "coil", "key")
 
 
-class World(NamedTuple):
+class FoundWorld(NamedTuple):
     """The entries of a machine file with which a cycle runs, and the run; `times` is how often the cycle was played."""
 
-    cycle: Cycle
+    cycle: MachineCycle
     settings: Mapping[str, object]
     run: Run
     times: int
 
 
-def world_of(explorer: Explorer, likeliest: Sequence[Cycle], times: int = TIMES) -> World:
+def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int = TIMES) -> FoundWorld:
     """Return the world of the likeliest cycle that repeats when it is played, or of one that comes furthest.
 
     Without a cycle it is the world in which the program comes furthest.
     """
-    best: tuple[int, Cycle, Trial] | None = None
+    best: tuple[int, MachineCycle, Trial] | None = None
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
         if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
@@ -98,12 +98,14 @@ def world_of(explorer: Explorer, likeliest: Sequence[Cycle], times: int = TIMES)
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
-        best = 0, Cycle((), furthest, (), frozenset(), 0.0), trial
+        best = 0, MachineCycle((), furthest, (), frozenset(), 0.0), trial
     count, cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
 
 
-def _with_more_on(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> tuple[int, Cycle, Trial]:
+def _with_more_on(
+    explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
+) -> tuple[int, MachineCycle, Trial]:
     """Play a cycle with the inputs on from the start that only come on once, if it runs as often then.
 
     What they would have ended, such as an alarm, does not happen at all then.
@@ -122,14 +124,14 @@ def _with_more_on(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) ->
 # ----------------------------------------------------------------------------------------------------- playing
 
 
-def _count(cycle: Cycle, trial: Trial) -> int:
+def _count(cycle: MachineCycle, trial: Trial) -> int:
     """Return how often a trial has come through a cycle: how often each of its lines has moved an axis."""
     since = cycle.visit.time if cycle.repeats else 0.0
     counts = Counter(each.line for each in trial.moves if each.begin >= since)
     return min((counts[line] for line in cycle.work), default=0)
 
 
-def _played_on(explorer: Explorer, cycle: Cycle, trial: Trial) -> Trial:
+def _played_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
     """Return the run of a cycle that stops after some turns, with one of the inputs that are in no transition of it."""
     used = {each.number for _, each in trial.timeline if each.table == "input"}
     for channel in explorer.channels:
@@ -140,7 +142,7 @@ def _played_on(explorer: Explorer, cycle: Cycle, trial: Trial) -> Trial:
     return trial
 
 
-def played(explorer: Explorer, cycle: Cycle, others: Causes = (), times: int = TIMES) -> Trial:
+def played(explorer: Explorer, cycle: MachineCycle, others: Causes = (), times: int = TIMES) -> Trial:
     """Play a cycle some times: each change at the state that it leads on from, and others from the start."""
     policy: dict[RestState | None, Causes] = {
         each.source: each.causes for each in cycle.transitions if each.causes
@@ -215,7 +217,7 @@ def _due(
 # -------------------------------------------------------------------------------------------------- explaining
 
 
-def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> World:
+def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> FoundWorld:
     """Return the simplest world in which each task does what it did in a played run."""
     orders = _Orders(explorer)
     end = _end_of(cycle, trial)
@@ -242,7 +244,7 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
     def holds(settings: Mapping[str, object]) -> bool:
         result, begun = explorer.trials.run_in(settings, until)
         log = result.machine.log
-        moves = (Motion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
+        moves = (TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
         if trial.status == "ended" and result.status != "ended":
             return False
         return begun & explorer.handlers <= handled and _same(
@@ -285,10 +287,10 @@ def _explained(explorer: Explorer, count: int, cycle: Cycle, trial: Trial) -> Wo
             chosen[number] = [entry]
             break
     settings = _settings(chosen, others)
-    return World(cycle, settings, explorer.trials.run_in(settings, until)[0], count)
+    return FoundWorld(cycle, settings, explorer.trials.run_in(settings, until)[0], count)
 
 
-def _end_of(cycle: Cycle, trial: Trial) -> float:
+def _end_of(cycle: MachineCycle, trial: Trial) -> float:
     """Return when a trial has come through a cycle often enough to compare, but not before its last change."""
     starts: dict[int, list[float]] = defaultdict(list)
     for each in trial.moves:
@@ -352,7 +354,7 @@ class _Orders:
         self._owners = explorer.program.structure.owners()
 
     def of(
-        self, moves: Iterable[Motion], outputs: Iterable[Switched], prints: Iterable[Printed]
+        self, moves: Iterable[TrialMotion], outputs: Iterable[Switched], prints: Iterable[Printed]
     ) -> dict[str, list[tuple[object, ...]]]:
         """Return the moves, outputs and prints of each task in order."""
         acts: list[tuple[float, int, tuple[object, ...]]] = []

@@ -13,13 +13,13 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.commands import COMMANDS, build_parser
-from motionlang.cli.option_groups import Output, forms
+from motionlang.cli.option_groups import OutputOptions, forms
 from motionlang.commands.help.codes import codes, explanation
 from motionlang.commands.help.keyword_search import search
 from motionlang.commands.help.view import evidence_table, keywords_table, listing, page
 from motionlang.commands.probe import view as assumptions
 from motionlang.commands.probe.assumption import SETTLED
-from motionlang.commands.probe.facts import of_word as of_word_facts
+from motionlang.commands.probe.fact_evidence import of_word as of_word_facts
 from motionlang.commands.probe.questions import of_word
 from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
 from motionlang.kernel.lang import Vocabulary
@@ -53,7 +53,7 @@ MCCL = re.compile(r"(?:a|\d+)?([A-Z]{2})(?:n|[-+]?[\d.]+)?", re.IGNORECASE)
 
 
 @dataclass
-class Help(Output):
+class Help(OutputOptions):
     """Explain a command, a keyword or a diagnostic's code."""
 
     title: ClassVar[str] = "keywords"

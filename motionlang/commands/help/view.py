@@ -6,7 +6,7 @@ import sys
 import textwrap
 from collections.abc import Sequence
 
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.kernel import Keyword
 from motionlang.views.formatting import dialect_name

@@ -34,7 +34,7 @@ from math import ceil, floor, inf, log10
 from statistics import median
 from typing import Any
 
-from motionlang.commands.certify import MOTOR, Limit, certificate, missing_limits
+from motionlang.commands.certify import MOTOR, CertifiedLimit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour
 from motionlang.commands.improve.process import AS_SAID, Process
 from motionlang.commands.improve.tasks import Tasks
@@ -42,9 +42,9 @@ from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.quantities import cycle_of, cycle_times, no_cycle_notes
 from motionlang.commands.scenarios import Entry, Scenario, scenario_files, unmet
-from motionlang.commands.sweep.job import Job, Worker
+from motionlang.commands.sweep.job import SweepJob, SweepWorker
 from motionlang.kernel import (
-    Checked,
+    CheckedSettings,
     Dialect,
     Keyword,
     ProgramError,
@@ -56,7 +56,7 @@ from motionlang.kernel import (
     settings_next_to,
 )
 from motionlang.kernel.lang import Literal, canonical, number, number_text, replaced
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tools import nearest
 
 # The quantities that limits bound, in the order in which they are named.
@@ -130,7 +130,7 @@ class Improvement:
     after: float
     edits: list[Edit]
     result: Run
-    limits: list[Limit]
+    limits: list[CertifiedLimit]
     held: list[Held] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)
     waits: list[str] = field(default_factory=list)
@@ -140,7 +140,7 @@ class Improvement:
 
 
 @dataclass
-class World:
+class TestedWorld:
     """Settings of a machine, and what is expected of a run there; `name` is that of a scenario."""
 
     name: str
@@ -169,8 +169,8 @@ class Improver:
         self,
         source: Source,
         language: Dialect,
-        world: World,
-        others: Sequence[World] = (),
+        world: TestedWorld,
+        others: Sequence[TestedWorld] = (),
         *,
         cycle: str = "",
         until: float | None = None,
@@ -195,7 +195,7 @@ class Improver:
         self._refused: dict[str, str] = {}
         # The axes whose speed a literal sets, and its moves; the literals that are a speed or a rate by themselves.
         self._axes: dict[str, set[int]] = {}
-        self._moves: dict[str, list[Move]] = {}
+        self._moves: dict[str, list[LoggedMove]] = {}
         self._rates: set[str] = set()
         # The highest values of these, by the limits, and what they are in words.
         self._highest: dict[str, tuple[float, str]] = {}
@@ -616,20 +616,24 @@ class Improver:
                 return _limit_text(each)
         return ""
 
-    def _run(self, world: World) -> Run:
+    def _run(self, world: TestedWorld) -> Run:
         """Return the run of the program as it is in a world."""
         self._count()
-        settings = Checked(world.settings)
+        settings = CheckedSettings(world.settings)
         return run(self._worker.program(settings), machine=settings, until=self.until)
 
-    def _trial(self, world: World, values: Mapping[str, float], worker: Worker | None = None) -> Run:
+    def _trial(
+        self, world: TestedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
+    ) -> Run:
         """Return the run in a world with other values of some literals, by default of a few cycles."""
         self._count()
         given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
         return (worker or self._short).run_given(given, world.settings)
 
-    def _worker_until(self, until: float | None) -> Worker:
-        return Worker(Job(self.source, self.language.name, (), (), self.world.settings, {}, {}, until, False))
+    def _worker_until(self, until: float | None) -> SweepWorker:
+        return SweepWorker(
+            SweepJob(self.source, self.language.name, (), (), self.world.settings, {}, {}, until, False)
+        )
 
     def _of_cycles(self, starts: Sequence[float]) -> Behaviour:
         """Return the behaviour of the first cycles, which trials have from now on; of the whole run if they differ."""
@@ -639,7 +643,9 @@ class Improver:
         until = starts[CYCLES] + SHORT
         self._short = self._worker_until(until)
         short = run(
-            self._short.program(self.world.settings), machine=Checked(self.world.settings), until=until
+            self._short.program(self.world.settings),
+            machine=CheckedSettings(self.world.settings),
+            until=until,
         )
         self._count()
         return Behaviour(short, self._tasks, self._starts(short), self._base.status)
@@ -669,11 +675,11 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
     files = [] if isinstance(program, Source) else scenario_files(program)
     others = [Scenario(str(program), each) for each in files]
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
-    worlds = [World(each.name, each.settings, each.expected) for each in others]
-    return Improver(source, dialect_for(source, None), World("", settings, expected), worlds, **given)
+    worlds = [TestedWorld(each.name, each.settings, each.expected) for each in others]
+    return Improver(source, dialect_for(source, None), TestedWorld("", settings, expected), worlds, **given)
 
 
-def _limit_text(limit: Limit) -> str:
+def _limit_text(limit: CertifiedLimit) -> str:
     return f"{limit.name} of axis {limit.axis}: {limit.limit:.6g} {limit.unit}"
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.kernel import Run
-from motionlang.kernel.log import CONTINUED, Move, Waited
+from motionlang.kernel.log import CONTINUED, LoggedMove, Waited
 
 # A task that others share the processor with is late by so much, s.
 LATE = 2e-3
@@ -24,7 +24,7 @@ class Place(NamedTuple):
     speed: float
 
 
-class Act(NamedTuple):
+class OrderedAct(NamedTuple):
     """An output, a print or the begin of a move, with the moves in progress by axis.
 
     `end` is that of a move, None if it does not count or is not known.
@@ -37,11 +37,11 @@ class Act(NamedTuple):
     end: float | None = None
 
 
-def acts_of(run: Run, tasks: Tasks) -> dict[str, list[Act]]:
+def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
     """Return what each task does, in the order of time."""
     log, lines = run.machine.log, {-1: 0}
     homes = run.dialect.table().homes
-    spans: dict[int, list[tuple[float, Move]]] = {}
+    spans: dict[int, list[tuple[float, LoggedMove]]] = {}
     found: list[tuple[float, int, int, str, float | None]] = []
     continued: set[int] = set()
     for move in log.moves:
@@ -60,16 +60,16 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[Act]]:
         if at not in lines:
             lines[at] = run.dialect.locate(run.source, at)[0]
         found.append((time, kind, lines[at], text, None))
-    acts: dict[str, list[Act]] = {}
+    acts: dict[str, list[OrderedAct]] = {}
     for time, _, line, text, end in sorted(found, key=lambda each: each[:2]):
         mine = acts.setdefault(tasks.at(line), [])
         # A homing has as many phases as it needs.
         if not (mine and homes(text.partition(" ")[0]) and mine[-1].text == text):
-            mine.append(Act(time, line, text, dict(_moving(spans, time)), end))
+            mine.append(OrderedAct(time, line, text, dict(_moving(spans, time)), end))
     return acts
 
 
-def _moving(spans: dict[int, list[tuple[float, Move]]], time: float) -> Iterator[tuple[int, Place]]:
+def _moving(spans: dict[int, list[tuple[float, LoggedMove]]], time: float) -> Iterator[tuple[int, Place]]:
     """Yield the axes that move at a time, without homing, and their moves."""
     for axis, moves in sorted(spans.items()):
         at = bisect_right(moves, time, key=lambda each: each[0]) - 1
@@ -81,7 +81,9 @@ def _moving(spans: dict[int, list[tuple[float, Move]]], time: float) -> Iterator
             yield axis, Place(move.line, distance, move.size_to_user(state.velocity))
 
 
-def polls_of(run: Run, tasks: Tasks, acts: Mapping[str, Sequence[Act]]) -> dict[tuple[str, int], float]:
+def polls_of(
+    run: Run, tasks: Tasks, acts: Mapping[str, Sequence[OrderedAct]]
+) -> dict[tuple[str, int], float]:
     """Return the time between two looks of a task that polls, by the line of the act that the loop leads to."""
     times = {task: [each.time for each in mine] for task, mine in acts.items()}
     last: dict[str, Waited] = {}

@@ -16,7 +16,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from math import inf
 
-from motionlang.commands.improve.acts import LATE, Act, Place, acts_of, polls_of
+from motionlang.commands.improve.acts import LATE, OrderedAct, Place, acts_of, polls_of
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.kernel import Run
 from motionlang.kernel.log import GRAVE
@@ -41,7 +41,7 @@ class Behaviour:
         self._polls = polls_of(run, tasks, self._acts)
         # By task, line and text: the axes that move as it comes, and its places by cycle.
         self._overlaps: dict[tuple[str, int, str], set[int]] = {}
-        cycles: dict[tuple[str, int, str], list[list[Act]]] = {}
+        cycles: dict[tuple[str, int, str], list[list[OrderedAct]]] = {}
         whole = max(len(starts) - 1, 1)
         for task, acts in self._acts.items():
             for act in acts:
@@ -76,7 +76,7 @@ class Behaviour:
             return "the number of outputs, prints and moves of the program"
         return "the final positions" if is_whole and not self._is_at_rest(run) else ""
 
-    def _changed(self, task: str, was: Act, is_: Act) -> str:
+    def _changed(self, task: str, was: OrderedAct, is_: OrderedAct) -> str:
         """Return how an act differs from the one in its place; "" if it does not."""
         if (was.line, was.text) != (is_.line, is_.text):
             where = "" if task == "program" else f" of {task}"
@@ -101,7 +101,7 @@ class Behaviour:
                 return f"line {was.line}: {was.text} no longer at {where}"
         return ""
 
-    def _places(self, key: tuple[str, int, str], act: Act, axis: int) -> list[Place]:
+    def _places(self, key: tuple[str, int, str], act: OrderedAct, axis: int) -> list[Place]:
         """Return where an output comes in the move of an axis in each cycle, none if that is not the same place."""
         cycles = self._steady.get(key, [])
         number = next((each.index(act) for each in cycles if act in each), None)

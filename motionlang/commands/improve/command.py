@@ -10,10 +10,10 @@ from typing import ClassVar
 
 from motionlang.cli import option_groups as shared
 from motionlang.cli.command import Refused, WrongOption, argument, option
-from motionlang.cli.option_groups import Output, ProgramOptions, with_world
+from motionlang.cli.option_groups import OutputOptions, ProgramOptions, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
-from motionlang.commands.improve import Improver, NotPossible, World
+from motionlang.commands.improve import Improver, NotPossible, TestedWorld
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.quantities import CYCLE, CYCLES
 from motionlang.commands.scenarios import Scenario, scenario_files
@@ -52,7 +52,7 @@ def cycle(text: str) -> str:
 
 
 @dataclass
-class Improve(Output, shared.World, ProgramOptions):
+class Improve(OutputOptions, shared.WorldOptions, ProgramOptions):
     """Find a shorter cycle within the limits of the machine."""
 
     title: ClassVar[str] = "improvement"
@@ -113,8 +113,8 @@ examples:
                 if self.file == STDIN
                 else [Scenario(self.file, each) for each in scenario_files(self.file)]
             )
-            others = [World(each.name, each.settings, each.expected) for each in scenarios]
-            own = World("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
+            others = [TestedWorld(each.name, each.settings, each.expected) for each in scenarios]
+            own = TestedWorld("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
             improver = Improver(
                 source,
                 language,

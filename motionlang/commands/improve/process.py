@@ -20,7 +20,7 @@ from motionlang.commands.map.comments import comments_of
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Literal
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 
 # The words of a comment that name a process, in English and in German.
 WORDS = """
@@ -76,7 +76,7 @@ class Process:
                 self._highest[move.axis] = max(self._highest.get(move.axis, 0.0), self._speed(move))
         self._own, self._alone = _comments(run)
 
-    def moves(self, slower: Run, axes: Collection[int]) -> list[Move]:
+    def moves(self, slower: Run, axes: Collection[int]) -> list[LoggedMove]:
         """Return the moves of some axes that have another speed in another run."""
         found = []
         for axis in sorted(axes):
@@ -91,7 +91,7 @@ class Process:
                     found.append(move)
         return found
 
-    def reason(self, moves: Sequence[Move]) -> str:
+    def reason(self, moves: Sequence[LoggedMove]) -> str:
         """Return why the speed of some moves is that of a process; "" if it need not be."""
         if any(self._homes(move.command) for move in moves):
             return "the speed of a homing"
@@ -107,7 +107,7 @@ class Process:
                 return f"lower than {highest:.6g} while {on[0]} is on"
         return ""
 
-    def outputs(self, moves: Iterable[Move]) -> list[str]:
+    def outputs(self, moves: Iterable[LoggedMove]) -> list[str]:
         """Return the names of the outputs that are on during some moves, those first that are on for the least time.
 
         They are switched by the task of the move, or by one that reads what that one sets.
@@ -128,7 +128,7 @@ class Process:
             )
         ]
 
-    def _speed(self, move: Move) -> float:
+    def _speed(self, move: LoggedMove) -> float:
         """Return the speed of a move; of a path that of all its axes."""
         if move.commanded_speed is not None:
             return _own_speed(move)
@@ -152,7 +152,7 @@ class Process:
         return ""
 
 
-def _own_speed(move: Move) -> float:
+def _own_speed(move: LoggedMove) -> float:
     """Return the commanded speed of a move; the one that it reaches if it is part of a path, in user units."""
     assert move.profile is not None
     speed = move.profile.peak_speed if move.commanded_speed is None else move.commanded_speed

@@ -16,12 +16,12 @@ from math import fsum
 from motionlang.commands.explore import (
     TABLES,
     Change,
-    Cycle,
     Entry,
     Exploration,
-    Node,
+    FoundWorld,
+    MachineCycle,
     RestState,
-    World,
+    StateNode,
     asks,
     entries,
 )
@@ -44,7 +44,7 @@ class Draft:
     """
 
     exploration: Exploration
-    world: World
+    world: FoundWorld
     run: Run
     given: Mapping[str, object]
 
@@ -64,7 +64,9 @@ def slug(text: str) -> str:
     return "-".join(words)
 
 
-def draft(exploration: Exploration, chosen: Cycle | None, until: float, given: Mapping[str, object]) -> Draft:
+def draft(
+    exploration: Exploration, chosen: MachineCycle | None, until: float, given: Mapping[str, object]
+) -> Draft:
     """Return the world of a cycle of an exploration, by default the likeliest, with its run up to a time limit."""
     world = exploration.world if chosen is None else exploration.world_of([chosen])
     return Draft(exploration, world, exploration.run(world.settings, until), given)
@@ -75,7 +77,7 @@ class Choice:
     """A way through the menus of a program that moves an axis: what is chosen, and the cycle."""
 
     changes: tuple[Change, ...]
-    cycle: Cycle
+    cycle: MachineCycle
 
     @property
     def name(self) -> str:
@@ -95,7 +97,7 @@ def choices(exploration: Exploration) -> list[Choice]:
     A menu is a state from which several answers, or keys, lead on in different ways. Where they lead to the same state,
     they are a choice if another line moves an axis then.
     """
-    menus: dict[RestState | None, Node] = {}
+    menus: dict[RestState | None, StateNode] = {}
     for node in exploration.nodes:
         found = {change for each in node.transitions if (change := _chosen(each.causes)) is not None}
         if len(found) > 1:
@@ -115,7 +117,7 @@ def choices(exploration: Exploration) -> list[Choice]:
     return [ways[way] for way in sorted(shortest, key=lambda way: [str(each.value) for each in way])]
 
 
-def _choice(cycle: Cycle, menus: Mapping[RestState | None, Node]) -> Choice | None:
+def _choice(cycle: MachineCycle, menus: Mapping[RestState | None, StateNode]) -> Choice | None:
     """Return what is chosen in the menus of a cycle, from the first one on that the program comes to, if any."""
     transitions = list(cycle.transitions)
     at = [k for k, each in enumerate(transitions) if each.source in menus]
@@ -170,7 +172,7 @@ def ending(result: Run) -> dict[str, object]:
     return {"line": min(counts, key=lambda line: (counts[line], line)), "times": times} if counts else {}
 
 
-def cycle_text(exploration: Exploration, cycle: Cycle, seconds: float | None = None) -> str:
+def cycle_text(exploration: Exploration, cycle: MachineCycle, seconds: float | None = None) -> str:
     """Return what a cycle consists of: its states, what changes in it, the axes that it moves, and its time."""
     states = [
         min(exploration.line(at) for at in place.statements)

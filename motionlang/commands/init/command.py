@@ -11,7 +11,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import no_dialect, unreadable, unwritten
-from motionlang.cli.option_groups import Language, Output, forms, read
+from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
@@ -19,7 +19,7 @@ from motionlang.commands.explore import Entry, Exploration, Interrupted, explore
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
 from motionlang.commands.init.summary import motionless, notes
-from motionlang.commands.run.command import Run
+from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.kernel import (
     MACHINE_SUFFIX,
@@ -43,7 +43,7 @@ MAX_ASKED = 3
 
 
 @dataclass
-class Init(Output, Language):
+class Init(OutputOptions, Language):
     """Write a first machine file for a program, mark the guesses, and run it."""
 
     title: ClassVar[str] = "program"
@@ -153,7 +153,7 @@ examples:
             _write_scenarios(file, found, self.until)
         except OSError as error:
             raise Refused([unwritten(error.filename, error)], file=file) from None
-        run = Run(file=file, lang=self.lang, format=self.format, machine=path)
+        run = RunCommand(file=file, lang=self.lang, format=self.format, machine=path)
         run.given = self.given
         status = run.start()
         structure = program.on(board).structure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
-from motionlang.commands.explore import Change, Exploration, Node, is_probe
+from motionlang.commands.explore import Change, Exploration, StateNode, is_probe
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading
 from motionlang.commands.map.channels import only_named
@@ -76,7 +76,7 @@ def _stays(exploration: Exploration) -> list[str]:
     return found
 
 
-def _tried(node: Node, reads: Collection[str]) -> str:
+def _tried(node: StateNode, reads: Collection[str]) -> str:
     """Return the values that were tried of what a state reads."""
     values: dict[str, dict[str, None]] = {}
     for change in (each for causes in node.tried for each in causes):

@@ -17,8 +17,8 @@ from motionlang.commands.explore import (
     Act,
     Change,
     Exploration,
-    Node,
     RestState,
+    StateNode,
     Transition,
     described,
     entries,
@@ -130,7 +130,7 @@ class MachineBehaviour:
         return self.exploration.world.run
 
 
-class Names:
+class ReaderNames:
     """Channels and axes by the names that a reader knows."""
 
     def __init__(self, channels: Iterable[Channel], axes: Iterable[AxisMap]) -> None:
@@ -153,7 +153,7 @@ class Names:
 
 
 def behaviour_of(
-    exploration: Exploration, structure: Structure, names: Names, unreached: Iterable[tuple[int, int]]
+    exploration: Exploration, structure: Structure, names: ReaderNames, unreached: Iterable[tuple[int, int]]
 ) -> MachineBehaviour:
     """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
     run = exploration.world.run
@@ -178,7 +178,7 @@ def behaviour_of(
 class _Words:
     """The states and transitions of an exploration in words."""
 
-    def __init__(self, exploration: Exploration, structure: Structure, names: Names) -> None:
+    def __init__(self, exploration: Exploration, structure: Structure, names: ReaderNames) -> None:
         self.exploration, self.names = exploration, names
         self.structure = structure
         given = [node.state for node in exploration.nodes]
@@ -198,7 +198,7 @@ class _Words:
         """Return the name of a state: its lines, with the calls that lead there."""
         return self._names[state]
 
-    def state(self, node: Node) -> StateRow:
+    def state(self, node: StateNode) -> StateRow:
         """Return a state with what leads on from it, but for handlers."""
         shown = [each for each in kept(node.transitions) if not self.handler(each)]
         state = node.state
@@ -212,7 +212,7 @@ class _Words:
         to = "the end" if each.target is None else self.lines(each.target)
         return TransitionRow(self.until(each, others), self.then(each), each.seconds, to)
 
-    def refused(self, node: Node) -> Iterator[TransitionRow]:
+    def refused(self, node: StateNode) -> Iterator[TransitionRow]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
         found: dict[tuple[str, ...], list[tuple[Change, ...]]] = {}
         for causes, acts in node.refused.items():
@@ -335,7 +335,7 @@ def _replaces(other: Transition, each: Transition) -> bool:
 
 
 def _cycle_rows(
-    exploration: Exploration, structure: Structure, names: Names, begin: float, end: float
+    exploration: Exploration, structure: Structure, names: ReaderNames, begin: float, end: float
 ) -> Iterator[CycleRow]:
     """Yield what happens between two times in the run of a cycle, but for the tasks beside the work."""
     run, beside = exploration.world.run, exploration.beside
@@ -373,7 +373,7 @@ def _cycle_rows(
             yield CycleRow(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
 
 
-def _ending(exploration: Exploration, structure: Structure, names: Names) -> list[str]:
+def _ending(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[str]:
     """Return what happens behind the last move of a run that ends by itself and has a cycle."""
     run = exploration.world.run
     moves = run.machine.log.moves

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
-from motionlang.cli.option_groups import Output, ProgramOptions
+from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.parser import either
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.explore import Interrupted
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import render, unit_text
-from motionlang.kernel import Checked, Diagnostic, ProgramError, Source
+from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest
 from motionlang.views.progress import Progress
@@ -24,7 +24,7 @@ from motionlang.views.terminal import table_width, wants_colour
 
 
 @dataclass
-class Map(Output, ProgramOptions):
+class Map(OutputOptions, ProgramOptions):
     """Show what a machine does: its cycle, states, channels and axes."""
 
     title: ClassVar[str] = "map"
@@ -91,7 +91,7 @@ examples:
             return map_of_machine(
                 source,
                 self.known_language(),
-                Checked(self.settings()),
+                CheckedSettings(self.settings()),
                 overrides=self.overrides(),
                 progress=progress,
                 keeps=True,

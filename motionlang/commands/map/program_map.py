@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from motionlang.commands.explore import explore, without_world
 from motionlang.commands.map.axes import AxisMap, axes
-from motionlang.commands.map.behaviour import MachineBehaviour, Names, behaviour_of
+from motionlang.commands.map.behaviour import MachineBehaviour, ReaderNames, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.comments import Named, comments_of, named, without_marks
-from motionlang.commands.map.units import UnitMap, Variable, units, variables
+from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
 from motionlang.kernel import Dialect, Program, Source, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure
 
@@ -31,7 +31,7 @@ class ProgramMap:
     channels: Sequence[Channel]
     axes: Sequence[AxisMap]
     units: Sequence[UnitMap]
-    variables: Sequence[Variable]
+    variables: Sequence[MapVariable]
     unreached: Sequence[tuple[int, int]]
     behaviour: MachineBehaviour | None = None
 
@@ -81,7 +81,9 @@ def map_of_machine(
     program.require()
     made = program_map(program, language)
     found = explore(program, kept, progress=progress, keeps=keeps)
-    made.behaviour = behaviour_of(found, made.structure, Names(made.channels, made.axes), made.unreached)
+    made.behaviour = behaviour_of(
+        found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
+    )
     return made
 
 

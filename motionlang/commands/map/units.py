@@ -34,7 +34,7 @@ class UnitMap:
 
 
 @dataclass(eq=False, slots=True)
-class Variable:
+class MapVariable:
     """A name with a value, and the lines that read and write it.
 
     `home` is the sub that declares it, "" for all. `meaning` is the name that a comment gives a register.
@@ -85,7 +85,7 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
 
 def variables(
     structure: Structure, definitions: Iterable[Definition], names: Iterable[Named]
-) -> list[Variable]:
+) -> list[MapVariable]:
     """Return the variables, constants and registers of a program, in the order of the text."""
     retained = {
         use.number
@@ -107,7 +107,7 @@ def variables(
             }
         )
         found.append(
-            Variable(
+            MapVariable(
                 each.name,
                 each.kind,
                 each.home,

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import Command, WrongOption, flag, option
-from motionlang.cli.option_groups import Output, Picture
+from motionlang.cli.option_groups import OutputOptions, Picture
 from motionlang.cli.readers import integer, number
 from motionlang.commands.plan import WRITERS, solve_plan
 from motionlang.commands.plan import number as shown
 from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.reach import needed_distance, remedies
-from motionlang.commands.plan.scale import Scale
+from motionlang.commands.plan.scale import ScaleOptions
 from motionlang.commands.plan.solve import NAMES, RULES, Underdetermined
 from motionlang.kernel import dialects
 from motionlang.lab.notes.an00115 import formulas
@@ -38,7 +38,7 @@ UNITS = {
 
 
 @dataclass
-class Written(Command):
+class WrittenProgram(Command):
     """The program that is written for a move."""
 
     title: ClassVar[str] = "program"
@@ -48,7 +48,7 @@ class Written(Command):
 
 
 @dataclass
-class Plan(Scale, Written, Output, Picture):
+class PlanCommand(ScaleOptions, WrittenProgram, OutputOptions, Picture):
     """Work out the missing figures of a move and write a program for it."""
 
     title: ClassVar[str] = "move"

@@ -25,7 +25,7 @@ def _ratio(text: str) -> float:
 
 
 @dataclass
-class Scale(Command):
+class ScaleOptions(Command):
     """The counts per user unit."""
 
     title: ClassVar[str] = "scale"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import WrongOption, argument, option
 from motionlang.cli.readers import axes, machine_time, path
-from motionlang.cli.run_to_file import Drawn
+from motionlang.cli.run_to_file import RunToFile
 from motionlang.commands.scope import write_scope
 from motionlang.kernel import STDIN
 from motionlang.kernel import Run as Result
@@ -24,7 +24,7 @@ PLOTS = (".png", ".svg", ".html")
 
 
 @dataclass
-class Plot(Drawn):
+class Plot(RunToFile):
     """Draw the motion of a run into a file."""
 
     title: ClassVar[str] = "picture"

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from motionlang.kernel import Run, Trace
 from motionlang.kernel.planners import ORDERS
 from motionlang.kernel.report import moves as moves_of
-from motionlang.views.figure import AXIS, FAINT, INK, TURBO, Area, Curve, Figure, Note, Panel, Scale
+from motionlang.views.figure import AXIS, FAINT, INK, TURBO, Area, ColourScale, Curve, Figure, Note, Panel
 from motionlang.views.figure_layout import Ticks
 from motionlang.views.formatting import dialect_name, outcome, peak_of
 from motionlang.views.terminal import printable
@@ -46,7 +46,7 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
     positions = np.stack([_along(trace, axis, "position", times) for axis in axes], 1)
     speeds = np.linalg.norm(np.stack([_along(trace, axis, "velocity", times) for axis in axes]), axis=0)
     most = float(speeds.max())
-    scale = Scale(f"speed (uu/s), at most {peak_of(most)}", 0.0, most or 1.0, TURBO)
+    scale = ColourScale(f"speed (uu/s), at most {peak_of(most)}", 0.0, most or 1.0, TURBO)
     names = [f"axis {axis} (uu)" for axis in axes]
     panel = Panel(height=HEIGHT, is_equal=True)
     if len(axes) == 3:
@@ -100,7 +100,7 @@ def _seen(positions: Array) -> Array:
     return np.stack((positions @ right, positions @ up), 1)
 
 
-def _coloured(points: Array, speeds: Array, scale: Scale) -> Iterator[Curve]:
+def _coloured(points: Array, speeds: Array, scale: ColourScale) -> Iterator[Curve]:
     """Yield the path in sections of one colour, that of the mean speed of their segments."""
     middle = 0.5 * (speeds[:-1] + speeds[1:])
     levels = np.rint(middle / scale.high * LEVELS).astype(int).tolist()

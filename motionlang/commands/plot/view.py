@@ -17,9 +17,9 @@ from motionlang.kernel.log import GRAVE
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.servo import ServoTrace
-from motionlang.views.figure import Band, Curve, Event, Figure, Label, Lane, Panel
+from motionlang.views.figure import Band, Curve, Figure, Lane, MarkedTime, Panel, PanelLabel
 from motionlang.views.formatting import dialect_name, outcome
-from motionlang.views.lanes import Lane as Channel
+from motionlang.views.lanes import ChannelLane as Channel
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import panels
 from motionlang.views.quantities import PHASES
@@ -93,13 +93,13 @@ def _of_axis(group: Sequence[Panel], rows: Rows, events: Rows) -> list[Panel]:
     """Return the panels of an axis with its moves and its events; the first has their names."""
     bands = list(_bands(rows)) if is_shaded(rows) else []
     labels = [
-        Label(row["start_time"], row["start_time"] + row["duration"], move_names(row)) for row in rows
+        PanelLabel(row["start_time"], row["start_time"] + row["duration"], move_names(row)) for row in rows
     ] if len(rows) <= MAX_NAMED else []  # fmt: skip
     kinds: dict[float, list[str]] = {}
     for row in events[:MAX_EVENTS]:
         kinds.setdefault(row["time"], []).append(row["kind"])
-    named = [Event(time, ", ".join(dict.fromkeys(each))) for time, each in kinds.items()]
-    lines = [Event(time, "") for time in kinds]
+    named = [MarkedTime(time, ", ".join(dict.fromkeys(each))) for time, each in kinds.items()]
+    lines = [MarkedTime(time, "") for time in kinds]
     made = []
     for n, panel in enumerate(group):
         curves = panel.curves

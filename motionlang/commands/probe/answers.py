@@ -25,7 +25,7 @@ HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 
 @dataclass(eq=False, slots=True)
-class Verdict:
+class AnswerVerdict:
     """The result of an answer for an assumption: `holds`, `other` or `unknown`.
 
     `other` means that an alternative applies: `what` describes it, and `value` is the setting for it. `unknown` means
@@ -52,7 +52,7 @@ class Answers:
 
     def __init__(self) -> None:
         self.language = ""
-        self.verdicts: list[Verdict] = []
+        self.verdicts: list[AnswerVerdict] = []
         self.problems: list[Diagnostic] = []
 
     def complain(self, message: str, hint: str = "", line: int = 0, severity: str = "error") -> None:
@@ -200,7 +200,7 @@ def _take(found: Answers, assumption: Assumption, answer: str, line: int) -> Non
     found.verdicts.append(verdict)
 
 
-def result_of(assumption: Assumption, answer: str) -> Verdict:
+def result_of(assumption: Assumption, answer: str) -> AnswerVerdict:
     """Return the verdict on an answer; ValueError for a number that cannot be set."""
     probe = assumption.probe
     assert probe is not None
@@ -208,19 +208,19 @@ def result_of(assumption: Assumption, answer: str) -> Verdict:
     if probe.form:
         value, chosen = _number(probe, answer), _number(probe, probe.answers[0])
         if value is None or chosen is None:
-            return Verdict(assumption, answer, UNKNOWN, "")
+            return AnswerVerdict(assumption, answer, UNKNOWN, "")
         if abs(value - chosen) <= ROUNDING * abs(chosen):
-            return Verdict(assumption, answer, HOLDS, assumption.chosen)
+            return AnswerVerdict(assumption, answer, HOLDS, assumption.chosen)
         if settable is not None and (wrong := settable.problem(value)):
             raise ValueError(f"the answer {answer!r} is a value that {wrong}")
-        return Verdict(assumption, answer, OTHER, f"{value:.10g}", value if assumption.key else None)
+        return AnswerVerdict(assumption, answer, OTHER, f"{value:.10g}", value if assumption.key else None)
     fits = [n for n, each in enumerate(probe.answers) if is_answer(each, answer)]
     if fits == [0]:
-        return Verdict(assumption, answer, HOLDS, assumption.chosen)
+        return AnswerVerdict(assumption, answer, HOLDS, assumption.chosen)
     if len(fits) != 1:
-        return Verdict(assumption, answer, UNKNOWN, "")
+        return AnswerVerdict(assumption, answer, UNKNOWN, "")
     other = assumption.alternatives[fits[0] - 1]
-    return Verdict(
+    return AnswerVerdict(
         assumption, answer, OTHER, other, settable.choices[fits[0]] if settable is not None else None
     )
 

@@ -17,12 +17,12 @@ from motionlang.commands.probe.answers import (
     OTHER,
     UNKNOWN,
     Answers,
-    Verdict,
+    AnswerVerdict,
     machine_text,
     read,
 )
 from motionlang.commands.probe.assumption import Assumption, Probe
-from motionlang.commands.probe.probe import Motion, alone, asked, written
+from motionlang.commands.probe.probe import MotionPermission, alone, asked, written
 from motionlang.commands.probe.questions import of_word, questions
 from motionlang.kernel import STDIN, STDIN_NAME, dialect, dialects, name_of
 from motionlang.kernel.tools import count_of, nearest
@@ -92,7 +92,7 @@ examples:
         axis = dialect(language).first_axis if self.axis is None else self.axis
         if not 0 <= axis < 100:
             raise WrongOption(f"--axis {axis}: no such axis")
-        motion = None if self.motion is None else Motion(axis, self.motion)
+        motion = None if self.motion is None else MotionPermission(axis, self.motion)
         if what not in dialects():
             if self.skip:
                 raise WrongOption(f"--skip leaves questions out of a list, but {what} is a single question")
@@ -202,7 +202,7 @@ def _names(found: Iterable[Assumption]) -> list[str]:
     return [*rest, f"and {many} settings at power-up"] if many > SHOWN else names
 
 
-def _other(verdict: Verdict) -> str:
+def _other(verdict: AnswerVerdict) -> str:
     assumption = verdict.assumption
     how = "" if verdict.can_be_set else "; it cannot be set"
     return f"  {assumption.name}: {assumption.question}: {verdict.what}, not {assumption.chosen}{how}"

@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 from motionlang.commands.probe.assumption import Assumption, Probe
-from motionlang.commands.probe.facts import STRENGTHS, of_word
+from motionlang.commands.probe.fact_evidence import STRENGTHS, of_word
 from motionlang.commands.probe.rules import default_probe, other_defaults
 from motionlang.kernel import Keyword
 from motionlang.kernel.files import package_text

@@ -47,7 +47,7 @@ STEPS = 4
 
 
 @dataclass(eq=False, slots=True)
-class Motion:
+class MotionPermission:
     """The owner's permission to move an axis by up to `distance` user units."""
 
     axis: int
@@ -87,7 +87,9 @@ def _moves(assumption: Assumption) -> bool:
     return assumption.probe is not None and assumption.probe.motion
 
 
-def written(language: str, axis: int, motion: Motion | None = None, without: Collection[str] = ()) -> str:
+def written(
+    language: str, axis: int, motion: MotionPermission | None = None, without: Collection[str] = ()
+) -> str:
     """Return the text of a probe."""
     found = asked(language, motion=motion is not None, without=without)
     head, maker, sign = (_mint_head, _mint, "'") if language == "mint" else (_mccl_head, _mccl, ";")
@@ -95,7 +97,7 @@ def written(language: str, axis: int, motion: Motion | None = None, without: Col
     return "\n".join(lines) + "\n"
 
 
-def alone(assumption: Assumption, axis: int, motion: Motion | None = None) -> str:
+def alone(assumption: Assumption, axis: int, motion: MotionPermission | None = None) -> str:
     """Return the text of a probe with one question, and the meanings of its answers."""
     assert assumption.probe is not None
     maker, sign = (_mint, "'") if assumption.probe.language == "mint" else (_mccl, ";")
@@ -164,7 +166,7 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
     return [filled(each) for each in probe.before], filled(probe.ask), [filled(each) for each in probe.after]
 
 
-def _reach(probe: Probe, motion: Motion) -> str:
+def _reach(probe: Probe, motion: MotionPermission) -> str:
     """Return a sentence that names the axes a question moves, and the distance."""
     both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
     axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
@@ -173,7 +175,7 @@ def _reach(probe: Probe, motion: Motion) -> str:
     return f"It moves {axes} {within}. Enable what moves; stop it as any motion."
 
 
-def _promise(language: str, motion: Motion | None) -> str:
+def _promise(language: str, motion: MotionPermission | None) -> str:
     if motion is None:
         return "It moves nothing and writes no setting. It can be stopped at any time."
     within = f"It moves axis {motion.axis} within {motion.distance:.10g} user units of its position"
@@ -183,21 +185,21 @@ def _promise(language: str, motion: Motion | None) -> str:
     return f"{within}, which is 0 afterwards, switches it on and {speed}. Stop it as any motion."
 
 
-def _mint_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
+def _mint_head(found: Sequence[Assumption], motion: MotionPermission | None) -> Iterator[str]:
     yield f"{count_of(len(found), 'question')} of motionlang about this controller, one line of answer each."
     yield _promise("mint", motion)
     yield "Run it after power-up, with the settings of the factory. A line that does not compile may be deleted."
     yield "Then: motionlang probe --answers LOG, where LOG is what the terminal showed."
 
 
-def _mccl_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
+def _mccl_head(found: Sequence[Assumption], motion: MotionPermission | None) -> Iterator[str]:
     yield f"{count_of(len(found), 'question')} of motionlang about this controller, one line each."
     yield _promise("mccl", motion)
     yield "Send it line by line after power-up, and keep what the terminal shows."
     yield "Then: motionlang probe --answers LOG"
 
 
-def _mint(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:
+def _mint(found: Sequence[Assumption], axis: int, motion: MotionPermission | None) -> Iterator[str]:
     yield "Dim fa As Float, fb As Float, ia As Integer, ib As Integer"
     yield f'PRINT "<{BEGIN}|mint {len(found)}>"'
     slow = False
@@ -234,7 +236,7 @@ def _behind(assumption: Assumption, axis: int) -> Iterator[str]:
         yield "End Event"
 
 
-def _mccl(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:
+def _mccl(found: Sequence[Assumption], axis: int, motion: MotionPermission | None) -> Iterator[str]:
     frame = tomllib.loads(package_text("commands/probe/evidence/mccl/probe.toml"))
 
     def marked(name: str) -> str:

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from functools import cache
 
 from motionlang.commands.probe.assumption import ERROR, REFUSED, SETTLED, Assumption, Probe
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.kernel import Keyword
 from motionlang.kernel.files import package_text
 

@@ -21,7 +21,7 @@ from motionlang.views.table import Document
 
 
 @dataclass
-class Profile(Simulated):
+class ProfileCommand(Simulated):
     """Show where the time of a run goes, by line, sub and cause."""
 
     title: ClassVar[str] = "profile"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf, isfinite
 
-from motionlang.commands.prove.checker import SLACK, Proof, Uses
+from motionlang.commands.prove.checker import SLACK, BoundUses, Proof
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.segments import Span, derivatives, spans
 from motionlang.commands.prove.stretches import stretches, unavoidable_speed
@@ -44,7 +44,7 @@ def check_bounds(
     """Check speed, rates and jerk of a motion that takes over a velocity and an acceleration."""
     came, carried = unavoidable_speed(order, *entry), abs(entry[1]) if order.bends else 0.0
     still = SLACK * max(1.0, abs(entry[0]), order.speed if order.speed < inf else 0.0)
-    uses = Uses(proof)
+    uses = BoundUses(proof)
     for each in stretches(segments):
         speed = each.speed
         uses.compare("speed", speed, max(order.speed, came if each.slows else 0.0))

@@ -10,7 +10,7 @@ from math import fsum, inf, isfinite
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel import Axis, Diagnostic, WholeTrack
-from motionlang.kernel.log import CONTINUED, Move
+from motionlang.kernel.log import CONTINUED, LoggedMove
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6
@@ -76,7 +76,7 @@ class Proof:
         return False
 
 
-class Uses:
+class BoundUses:
     """The used bounds of one profile; each violation is reported once, at its worst."""
 
     def __init__(self, proof: Proof) -> None:
@@ -101,13 +101,13 @@ class Offsets:
     """The superposed offset entries of one axis, by start time."""
 
     def __init__(self) -> None:
-        self._moves: list[Move] = []
+        self._moves: list[LoggedMove] = []
         self._starts: list[float] = []
         # For each index: the latest end of the entries before it, and their total distance by then.
         self._ends: list[float] = []
         self._sums = [0.0]
 
-    def add(self, move: Move) -> None:
+    def add(self, move: LoggedMove) -> None:
         """Append an entry."""
         profile = move.profile
         if profile is None:
@@ -132,7 +132,7 @@ class Offsets:
         k = bisect_left(self._starts, time)
         return k < len(self._starts) and self._starts[k] == time
 
-    def _in_force(self, time: float) -> tuple[list[Move], int]:
+    def _in_force(self, time: float) -> tuple[list[LoggedMove], int]:
         """Return the offsets in progress at a time, and the number of entries before them."""
         k, found = bisect_right(self._starts, time), []
         while k > 0 and self._ends[k - 1] > time:
@@ -141,33 +141,33 @@ class Offsets:
         return found, k
 
 
-class Run:
+class RunRecords:
     """The records of a run: tracks of its axes, log, orders, and end time."""
 
     def __init__(
         self,
         axes: Mapping[int, WholeTrack],
-        moves: Iterable[Move],
+        moves: Iterable[LoggedMove],
         expected_motion: ExpectedMotion,
         until: float,
     ) -> None:
         self.axes, self.expected_motion, self.until = axes, expected_motion, until
         # A log creates its entries on each read; those of paths and offsets, by number, are cached.
         self._log = moves
-        self._stored: dict[int, Move] = {}
+        self._stored: dict[int, LoggedMove] = {}
         # The entries of paths by axis, beginning and number, as the orders refer to them.
-        self.entries: dict[tuple[int, float, int], Move] = {}
+        self.entries: dict[tuple[int, float, int], LoggedMove] = {}
         # By axis the latest end of all path entries up to each.
         self._ends: dict[int, list[float]] = {}
         # For each path entry that continues another one: that entry, and where the path began.
-        self._rest_of: dict[int, Move] = {}
+        self._rest_of: dict[int, LoggedMove] = {}
         self._origins: dict[int, float] = {}
         # The entries of each path, in the order in which the paths began, and the index of each entry's path.
-        self._chains: dict[int, list[list[Move]]] = {}
+        self._chains: dict[int, list[list[LoggedMove]]] = {}
         self._chain_of: dict[int, int] = {}
         self.offsets: dict[int, Offsets] = {}
         # By axis the last offset that was checked, and its distance.
-        self.offset_goals: dict[int, tuple[Move, float]] = {}
+        self.offset_goals: dict[int, tuple[LoggedMove, float]] = {}
         self._begins: dict[int, list[float]] = {}
         self._order_of: dict[int, Order] = {}
         self._tracks: dict[int, WholeTrack] = {}
@@ -178,7 +178,7 @@ class Run:
             if order.path is not None
         }
         # The path entries of each axis that were continued, and are still without the entry that does so.
-        full: dict[int, list[Move]] = {}
+        full: dict[int, list[LoggedMove]] = {}
         for number, move in enumerate(moves):
             if move.overlaid:
                 self._stored[number] = move
@@ -203,7 +203,7 @@ class Run:
             ends = [_end(chain[-1]) for chain in chains]
             self._ends[axis] = list(accumulate(ends, max))
 
-    def _add_path(self, move: Move, before: Move | None) -> None:
+    def _add_path(self, move: LoggedMove, before: LoggedMove | None) -> None:
         """Add a path entry to those of its axis; it continues `before`."""
         chains = self._chains.setdefault(move.axis, [])
         if before is None:
@@ -213,7 +213,7 @@ class Run:
             self._chain_of[id(move)] = self._chain_of[id(before)]
             chains[self._chain_of[id(before)]].append(move)
 
-    def _origin(self, move: Move) -> float:
+    def _origin(self, move: LoggedMove) -> float:
         """Return the start position of a path, relative to the zero of one of its entries."""
         assert move.profile is not None
         return self._origins.get(id(move), move.profile.start)
@@ -225,17 +225,17 @@ class Run:
         """
         return [self._origin(move) for move in self.members(path)]
 
-    def is_continued(self, move: Move) -> bool:
+    def is_continued(self, move: LoggedMove) -> bool:
         """True if another entry continues a path entry."""
         k = self._chain_of.get(id(move))
         return k is not None and self._chains[move.axis][k][-1] is not move
 
-    def rest_of(self, move: Move) -> Move | None:
+    def rest_of(self, move: LoggedMove) -> LoggedMove | None:
         """Return the entry that a path entry continues; None if it begins the path."""
         return self._rest_of.get(id(move))
 
     @property
-    def moves(self) -> Iterator[Move]:
+    def moves(self) -> Iterator[LoggedMove]:
         """The entries of the log in order."""
         for number, move in enumerate(self._log):
             yield self._stored.get(number, move)
@@ -254,7 +254,7 @@ class Run:
             found = self._tracks[id(a)] = WholeTrack(a)
         return found
 
-    def order_of(self, move: Move) -> Order:
+    def order_of(self, move: LoggedMove) -> Order:
         """Return the order in force when an entry of the log begins."""
         found = self._order_of.get(id(move))
         if found is None:
@@ -274,7 +274,7 @@ class Run:
         k = bisect_left(begins, time)
         return begins[max(k - 1, 0) : k + 1]
 
-    def members(self, path: PathOrder) -> list[Move]:
+    def members(self, path: PathOrder) -> list[LoggedMove]:
         """Return the entries of a path."""
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
@@ -283,7 +283,7 @@ class Run:
         """True if an axis is on two paths at once."""
         return a.profiles[a.index_at(time)].shape == "blend"
 
-    def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
+    def logged(self, a: WholeTrack, move: LoggedMove, time: float, ending: bool) -> float:
         """Return a track's position from a log entry, without the motion of blended paths.
 
         An entry without a duration may precede a position that is set at the same time.
@@ -321,11 +321,11 @@ def _at_instant(a: WholeTrack, time: float, stated: float, last: float) -> float
     return min(found, key=lambda each: abs(each - stated))
 
 
-def _end(move: Move) -> float:
+def _end(move: LoggedMove) -> float:
     return move.start_time + (move.profile.duration if move.profile is not None else 0.0)
 
 
-def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
+def _continued_by(move: LoggedMove, entries: Iterable[LoggedMove]) -> LoggedMove | None:
     """Return the path entry that `move` continues; None if there is none."""
     for each in entries:
         end = _end(each)
@@ -334,13 +334,13 @@ def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
     return None
 
 
-def _continued(order: Order, move: Move, number: int) -> Order:
+def _continued(order: Order, move: LoggedMove, number: int) -> Order:
     """Return the order of a path, adapted to an entry that continues it."""
     assert order.path is not None
     return order._replace(path=order.path._replace(begun=move.start_time, entry=number))
 
 
-def travelled(move: Move, time: float) -> tuple[float, float]:
+def travelled(move: LoggedMove, time: float) -> tuple[float, float]:
     """Return the distance of a log entry at a time, and the signed remaining distance."""
     profile = move.profile
     assert profile is not None

@@ -12,7 +12,7 @@ compared with its order and with the profile before it, and each entry of the lo
                    │                                       │                │
                    └──────▶ expected motion ─────────▶ checkers ◀───────────┘
 
-Data. `Run` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how
+Data. `RunRecords` gives the checkers the tracks, the log and the expected motion. `Proof` takes their results: how
 much was checked, the largest fraction used of each bound, exceptions by name, and violations, each a
 diagnostic at the line of its move. The other files each check one kind of motion or record. They use the
 arithmetic of `segments.py` (extremes of polynomials and waves) and `stretches.py` (motion above its limits).
@@ -44,7 +44,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 
 from motionlang.commands.prove.axes import PLANNED, check_profile
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
 from motionlang.commands.prove.entries import Ends, check_ends, take_entry
 from motionlang.commands.prove.expected_motion import MAX_PROFILES, ExpectedMotion
 from motionlang.commands.prove.followers import check_points, check_reference, check_tie
@@ -55,8 +55,8 @@ from motionlang.commands.prove.paths import check_blended, check_path, check_pat
 from motionlang.commands.prove.segments import half_angle
 from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel import Diagnostic, WholeTrack
-from motionlang.kernel.log import Move
-from motionlang.kernel.planners import Profile, State
+from motionlang.kernel.log import LoggedMove
+from motionlang.kernel.planners import MotionState, Profile
 from motionlang.kernel.tracks import Recorded, Samples
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
@@ -80,7 +80,7 @@ def prove(
         message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of a proof"
         proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
         return proof
-    run = Run(controller.axes, controller.moves, expected_motion, until)
+    run = RunRecords(controller.axes, controller.moves, expected_motion, until)
     if report is not None:
         check_report(proof, run, report)
     if samples is not None:
@@ -122,7 +122,7 @@ def prove(
 # ------------------------------------------------------------------------------------------------------- joins
 
 
-def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
+def _check_join(proof: Proof, run: RunRecords, a: WholeTrack, i: int) -> None:
     """Check continuity of position, velocity and S-ramp acceleration between profiles."""
     proof.counts["joins"] += 1
     expected_motion = run.expected_motion
@@ -173,7 +173,7 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 
 
-def _step(run: Run, a: WholeTrack, i: int, earlier: Order) -> float:
+def _step(run: RunRecords, a: WholeTrack, i: int, earlier: Order) -> float:
     """Return the velocity, counts/s, at which a stepper may end the profile before i.
 
     A stop that continues the move as planned, because it would take longer, ends like that.
@@ -184,7 +184,7 @@ def _step(run: Run, a: WholeTrack, i: int, earlier: Order) -> float:
     return before.step if abs(a.profiles[i - 1].end - end) <= SLACK * max(1.0, abs(end)) else 0.0
 
 
-def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
+def _excuse(run: RunRecords, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """Return the command that makes the velocity jump; "" if there is none."""
     if (a.index, a.starts[i]) in run.expected_motion.standstills:
         return "an immediate stop: cancelled, disabled, or at a limit"
@@ -229,7 +229,7 @@ def _at_once(earlier: Order, order: Order, kind: str) -> str:
     return f"{kind}: a jump of its master or in its table"
 
 
-def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
+def _bend(path: PathOrder, both: Iterable[Sequence[MotionState]]) -> float:
     """Return the jump in acceleration along a path between two states of its axes."""
     scales = path.scales
     rates = []
@@ -242,11 +242,11 @@ def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
     return abs(rates[1] - rates[0])
 
 
-def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
+def _speed(scales: Sequence[float], states: Sequence[MotionState]) -> float:
     return sqrt(fsum((s.velocity / k) ** 2 for k, s in zip(scales, states, strict=True)))
 
 
-def _at_last(profile: Profile, time: float) -> State:
+def _at_last(profile: Profile, time: float) -> MotionState:
     """Return the state at `time`, taken just before the end if that is the end.
 
     At the end itself a profile has no acceleration.
@@ -254,7 +254,7 @@ def _at_last(profile: Profile, time: float) -> State:
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
 
 
-def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] | None:
+def _alone(run: RunRecords, a: WholeTrack, i: int) -> tuple[list[MotionState], list[MotionState]] | None:
     """Return the states before and after a join, without a path blended with both.
 
     None if no path continues into another one, or none is blended with it.
@@ -270,7 +270,7 @@ def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] |
     return [_at_last(each, each.duration) for each in ended], [each.at(0.0) for each in begun]
 
 
-def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
+def _both(run: RunRecords, order: Order, time: float) -> tuple[list[MotionState], list[MotionState]]:
     """Return the states of a path's axes just before and just after a time."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
@@ -285,7 +285,7 @@ def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]
 # ---------------------------------------------------------------------------------------------------- the log
 
 
-def _check_move(proof: Proof, run: Run, move: Move) -> None:
+def _check_move(proof: Proof, run: RunRecords, move: LoggedMove) -> None:
     """Check an entry of the log: duration, phases, end, and agreement with the track."""
     proof.counts["moves"] += 1
     profile, a = move.profile, run.axes[move.axis]
@@ -335,7 +335,7 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
             return
 
 
-def _zero(run: Run, a: WholeTrack, time: float) -> float:
+def _zero(run: RunRecords, a: WholeTrack, time: float) -> float:
     """Return the zero of an axis at a time, or the last one before an interrupt."""
     data = run.expected_motion.data[a.index]
     return data[min(a.index_at(time), len(data) - 1)] if data and a.starts else 0.0

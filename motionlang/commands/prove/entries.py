@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import fsum, isfinite
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords, position
 from motionlang.commands.prove.offsets import check_offset
 from motionlang.commands.prove.order import Order
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log import CONTINUED, MAX_PIECES, Move
+from motionlang.kernel.log import CONTINUED, MAX_PIECES, LoggedMove
 from motionlang.kernel.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.
@@ -37,15 +37,15 @@ class Ends:
 
     def __init__(self, begun: Iterable[float] = ()) -> None:
         self.begun, self.instant = set(begun), set[float]()
-        self.going: list[Move] = []
-        self.last: Move | None = None
+        self.going: list[LoggedMove] = []
+        self.last: LoggedMove | None = None
         self.until = 0.0
         self.next_index = 0
         self.stated: set[tuple[float, str]] = set()
         self.unsaid: list[tuple[tuple[float, str], int, str]] = []
 
 
-def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
+def take_entry(proof: Proof, ends: dict[int, Ends], run: RunRecords, move: LoggedMove) -> None:
     """Check an entry against the previous one; superposed ones are checked elsewhere."""
     profile = move.profile
     if profile is None:
@@ -63,7 +63,7 @@ def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> Non
         found.going.append(move)
 
 
-def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
+def _check_entry(proof: Proof, run: RunRecords, found: Ends, move: LoggedMove, profile: Profile) -> None:
     a, start, before = run.axes[move.axis], move.start_time, found.last
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
     order, scale = run.order_of(move), run.expected_motion.scale(move.axis, start)
@@ -91,7 +91,7 @@ def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
         _check_ended(proof, run, a, found, move, where)
 
 
-def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
+def _lines(run: RunRecords, a: WholeTrack, start: float) -> set[int]:
     """Return the lines of motion that begins on an axis at a time."""
     i, records = a.index_at(start), run.expected_motion.of[a.index]
     found = {records[i].line}
@@ -101,7 +101,7 @@ def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
     return found
 
 
-def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
+def _check_gap(proof: Proof, run: RunRecords, a: WholeTrack, found: Ends, until: float) -> None:
     """Check that the axis was at rest between the entries so far and a time."""
     records = run.expected_motion.of[a.index]
     while found.next_index < len(a.starts) and a.starts[found.next_index] < until:
@@ -120,13 +120,15 @@ def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
         found.next_index += 1
 
 
-def _is_full(run: Run, move: Move, last: Order) -> bool:
+def _is_full(run: RunRecords, move: LoggedMove, last: Order) -> bool:
     """True if an entry, or another one of its path, has more than `MAX_PIECES`."""
     entries = [move] if last.path is None else run.members(last.path)
     return any(each.profile is not None and len(each.profile.knots) > MAX_PIECES for each in entries)
 
 
-def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
+def _check_ended(
+    proof: Proof, run: RunRecords, a: WholeTrack, found: Ends, move: LoggedMove, where: str
+) -> None:
     """Check that an entry has ended for its stated reason.
 
     The reasons are a commanded stop, another entry, or its own end.
@@ -177,7 +179,7 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
                 return
 
 
-def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool:
+def _is_at_end(run: RunRecords, a: WholeTrack, i: int, end: float, late: float) -> bool:
     """True if the last profile of an entry reaches its own end at `end`.
 
     An endless or stopped profile has no end of its own.
@@ -194,7 +196,7 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
     return a.starts[i] + a.profiles[i].duration <= (over if abs(over - end) <= late else end + late)
 
 
-def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
+def _order_before(run: RunRecords, a: WholeTrack, time: float) -> Order:
     i = a.index_at(time)
     while i > 0 and a.starts[i] >= time:
         i -= 1
@@ -209,7 +211,7 @@ def _last(a: WholeTrack, start: float, end: float) -> int:
     return i
 
 
-def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
+def check_ends(proof: Proof, run: RunRecords, ends: dict[int, Ends]) -> None:
     """Check the last entry of each axis: it ends where its axis is.
 
     An entry may end after the run only if its axis still follows it, at its speed.
@@ -238,7 +240,7 @@ def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
             _check_last(proof, run, a, found.last)
 
 
-def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
+def _check_waiting(proof: Proof, run: RunRecords, a: WholeTrack) -> None:
     """Check that no released move waits at the end of the run without a reason.
 
     The reasons are another move in progress, and an error that ends the run. It is not checked after an
@@ -257,7 +259,7 @@ def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
         )
 
 
-def _is_refused(run: Run, a: WholeTrack) -> bool:
+def _is_refused(run: RunRecords, a: WholeTrack) -> bool:
     """True if an axis's next move was rejected at the end of the run.
 
     Also true if it was due at the instant at which another axis's move was rejected.
@@ -268,7 +270,7 @@ def _is_refused(run: Run, a: WholeTrack) -> bool:
     return run.until in times
 
 
-def _check_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> None:
+def _check_going(proof: Proof, run: RunRecords, a: WholeTrack, going: list[LoggedMove]) -> None:
     present = a.move
     first = going[0]
     where = f"axis {a.index} from {first.start_time:.6f} s"
@@ -291,7 +293,7 @@ def _check_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
     proof.breaks(first.line, f"{where}: {words}")
 
 
-def _check_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
+def _check_last(proof: Proof, run: RunRecords, a: WholeTrack, last: LoggedMove) -> None:
     profile = last.profile
     assert profile is not None
     if (

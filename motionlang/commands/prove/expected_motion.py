@@ -17,7 +17,6 @@ from motionlang.kernel.controller import (
     CurveFollow,
     Gear,
     Jog,
-    Line,
     MotionListener,
     PathMove,
     PathRun,
@@ -25,8 +24,9 @@ from motionlang.kernel.controller import (
     PositionReference,
     SpeedReference,
     Stopping,
+    StraightLine,
 )
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
@@ -84,10 +84,10 @@ class ExpectedMotion(MotionListener):
         self._in_progress: dict[int, dict[PathMove, Order]] = {}
         # When the log entry of a path began, and its number in the log: a long one continues as another
         # entry.
-        self._entries: dict[Move, tuple[float, int]] = {}
+        self._entries: dict[LoggedMove, tuple[float, int]] = {}
         # The rest of a stepper's move at a new zero is not planned again: the bounds at its start still
         # apply.
-        self._steps: dict[Move, Order] = {}
+        self._steps: dict[LoggedMove, Order] = {}
         # The settings that `heed` last recorded for each axis, and the number of its profiles then.
         self._last_settings: dict[int, tuple[int, tuple[object, ...]]] = {}
         # The last stop commanded for each axis: it continues as planned, whatever settings follow.
@@ -231,7 +231,7 @@ class ExpectedMotion(MotionListener):
             found.append(running[each])
         return tuple(found)
 
-    def _entry(self, move: Move) -> int:
+    def _entry(self, move: LoggedMove) -> int:
         """Return the log number of a path's entry; for a long path, of the last entry."""
         began, entry = self._entries.get(move, (-1.0, -1))
         if began != move.start_time:
@@ -259,7 +259,7 @@ class ExpectedMotion(MotionListener):
         assert a.move is not None
         return order._replace(path=order.path._replace(begun=a.move.start_time, entry=entry))
 
-    def _planned(self, action: PathMove, move: Move, entry: int) -> Order:
+    def _planned(self, action: PathMove, move: LoggedMove, entry: int) -> Order:
         """Return the order of the newest path, with the settings of its last plan.
 
         It may have been planned together with an earlier path.
@@ -460,7 +460,7 @@ def _order(a: Axis) -> Order:
     return Order("move", move.line, min(speed, a.max_speed), rates, jerks, a.shape, ramp=a.ramp)
 
 
-def _stopped(a: Axis, move: Move) -> Order:
+def _stopped(a: Axis, move: LoggedMove) -> Order:
     return Order("stop", move.line, INFINITY, *_bounds(a, move)[1:], a.shape, ramp=a.ramp)
 
 
@@ -474,7 +474,7 @@ def _tie(action: Gear | CurveFollow) -> Tie:
     return Tie(action.master, 0.0, INFINITY, action.curve, origin, direction, table)
 
 
-def _rates(a: Axis, move: Move) -> tuple[float, float]:
+def _rates(a: Axis, move: LoggedMove) -> tuple[float, float]:
     """Return the rates of a move: its own or, if it has none, those of the axis."""
     accel, decel = a.rates(a.speed if move.speed is None else move.speed)
     if move.rates is not None:
@@ -482,7 +482,7 @@ def _rates(a: Axis, move: Move) -> tuple[float, float]:
     return accel, decel
 
 
-def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[float, float]]:
+def _bounds(a: Axis, move: LoggedMove) -> tuple[float, tuple[float, float], tuple[float, float]]:
     """Return speed, rates and jerks of a move, within the limits of its axis.
 
     They are those of the move itself or, if it has none, of the axis.
@@ -496,20 +496,20 @@ def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[floa
     return _speed(a, move), (accel, decel), _jerks(a, move)
 
 
-def _own_speed(a: Axis, move: Move) -> float:
+def _own_speed(a: Axis, move: LoggedMove) -> float:
     return a.speed if move.speed is None else move.speed
 
 
-def _speed(a: Axis, move: Move) -> float:
+def _speed(a: Axis, move: LoggedMove) -> float:
     speed = _own_speed(a, move)
     return speed * a.override if move.overridden else speed
 
 
-def _jerks(a: Axis, move: Move) -> tuple[float, float]:
+def _jerks(a: Axis, move: LoggedMove) -> tuple[float, float]:
     return a.jerks(_own_speed(a, move), *_rates(a, move)) if a.shape == "scurve" else ENDLESS
 
 
-def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | None = None) -> Order:
+def _path(action: PathMove, move: LoggedMove, nth: int, entry: int, run: PathRun | None = None) -> Order:
     """Return the order of a path by the present settings.
 
     A path that has not begun gets the `run` to which it belongs.
@@ -529,7 +529,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         most_decel = (INFINITY,) * len(axes) if run.ended == "fault" else most_decel
     comes_to_rest = any(each.suspended for each in axes) or (run is not None and run.ended != "")
     geometry = action.geometry
-    straight = isinstance(geometry, Line)
+    straight = isinstance(geometry, StraightLine)
     path = PathOrder(
         tuple(each.index for each in axes),
         tuple(action.scales),
@@ -562,6 +562,6 @@ def _geometry_fields(action: PathMove) -> dict[str, Any]:
         geometry = copy(geometry)
         for k, by in enumerate(action.displaced):
             geometry.shift(k, by)
-    if isinstance(geometry, Line):
+    if isinstance(geometry, StraightLine):
         return {"line": tuple(geometry.targets), "centre": (0.0, 0.0), "rest": ()}
     return {"line": (), "centre": tuple(geometry.centre), "rest": tuple(geometry.rest)}

@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import fsum, inf, isfinite
 
 from motionlang.commands.prove.axes import taken_over
-from motionlang.commands.prove.checker import SLACK, Proof, Run, Uses, position
+from motionlang.commands.prove.checker import SLACK, BoundUses, Proof, RunRecords, position
 from motionlang.commands.prove.order import Order, Tie
 from motionlang.commands.prove.segments import derivatives, spans
 from motionlang.commands.prove.stretches import stretches
@@ -20,7 +20,7 @@ FOUR = (0.05, 0.35, 0.65, 0.95)
 MANY = 24
 
 
-def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_tie(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check that the position of a slave matches its ratio or table.
 
     Until it has caught up, it accelerates at its rates.
@@ -60,14 +60,14 @@ def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
             return
 
 
-def _check_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def _check_chase(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check that a slave changes velocity at its rates until it reaches the ratio's."""
     tie = order.tie
     assert tie is not None
     if _offset_moves(run, a, a.starts[i]):
         return
     until = min(end, tie.locked)
-    uses = Uses(proof)
+    uses = BoundUses(proof)
     for share in FOUR:
         time = a.starts[i] + share * (until - a.starts[i])
         state = a.profiles[i].at(time - a.starts[i])
@@ -97,7 +97,7 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
     return sorted((*ordered[1:], *inside))
 
 
-def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+def _check_table(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
     """Check that the curve passes through its table.
 
     In between it is straight, or has a linearly changing slope.
@@ -143,7 +143,9 @@ def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
         _check_segment(proof, run, a, i, order, curve)
 
 
-def _check_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+def _check_segment(
+    proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, curve: Profile
+) -> None:
     """Check a flying shear's ratio: linear, from the previous ratio or 0."""
     tie = order.tie
     assert tie is not None
@@ -211,7 +213,7 @@ def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     is_endless = not isfinite(profile.duration)
     if is_endless and not order.goal:
         proof.breaks(order.line, f"{where}: it never reaches its end")
-    uses, (v0, a0) = Uses(proof), taken_over(a, i)
+    uses, (v0, a0) = BoundUses(proof), taken_over(a, i)
     slope, _, last = order.slopes[0 if a0 * v0 >= 0.0 else 1]
     # The acceleration that it takes over is ramped down along the end of its slope.
     came = max(abs(v0), abs(v0 + 0.5 * a0 * abs(a0) * last / slope))
@@ -238,11 +240,11 @@ def _on(curve: Profile, along: float) -> float:
     return p + slope * (along - x)
 
 
-def _offset(run: Run, a: WholeTrack, time: float) -> float:
+def _offset(run: RunRecords, a: WholeTrack, time: float) -> float:
     offsets = run.offsets.get(a.index)
     return 0.0 if offsets is None else offsets.travelled(time)
 
 
-def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
+def _offset_moves(run: RunRecords, a: WholeTrack, time: float) -> bool:
     offsets = run.offsets.get(a.index)
     return offsets is not None and offsets.is_active_at(time)

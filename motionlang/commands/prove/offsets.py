@@ -5,15 +5,15 @@ The rest of an offset that it replaces is added.
 
 from __future__ import annotations
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
-from motionlang.kernel.log import Move
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
+from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED
 
 
-def _left(run: Run, move: Move) -> float:
+def _left(run: RunRecords, move: LoggedMove) -> float:
     """Return the remaining distance of the offset that `move` replaces."""
     before, wanted = run.offset_goals.get(move.axis, (None, 0.0))
     if before is None or before.profile is None or before.ended != "retarget":
@@ -24,7 +24,7 @@ def _left(run: Run, move: Move) -> float:
     return wanted - before.profile.end
 
 
-def check_missing(proof: Proof, run: Run) -> None:
+def check_missing(proof: Proof, run: RunRecords) -> None:
     """Check that every OFFSET that adds a distance has an entry."""
     if run.expected_motion.was_cut:
         return
@@ -36,7 +36,7 @@ def check_missing(proof: Proof, run: Run) -> None:
             )
 
 
-def check_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
+def check_offset(proof: Proof, run: RunRecords, move: LoggedMove, profile: Profile) -> None:
     """Check the entry of an offset.
 
     An entry that resumes a suspended offset has no order of its own.

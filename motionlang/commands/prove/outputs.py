@@ -6,17 +6,17 @@ from collections.abc import Iterable, Mapping
 from itertools import zip_longest
 from math import isfinite
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run, position
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords, position
 from motionlang.commands.prove.segments import spans
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tracks import Samples
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40
 
 
-def check_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
+def check_report(proof: Proof, run: RunRecords, rows: Iterable[Mapping[str, object]]) -> None:
     """Check each move of a report against the track: ends, duration and peak speed."""
     moves = (move for move in run.moves if move.profile is not None)
     reported, logged, before = 0, 0, len(proof.violations)
@@ -29,7 +29,7 @@ def check_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -
         proof.breaks(0, f"the report has {reported} moves, the log {logged}")
 
 
-def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
+def _check_row(proof: Proof, run: RunRecords, row: Mapping[str, object], move: LoggedMove) -> None:
     a, profile = run.axes[move.axis], move.profile
     assert profile is not None
     start, end, duration, peak = (float(row[name]) for name in ("start", "end", "duration", "peak_speed"))  # type: ignore[arg-type]
@@ -61,7 +61,7 @@ def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
 
 
 def _check_peak(
-    proof: Proof, run: Run, a: WholeTrack, reported: float, time: tuple[float, float], line: int
+    proof: Proof, run: RunRecords, a: WholeTrack, reported: float, time: tuple[float, float], line: int
 ) -> None:
     """Check the reported peak speed of a move against the speeds on its track."""
     begin, finish = time[0], min(time[1], run.until)
@@ -90,7 +90,7 @@ def _check_peak(
         )
 
 
-def check_trace(proof: Proof, run: Run, samples: Samples) -> None:
+def check_trace(proof: Proof, run: RunRecords, samples: Samples) -> None:
     """Check position and velocity of every row of a trace against the track."""
     for column, values in zip(samples.columns, samples.data, strict=True):
         if column.axis is None or column.quantity != "position":

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import inf, isfinite
 
-from motionlang.commands.prove.checker import SLACK, Proof, Uses
+from motionlang.commands.prove.checker import SLACK, BoundUses, Proof
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.path_layout import PathLayout
 from motionlang.commands.prove.segments import Span, combined, spans
@@ -117,7 +117,7 @@ def check_along(
     # A stop that would pass its rest, because the jerk was lowered, reduces its deceleration to zero there.
     stops = path.comes_to_rest or plan is not order
     least_jerk = 0.5 * a0 * a0 / v0 if smooth and stops and a0 < 0.0 < v0 else 0.0
-    uses = Uses(proof)
+    uses = BoundUses(proof)
     for each in stretches(along, not fresh):
         if each.length <= late:  # the time of a join is rounded
             continue
@@ -142,7 +142,7 @@ def check_along(
     _check_joins(proof, plan, whole, v0, where)
 
 
-def _check_axes(uses: Uses, order: Order, layout: PathLayout, stretch: Stretch, eased: float) -> None:
+def _check_axes(uses: BoundUses, order: Order, layout: PathLayout, stretch: Stretch, eased: float) -> None:
     """Check the limits of each axis on a stretch of its path.
 
     A path that slows down because it began above them has no speed limit yet, nor one of its curvature. `eased` is the

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import inf, nextafter
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
 from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.commands.prove.path_bounds import check_along, could_stop, spans_along
 from motionlang.commands.prove.path_layout import PathLayout, end_positions
 from motionlang.commands.prove.segments import Span
 from motionlang.kernel import WholeTrack
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
 
 # Paths that may overlap.
 MAX_OVERLAP = 2
 
 
-def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_path(proof: Proof, run: RunRecords, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check geometry, speed, acceleration and axis limits of a path for one profile."""
     path = order.path
     assert path is not None
@@ -52,7 +52,9 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         check_along(proof, order, plan, layout, along, where, fresh)
 
 
-def check_blended(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_blended(
+    proof: Proof, run: RunRecords, master: WholeTrack, i: int, order: Order, end: float
+) -> None:
     """Check the earlier paths that are blended with a profile's path while the profile is in force."""
     path, begin = order.path, master.starts[i]
     assert path is not None
@@ -75,7 +77,7 @@ def check_blended(proof: Proof, run: Run, master: WholeTrack, i: int, order: Ord
         proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
 
 
-def check_rest(proof: Proof, run: Run, order: Order, plan: Order, begin: float, length: float) -> None:
+def check_rest(proof: Proof, run: RunRecords, order: Order, plan: Order, begin: float, length: float) -> None:
     """Check the bounds along a path from a time on, by its entries in the log; see `check_along`."""
     layout, along = rest_along(run, order, begin, length)
     if along:
@@ -84,7 +86,7 @@ def check_rest(proof: Proof, run: Run, order: Order, plan: Order, begin: float, 
         check_along(proof, order, plan, layout, along, where)
 
 
-def rest_along(run: Run, order: Order, begin: float, length: float) -> tuple[PathLayout, list[Span]]:
+def rest_along(run: RunRecords, order: Order, begin: float, length: float) -> tuple[PathLayout, list[Span]]:
     """Return the layout of a path and its motion along it from a time on, by its entries in the log."""
     path = order.path
     assert path is not None
@@ -93,7 +95,7 @@ def rest_along(run: Run, order: Order, begin: float, length: float) -> tuple[Pat
     return layout, spans_along([(profile, begin - path.begun) for profile in profiles], layout, length)
 
 
-def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
+def _speeds_up(run: RunRecords, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
     """True if the previous path was not slowing down for one that begins too fast."""
     earlier = run.expected_motion.of[master.index][i - 1].path
     if earlier is None or earlier.comes_to_rest or earlier.members != path.members:
@@ -112,7 +114,7 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
     return power >= 0.0 and first < last * (1.0 - SLACK)
 
 
-def in_force(run: Run, master: WholeTrack, i: int, order: Order, is_blended: bool = False) -> Order:
+def in_force(run: RunRecords, master: WholeTrack, i: int, order: Order, is_blended: bool = False) -> Order:
     """Return the order of a path at profile i, with the rates of the plans that it may continue.
 
     A stop that comes too late continues the plan before it, and a path that is resumed may complete its stop. One that
@@ -128,7 +130,7 @@ def in_force(run: Run, master: WholeTrack, i: int, order: Order, is_blended: boo
     return found
 
 
-def _orders_before(run: Run, master: WholeTrack, i: int, order: Order) -> Iterator[Order]:
+def _orders_before(run: RunRecords, master: WholeTrack, i: int, order: Order) -> Iterator[Order]:
     """Yield the earlier orders of a path, the last one first; it may have been blended with another one."""
     assert order.path is not None
     for k in range(i - 1, -1, -1):
@@ -189,7 +191,7 @@ def _check_geometry(
                 return
 
 
-def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
+def check_path_end(proof: Proof, run: RunRecords, move: LoggedMove, over: bool) -> None:
     """Check that a path ends at its commanded position, and takes time."""
     profile = move.profile
     assert profile is not None

@@ -6,7 +6,7 @@ Rates may come too late: a motion that could not stop at its end with them conti
 from __future__ import annotations
 
 from motionlang.commands.prove.axes import check_bounds
-from motionlang.commands.prove.checker import SLACK, Proof, Run
+from motionlang.commands.prove.checker import SLACK, Proof, RunRecords
 from motionlang.commands.prove.order import Order
 from motionlang.commands.prove.path_bounds import could_stop
 from motionlang.commands.prove.paths import check_rest, in_force, rest_along
@@ -17,7 +17,7 @@ from motionlang.kernel import WholeTrack
 LATE = "a rate written too late: the motion keeps the one in force"
 
 
-def check_settings(proof: Proof, run: Run) -> None:
+def check_settings(proof: Proof, run: RunRecords) -> None:
     """Check every setting that did not lead to a new profile of its axis, and rates that came too late for theirs."""
     for (number, time), wanted in run.expected_motion.late.items():
         a = run.axes[number]
@@ -44,7 +44,13 @@ def _check_late(proof: Proof, a: WholeTrack, i: int, wanted: Order) -> None:
 
 
 def _check_setting(
-    proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, wanted: Order, span: tuple[float, float]
+    proof: Proof,
+    run: RunRecords,
+    a: WholeTrack,
+    i: int,
+    order: Order,
+    wanted: Order,
+    span: tuple[float, float],
 ) -> None:
     time, end = span
     where = f"axis {a.index} at {time:.6f} s"
@@ -74,7 +80,7 @@ def _check_setting(
 
 
 def _check_path_setting(
-    proof: Proof, run: Run, order: Order, wanted: Order, time: float, length: float
+    proof: Proof, run: RunRecords, order: Order, wanted: Order, time: float, length: float
 ) -> None:
     assert order.path is not None
     assert wanted.path is not None

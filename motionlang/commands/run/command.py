@@ -10,12 +10,12 @@ from motionlang.cli.command import flag, option
 from motionlang.cli.readers import real
 from motionlang.cli.run_command import Pace, Simulated, pacer
 from motionlang.commands.quantities import quantity_names
-from motionlang.kernel import STDIN, Checked, Outside, Program
+from motionlang.kernel import STDIN, CheckedSettings, Outside, Program
 from motionlang.kernel import Run as Result
 
 
 @dataclass
-class Run(Simulated):
+class RunCommand(Simulated):
     """Run a program and report what it did."""
 
     title: ClassVar[str] = "run"
@@ -53,7 +53,11 @@ examples:
         return self.all
 
     def simulated(
-        self, program: Program, settings: Checked, outside: Outside | None = None, pace: Pace | None = None
+        self,
+        program: Program,
+        settings: CheckedSettings,
+        outside: Outside | None = None,
+        pace: Pace | None = None,
     ) -> Result:
         if self.realtime is None:
             return super().simulated(program, settings)

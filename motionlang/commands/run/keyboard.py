@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from typing import TypeVar
 
-from motionlang.hosts.serve.outside import PATIENCE, RealTime
+from motionlang.hosts.serve.outside import PATIENCE, RealTimeQueue
 from motionlang.views.single_keys import has_keys, single_keys
 
 Result = TypeVar("Result")
@@ -16,7 +16,7 @@ Result = TypeVar("Result")
 CHUNK = 1024
 
 
-class Keyboard(RealTime):
+class Keyboard(RealTimeQueue):
     """Real time in which the operator's keys are read from `file` while it waits."""
 
     def __init__(self, file: int, factor: float = 1.0) -> None:

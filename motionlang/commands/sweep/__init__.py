@@ -13,11 +13,11 @@ from typing import Any
 
 from motionlang.commands.processes.cores import cores
 from motionlang.commands.quantities import ResultValue, quantity
-from motionlang.commands.sweep.job import Job, Problem, Result, worker_of
+from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
-from motionlang.kernel.rows import Table, transposed
+from motionlang.kernel.rows import RowTable, transposed
 
 KEEP = ("time",)
 
@@ -48,7 +48,7 @@ class Row:
         return self.problem is None
 
 
-class Rows(Table):
+class Rows(RowTable):
     """The rows of a sweep: an iterator by arrival, and a table by number.
 
     The table has the rows that have not been iterated over yet.
@@ -115,7 +115,7 @@ class Sweep:
         settings = settings_next_to(program) if machine is None else dict(machine)
         for name in keep:
             quantity(name)
-        self.job = Job(
+        self.job = SweepJob(
             source,
             language.name,
             self.space.names,

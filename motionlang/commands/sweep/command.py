@@ -13,17 +13,17 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable, unwritten
-from motionlang.cli.option_groups import Jobs, Output, ProgramOptions, World, forms, with_world
+from motionlang.cli.option_groups import Jobs, OutputOptions, ProgramOptions, WorldOptions, forms, with_world
 from motionlang.cli.readers import whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands import sweep as sweeps
 from motionlang.commands.quantities import ROWS
 from motionlang.commands.sweep.job import Result
-from motionlang.commands.sweep.journal import Journal, OtherSweep, read
+from motionlang.commands.sweep.journal import OtherSweep, RowJournal, read
 from motionlang.commands.sweep.report import SweepReport
 from motionlang.commands.sweep.table import write_rows
 from motionlang.commands.sweep.variants import Variants
-from motionlang.kernel import STDIN, Checked, Diagnostic, ProgramError, Terminated
+from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, ProgramError, Terminated
 from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 
@@ -47,7 +47,7 @@ def _quantities() -> str:
 
 
 @dataclass
-class Sweep(Variants, Output, Jobs, World, ProgramOptions):
+class SweepCommand(Variants, OutputOptions, Jobs, WorldOptions, ProgramOptions):
     """Run many variants of a program and find the best."""
 
     title: ClassVar[str] = "rows"
@@ -120,7 +120,7 @@ examples:
                 space,
                 keep=report.keep,
                 dialect=language.name,
-                machine=Checked(settings),
+                machine=CheckedSettings(settings),
                 overrides=self.overrides(),
                 worlds=worlds,
                 until=self.until,
@@ -153,7 +153,7 @@ examples:
         if self.rows_to is not None:
             path = self.rows_to + PARTIAL_SUFFIX
             try:
-                journal = Journal(path, _digest(sweep), resume=bool(rows))
+                journal = RowJournal(path, _digest(sweep), resume=bool(rows))
             except OSError as error:
                 raise Refused([unwritten(path, error)], file=self.file) from None
         progress, ended = Progress(sys.stderr, os.path.basename(self.file)), False
@@ -182,7 +182,7 @@ examples:
         return status
 
     def _finish(
-        self, sweep: sweeps.Sweep, report: SweepReport, rows: dict[int, Result], journal: Journal
+        self, sweep: sweeps.Sweep, report: SweepReport, rows: dict[int, Result], journal: RowJournal
     ) -> int:
         """Write --rows-to completely, and delete the journal if no variant remains."""
         assert self.rows_to is not None

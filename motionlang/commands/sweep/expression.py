@@ -35,7 +35,7 @@ _FUNCTIONS: dict[str, Callable[..., object]] = {"abs": abs, "min": min, "max": m
 _MAX_NODES, _MAX_POWER = 500, 100.0
 
 
-class Expression:
+class QuantityExpression:
     """An expression over names such as `time`, `accel` and `axis.0.plant.inertia`.
 
     Raises ValueError if it is invalid.

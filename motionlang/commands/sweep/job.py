@@ -30,7 +30,7 @@ MACHINE, SCENARIO = "machine", "scenario"
 MAX_PROGRAMS = 32
 
 
-class Job:
+class SweepJob:
     """The common data of the variants of a sweep, as plain data that can be sent.
 
     `worlds` has the settings of complete machine files by the names of variants: `{"machine": {"old": …}}`.
@@ -79,10 +79,10 @@ class Job:
         return settings, overrides
 
 
-class Worker:
+class SweepWorker:
     """A job in one process, with its compiled programs."""
 
-    def __init__(self, job: Job) -> None:
+    def __init__(self, job: SweepJob) -> None:
         self.job, self.source = job, Source(job.name, job.text)
         self._dialect = dialect(job.dialect)
         self._readers = [quantity(name) for name in job.keep]
@@ -197,21 +197,21 @@ def problem_of(diagnostics: Sequence[Diagnostic]) -> Problem:
 
 
 # The workers of this process, by their jobs; a pool that is used for several sweeps has several.
-_WORKERS: dict[str, Worker] = {}
+_WORKERS: dict[str, SweepWorker] = {}
 MAX_WORKERS = 8
 
 
-def worker_of(job: Job) -> Worker:
+def worker_of(job: SweepJob) -> SweepWorker:
     """Return the worker of a job in this process."""
     found = _WORKERS.get(job.digest)
     if found is None:
         while len(_WORKERS) >= MAX_WORKERS:
             _WORKERS.pop(next(iter(_WORKERS)), None)
-        found = _WORKERS.setdefault(job.digest, Worker(job))
+        found = _WORKERS.setdefault(job.digest, SweepWorker(job))
     return found
 
 
-def work(job: Job, variants: Sequence[Variant]) -> tuple[float, list[Result]]:
+def work(job: SweepJob, variants: Sequence[Variant]) -> tuple[float, list[Result]]:
     """Run some variants; return the time taken in s, and the rows.
 
     This is the function that a pool calls.

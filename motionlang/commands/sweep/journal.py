@@ -19,7 +19,7 @@ class OtherSweep(Exception):
     """Raised if the file has the rows of another sweep."""
 
 
-class Journal:
+class RowJournal:
     """A file of rows: `add` writes a row at once, `remove` deletes the file."""
 
     def __init__(self, path: str, digest: str, *, resume: bool) -> None:

@@ -12,10 +12,10 @@ from motionlang.views.figure import (
     RED,
     VIRIDIS,
     Area,
+    ColourScale,
     Curve,
     Figure,
     Panel,
-    Scale,
     named,
 )
 
@@ -66,7 +66,7 @@ def map_figure(
     """Return the third name as colour over the first two; `points` are (x, y, value)."""
     x, y, z = (named(name, units.get(name, "")) for name in names)
     values = [p[2] for p in points]
-    scale = Scale(z, min(values), max(values), VIRIDIS)
+    scale = ColourScale(z, min(values), max(values), VIRIDIS)
     xs, ys = sorted({p[0] for p in points}), sorted({p[1] for p in points})
     mark = [] if best is None else [_best(best)]
     if len(xs) * len(ys) <= 4 * len(points) and len(xs) > 1 and len(ys) > 1:

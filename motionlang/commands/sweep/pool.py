@@ -15,7 +15,7 @@ from itertools import islice
 from time import perf_counter
 
 from motionlang.commands.processes.workers import Workers
-from motionlang.commands.sweep.job import Job, Result, Variant, problem_of, work, worker_of
+from motionlang.commands.sweep.job import Result, SweepJob, Variant, problem_of, work, worker_of
 from motionlang.kernel import Diagnostic
 
 # Seconds that a chunk should take; that this process works alone before it starts others; that all the rest
@@ -29,7 +29,7 @@ MAX_AHEAD, AHEAD = 512, 3
 
 
 @dataclass
-class Chunk:
+class VariantChunk:
     """Some variants; `is_again` is true if their worker has died before."""
 
     variants: Sequence[Variant]
@@ -40,13 +40,13 @@ class Hand:
     """Submits the variants of a job; `rows` yields each row once, in order of arrival."""
 
     def __init__(
-        self, job: Job, variants: Iterator[Variant], count: int, executor: Executor | None, jobs: int
+        self, job: SweepJob, variants: Iterator[Variant], count: int, executor: Executor | None, jobs: int
     ) -> None:
         self._job, self._variants, self._left = job, variants, count
         self._given, self._jobs = executor, jobs
         self._own: Workers | None = None
-        self._lost: deque[Chunk] = deque()
-        self._running: dict[Future[tuple[float, list[Result]]], Chunk] = {}
+        self._lost: deque[VariantChunk] = deque()
+        self._running: dict[Future[tuple[float, list[Result]]], VariantChunk] = {}
         # Seconds that a variant took, for the size of chunks; 0 before the first one.
         self._cost = 0.0
 
@@ -95,12 +95,12 @@ class Hand:
             self._running[self._submit(chunk)] = chunk
         return bool(self._running)
 
-    def _next(self) -> Chunk | None:
+    def _next(self) -> VariantChunk | None:
         if self._lost or any(chunk.is_again for chunk in self._running.values()):
             return None if self._running else self._lost.popleft()
         variants = list(islice(self._variants, self._size()))
         self._left -= len(variants)
-        return Chunk(variants) if variants else None
+        return VariantChunk(variants) if variants else None
 
     def _size(self) -> int:
         """Return the number of variants in a chunk.
@@ -110,7 +110,7 @@ class Hand:
         size = int(CHUNK / self._cost) if self._cost else FIRST_VARIANTS
         return max(1, min(size, MAX_VARIANTS, -(-self._left // (2 * self._jobs))))
 
-    def _submit(self, chunk: Chunk) -> Future[tuple[float, list[Result]]]:
+    def _submit(self, chunk: VariantChunk) -> Future[tuple[float, list[Result]]]:
         if self._given is not None:
             return self._given.submit(work, self._job, chunk.variants)
         if self._own is None:
@@ -132,10 +132,10 @@ class Hand:
         self._cost = seconds / len(rows)
         yield from rows
 
-    def _failed(self, chunk: Chunk, error: Exception) -> Iterator[Result]:
+    def _failed(self, chunk: VariantChunk, error: Exception) -> Iterator[Result]:
         """Keep a chunk for another attempt, or yield its variants as lost."""
         if not chunk.is_again:
-            self._lost.append(Chunk(chunk.variants, is_again=True))
+            self._lost.append(VariantChunk(chunk.variants, is_again=True))
             return
         if not self._cost:
             raise error

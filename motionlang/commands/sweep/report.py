@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.commands import sweep as sweeps
 from motionlang.commands.quantities import CYCLE, no_cycle_notes, unit_of
-from motionlang.commands.sweep.expression import Expression, pareto
+from motionlang.commands.sweep.expression import QuantityExpression, pareto
 from motionlang.commands.sweep.job import Problem, Result, worker_of
 from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.commands.sweep.table import Row, cell, sweep_table
@@ -22,7 +22,7 @@ from motionlang.views.table import Document, Table
 from motionlang.views.terminal import styled, table_width, wants_colour
 
 if TYPE_CHECKING:
-    from motionlang.commands.sweep.command import Sweep
+    from motionlang.commands.sweep.command import SweepCommand
     from motionlang.commands.sweep.variants import Variants
 
     # The values and results of each variant without an error, by its number and their name.
@@ -58,7 +58,7 @@ class SweepReport:
         values = zip((*self.names, *self.keep), (*sweep.space[index], *results), strict=True)
         return {"variant": index, **dict(values), "problem": None if problem is None else problem["message"]}
 
-    def report(self, command: Sweep, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
+    def report(self, command: SweepCommand, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
         """Print and draw the requested output; 1 if a variant failed or a picture did."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
         good: Good = {n: self._row(sweep, *rows[n]) for n in sorted(rows) if n not in bad}
@@ -90,7 +90,7 @@ class SweepReport:
             for note in no_cycle_notes(found, lacking):
                 sys.stderr.write(f"note: {note}\n")
 
-    def _cost(self, wanted: Expression, values: dict[str, Any]) -> float | None:
+    def _cost(self, wanted: QuantityExpression, values: dict[str, Any]) -> float | None:
         """Return the value to minimise, None if it is not a number."""
         cost = wanted.number(values)
         return -cost if cost is not None and self._variants.maximise is not None else cost
@@ -150,7 +150,7 @@ class SweepReport:
             lines += ["", self._best_line(good, best, self._variants.wanted)]
         return "\n".join(lines) + "\n"
 
-    def _best_line(self, good: Good, best: int | None, wanted: Expression) -> str:
+    def _best_line(self, good: Good, best: int | None, wanted: QuantityExpression) -> str:
         if best is None:
             where = self._variants.where
             return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"

@@ -190,7 +190,7 @@ class Drawn(Space):
         )
 
 
-class Points(Space):
+class ListedPoints(Space):
     """A list of points, each with a value for every name."""
 
     def __init__(self, points: Iterable[Mapping[str, Value]]) -> None:
@@ -216,7 +216,7 @@ def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]])
         return grid
     named: Any = grid
     if not hasattr(named, "items"):
-        return Points(named)
+        return ListedPoints(named)
     dimensions = []
     for name, values in named.items():
         if isinstance(values, str):

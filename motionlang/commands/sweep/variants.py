@@ -14,7 +14,7 @@ from motionlang.cli.command import Command, WrongOption, flag, option
 from motionlang.cli.readers import COUNT, integer, machine_time
 from motionlang.commands.quantities import quantity_names
 from motionlang.commands.sweep import KEEP
-from motionlang.commands.sweep.expression import Expression
+from motionlang.commands.sweep.expression import QuantityExpression
 from motionlang.commands.sweep.job import MACHINE, SCENARIO
 from motionlang.commands.sweep.space import Dimension, Drawn, Grid, Space, dimension
 from motionlang.commands.sweep.worlds import SUFFIX, machine_files, settings_of
@@ -25,9 +25,9 @@ from motionlang.kernel.lang import read_toml
 TOGETHER = (("vary", "machines", "scenarios"), ("random", "latin"), ("minimise", "maximise", "pareto"))
 
 
-def costs(text: str) -> list[Expression]:
+def costs(text: str) -> list[QuantityExpression]:
     """Return the expressions of a Pareto front, separated by commas."""
-    found = [Expression(each) for each in text.split(",")]
+    found = [QuantityExpression(each) for each in text.split(",")]
     if len(found) < 2:
         raise ValueError("a Pareto front needs two or more quantities, such as time,peak.0")
     return found
@@ -61,12 +61,18 @@ class Variants(Command):
     until: float | None = option("S", "end every run after S seconds of machine time", read=machine_time)
     prove: bool = flag("verify the motion of every variant against the commanded limits")
     certify: bool = flag("a variant fails if it exceeds a limit of the machine file")
-    minimise: Expression | None = option("EXPR", "find the variant with the smallest value", read=Expression)
-    maximise: Expression | None = option("EXPR", "find the variant with the largest value", read=Expression)
-    where: Expression | None = option(
-        "EXPR", "consider only variants for which this is true", read=Expression
+    minimise: QuantityExpression | None = option(
+        "EXPR", "find the variant with the smallest value", read=QuantityExpression
     )
-    pareto: list[Expression] | None = option("A,B", "find the Pareto front of these quantities", read=costs)
+    maximise: QuantityExpression | None = option(
+        "EXPR", "find the variant with the largest value", read=QuantityExpression
+    )
+    where: QuantityExpression | None = option(
+        "EXPR", "consider only variants for which this is true", read=QuantityExpression
+    )
+    pareto: list[QuantityExpression] | None = option(
+        "A,B", "find the Pareto front of these quantities", read=costs
+    )
 
     @classmethod
     def of_file(cls, path: str) -> Self:
@@ -124,7 +130,7 @@ class Variants(Command):
         return Drawn(dimensions, count, self.seed, self.latin is not None)
 
     @property
-    def wanted(self) -> Expression | None:
+    def wanted(self) -> QuantityExpression | None:
         """The expression to minimise or maximise."""
         return self.minimise or self.maximise
 

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from motionlang.cli.command import argument, option
 from motionlang.cli.readers import columns, real
-from motionlang.cli.run_to_file import Drawn
+from motionlang.cli.run_to_file import RunToFile
 from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
@@ -21,7 +21,7 @@ HERTZ = real("a rate above 0 and up to 10,000,000 samples per second", 0.0, 10e6
 
 
 @dataclass
-class Trace(Drawn):
+class TraceCommand(RunToFile):
     """Sample the motion of a run into a file."""
 
     title: ClassVar[str] = "trace"

@@ -15,7 +15,7 @@ from typing import IO, Any
 
 from motionlang.kernel import Trace
 from motionlang.kernel.tools import need
-from motionlang.kernel.tracks import Column
+from motionlang.kernel.tracks import TraceColumn
 from motionlang.kernel.version import __version__
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable
@@ -94,7 +94,7 @@ def _motion(trace: Trace, rate: float, topics: _Topics, progress: Report) -> Ite
         progress(done / total)
 
 
-def _named(column: Column) -> tuple[str, str]:
+def _named(column: TraceColumn) -> tuple[str, str]:
     axis, _, field = column.name.partition("_")
     return axis, field
 

@@ -9,7 +9,7 @@ import json
 import os
 import sys
 
-from motionlang.commands.diff.accept import Change, changes, merged
+from motionlang.commands.diff.accept import AcceptedChange, changes, merged
 from motionlang.commands.diff.golden import golden_files, write
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.view import change_lines
@@ -103,9 +103,11 @@ def _whole(program: str, result: Run, question: str) -> bool:
     return answer == "y"
 
 
-def _ask_each(program: str, all_of_them: list[Change], found: object) -> tuple[list[Change], bool]:
+def _ask_each(
+    program: str, all_of_them: list[AcceptedChange], found: object
+) -> tuple[list[AcceptedChange], bool]:
     """Return the accepted changes, and True if the user has quit."""
-    accepted: list[Change] = []
+    accepted: list[AcceptedChange] = []
     for number, change in enumerate(all_of_them):
         lines = "\n".join(f"  {line}" for line in change_lines(found, change))  # type: ignore[arg-type]
         sys.stdout.write((lines if draws(sys.stdout) else plain(lines)) + "\n")

@@ -20,12 +20,12 @@ from motionlang.hosts.commands.options import (
     warn,
 )
 from motionlang.hosts.commands.output_queue import OutputQueue, dropped
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.host import McapiHost
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.hosts.serve.pace import STEP, Pace
+from motionlang.hosts.serve.pace import STEP, ServerPace
 from motionlang.hosts.serve.server import MakeHost
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Diagnostic, Machine, Rejected, Source
@@ -85,13 +85,15 @@ def server_of(served: Served, source: Source | None, spy: Spy | None) -> tuple[S
     return Server(console, _pace(served, console), limits=limits, spy=spy, complain=warn), console
 
 
-def _pace(served: Served, console: Console) -> Pace:
+def _pace(served: Served, console: Console) -> ServerPace:
     if served.clock == "lockstep":
         return LockStep(console, STEP if served.step is None else served.step)
     return RealTime(console, served.factor or 1.0)
 
 
-def mcapi_hosts(server: Server, console: Console, record: Callable[[Call], None] | None = None) -> MakeHost:
+def mcapi_hosts(
+    server: Server, console: Console, record: Callable[[ApiCall], None] | None = None
+) -> MakeHost:
     """Return a function that makes a host speaking MCAPI for each connection.
 
     `record` is called with every call.

@@ -14,7 +14,7 @@ from motionlang.hosts.mint.console import MintConsole
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.outside import STEP, InTurn
-from motionlang.hosts.serve.pace import Pace
+from motionlang.hosts.serve.pace import ServerPace
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Diagnostic, ProgramError, Rejected, Source
 from motionlang.kernel.mint import VIRTUAL, named
@@ -79,7 +79,9 @@ class ServedLine(ServedMemory):
             raise Refused([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)]) from None
         return console
 
-    def _open_modbus(self, lines: Server, console: MintConsole, pace: Pace, model: str) -> _Modbus | None:
+    def _open_modbus(
+        self, lines: Server, console: MintConsole, pace: ServerPace, model: str
+    ) -> _Modbus | None:
         """Open the Modbus address, if one is given; raise OSError if that fails."""
         if self.modbus is None:
             return None
@@ -95,7 +97,7 @@ class ServedLine(ServedMemory):
         server.start()
         return _Modbus(server, questions)
 
-    def _pace(self, console: MintConsole) -> Pace:
+    def _pace(self, console: MintConsole) -> ServerPace:
         if self.clock == "lockstep":
             pace = LockStep(console, STEP if self.step is None else self.step, at_once=True)
             pace.entered()

@@ -18,7 +18,7 @@ from motionlang.hosts.address import parse, shown
 from motionlang.hosts.commands.mcapi_run import McapiRun, environment, library, refused
 from motionlang.hosts.commands.options import Address
 from motionlang.hosts.mcapi.build import TARGETS, CannotBuild, build
-from motionlang.hosts.mcapi.listing import Listing
+from motionlang.hosts.mcapi.listing import CallListing
 from motionlang.hosts.mcapi.log import BadLog, model_of, read
 from motionlang.hosts.mcapi.replay import call_of, replay_file
 from motionlang.kernel import Rejected
@@ -27,7 +27,7 @@ _NOT_NEGATIVE = real("a number, 0 or more", 0.0, 1e6)
 
 
 @dataclass
-class Target(Command):
+class TargetOptions(Command):
     """The system of the library."""
 
     target: str = option(
@@ -36,7 +36,7 @@ class Target(Command):
 
 
 @dataclass
-class McapiBuild(Target):
+class McapiBuild(TargetOptions):
     """Compile the C library into the user's cache."""
 
     out: str | None = option("DIR", "put the library into this folder instead")
@@ -52,7 +52,7 @@ class McapiBuild(Target):
 
 
 @dataclass
-class McapiPath(Target):
+class McapiPath(TargetOptions):
     """Print where the compiled C library is."""
 
     epilog: ClassVar[str] = """\
@@ -93,7 +93,7 @@ class McapiLog(Command):
     def run(self) -> int:
         """Print a log as MCCL."""
         with _opened(self.file) as file:
-            listing = Listing(model_of(file))
+            listing = CallListing(model_of(file))
             file.seek(0)
             for entry in read(file):
                 sys.stdout.write(listing.line(entry) + "\n")
@@ -140,7 +140,7 @@ class McapiReplay(ProgramOptions):
         return 1 if first is not None else 0
 
 
-class Mcapi(Command):
+class McapiCommand(Command):
     """Run hosts of PMC boards as they are: build MCAPI, record and replay calls."""
 
     commands: ClassVar = {

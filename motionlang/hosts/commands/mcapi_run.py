@@ -20,8 +20,8 @@ from motionlang.hosts.address import LOOPBACK, shown
 from motionlang.hosts.commands.board import mcapi_hosts, server_of
 from motionlang.hosts.commands.options import Served, remark, say
 from motionlang.hosts.mcapi.build import TARGETS, default_path
-from motionlang.hosts.mcapi.call import Call
-from motionlang.hosts.mcapi.log import Recorder
+from motionlang.hosts.mcapi.call import ApiCall
+from motionlang.hosts.mcapi.log import CallRecorder
 from motionlang.hosts.serve import Server
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Diagnostic
@@ -57,13 +57,13 @@ examples:
         server, console = server_of(self, None, Spy(remark) if self.log else None)
         with server, ExitStack() as files:
             path = library()
-            record: Callable[[Call], None] | None = None
+            record: Callable[[ApiCall], None] | None = None
             if self.record is not None:
                 try:
                     file = files.enter_context(open(self.record, "w", encoding="latin-1", newline="\n"))
                 except OSError as error:
                     raise refused(f"cannot write {self.record}: {error.strerror or error}") from None
-                record = Recorder(file.write, console.board.model.name)
+                record = CallRecorder(file.write, console.board.model.name)
             address = server.listen(LOOPBACK, 0, make=mcapi_hosts(server, console, record))
             opened = self.open_lines(server)
             if opened is None:

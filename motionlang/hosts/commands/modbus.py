@@ -18,7 +18,7 @@ from motionlang.hosts.commands.output_queue import OutputQueue, dropped
 from motionlang.hosts.serve import Limits
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
-from motionlang.hosts.serve.outside import STEP, LockStep, Outside, RealTime
+from motionlang.hosts.serve.outside import STEP, LockStepQueue, QuestionQueue, RealTimeQueue
 from motionlang.kernel import Run, Source, end_of, run
 from motionlang.kernel.controller import PRODUCTS, product
 from motionlang.kernel.mint import VIRTUAL, named
@@ -77,7 +77,9 @@ class ServedMemory(Served):
             server.stop()
         return _farewell(result, server, self.file, queues)
 
-    def modbus_server(self, outside: Outside, model: str, complain: Callable[[str], None]) -> ModbusServer:
+    def modbus_server(
+        self, outside: QuestionQueue, model: str, complain: Callable[[str], None]
+    ) -> ModbusServer:
         """Return the Modbus server of the command line, which identifies as the model."""
         assert self.modbus is not None
         return ModbusServer(
@@ -90,10 +92,10 @@ class ServedMemory(Served):
             remark=remark,
         )
 
-    def _outside(self) -> Outside:
+    def _outside(self) -> QuestionQueue:
         if self.clock == "lockstep":
-            return LockStep(STEP if self.step is None else self.step)
-        return RealTime(self.factor or 1.0)
+            return LockStepQueue(STEP if self.step is None else self.step)
+        return RealTimeQueue(self.factor or 1.0)
 
 
 def _greet(server: ModbusServer, source: Source, model: str) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.client import STEP, Calls, PortCalls, VirtualBoard
-from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
+from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, ApiFunction, Argument, Value
 from motionlang.kernel import Machine
 
 Self = TypeVar("Self", bound="Mcapi")
@@ -104,7 +104,7 @@ class Mcapi:
             raise McapiException(code)
         return code
 
-    def _call(self, function: Function, given: dict[str, Any]) -> Any:
+    def _call(self, function: ApiFunction, given: dict[str, Any]) -> Any:
         """Carry out a call with arguments by name; raise McapiException if it fails.
 
         An error does not change a structure or a buffer.
@@ -147,7 +147,7 @@ def _sent(each: Argument, given: dict[str, Any]) -> list[Value | None]:
     return [len(value), *value]
 
 
-def _signature(function: Function) -> Signature:
+def _signature(function: ApiFunction) -> Signature:
     """Return the parameters of a method: inputs and structures, unless the table has others."""
     names = [each.name for each in function.arguments if not each.out or each.kind in STRUCTURES]
     found = [Parameter("self", Parameter.POSITIONAL_ONLY)]
@@ -158,7 +158,7 @@ def _signature(function: Function) -> Signature:
     return Signature(found)
 
 
-def _method(function: Function, name: str) -> Callable[..., Any]:
+def _method(function: ApiFunction, name: str) -> Callable[..., Any]:
     """Return the method of a function."""
     signature = _signature(function)
 

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line, own
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.kernel.mccl import Command, CommandTask, Line
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.interface import Interface
     from motionlang.hosts.mcapi.session import Handle
 
@@ -27,7 +27,7 @@ PATHS = {
 
 
 @dataclass(eq=False, slots=True)
-class Block:
+class CommandBlock:
     """The commands collected so far.
 
     `handle` has begun the block, and the commands `first` precede them in the line.
@@ -41,10 +41,10 @@ class Block:
     def add(self, commands: list[Command]) -> None:
         """Add the commands of a call."""
         if len(self.commands) + len(commands) > MAX_COMMANDS:
-            raise Refused(mc.MCERR_BLOCK_MODE)
+            raise CallRefused(mc.MCERR_BLOCK_MODE)
         self.commands += commands
 
-    def line(self, call: Call) -> Line:
+    def line(self, call: ApiCall) -> Line:
         """Return the line that carries out the block.
 
         If the block is a task, the result of the call is the task's number.
@@ -68,23 +68,23 @@ def begin(interface: Interface, handle: Handle, mode: int, number: int) -> list[
         interface.block = None
         return []
     if interface.block is not None:
-        raise Refused(mc.MCERR_BLOCK_MODE)
+        raise CallRefused(mc.MCERR_BLOCK_MODE)
     first: tuple[Command, ...] = ()
     if mode == mc.MC_BLOCK_MACRO:
         first = (command("MD", value=number),)
     elif mode in PATHS:
         if number not in interface.board.axes:
-            raise Refused(mc.MCERR_AXIS_NUMBER if number else mc.MCERR_ALL_AXES)
+            raise CallRefused(mc.MCERR_AXIS_NUMBER if number else mc.MCERR_ALL_AXES)
         first = (command("CP", number, PATHS[mode]),)
     elif mode not in (mc.MC_BLOCK_COMPOUND, mc.MC_BLOCK_TASK):
-        raise Refused(mc.MCERR_CONSTANT)
-    interface.block = Block(handle, mode, first, [])
+        raise CallRefused(mc.MCERR_CONSTANT)
+    interface.block = CommandBlock(handle, mode, first, [])
     return []
 
 
-def end(interface: Interface, call: Call) -> Line:
+def end(interface: Interface, call: ApiCall) -> Line:
     """End the block and return its line; raise Refused if there is none."""
     block, interface.block = interface.block, None
     if block is None:
-        raise Refused(mc.MCERR_BLOCK_MODE)
+        raise CallRefused(mc.MCERR_BLOCK_MODE)
     return block.line(call)

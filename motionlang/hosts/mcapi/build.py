@@ -33,7 +33,7 @@ class CannotBuild(Exception):
 
 
 @dataclass(eq=False, slots=True)
-class Target:
+class BuildTarget:
     """A system for which the library is built.
 
     `library` is the name of the file, `links` are further names for it. `compilers` are tried in this order.
@@ -48,7 +48,7 @@ class Target:
 
 
 _TARGETS = (
-    Target(
+    BuildTarget(
         "linux",
         "libmcapi-4.4.1.so",
         ("libmcapi.so",),
@@ -56,7 +56,7 @@ _TARGETS = (
         ("-fPIC", "-fvisibility=hidden", "-Wl,-Bsymbolic", "-Wl,-soname,libmcapi-4.4.1.so"),
         ("-lpthread", "-ldl"),
     ),
-    Target(
+    BuildTarget(
         "win64",
         "mcapi64.dll",
         (),
@@ -64,7 +64,7 @@ _TARGETS = (
         ("-static-libgcc", "-Wl,--kill-at"),
         ("-lws2_32",),
     ),
-    Target(
+    BuildTarget(
         "win32",
         "mcapi32.dll",
         (),
@@ -76,7 +76,7 @@ _TARGETS = (
 TARGETS = {each.name: each for each in _TARGETS}
 
 
-def default_path(target: Target) -> Path | None:
+def default_path(target: BuildTarget) -> Path | None:
     """Return the path of the library if no folder is given; None without a home."""
     cache = folder()
     if cache is None:
@@ -85,7 +85,7 @@ def default_path(target: Target) -> Path | None:
     return Path(cache) / "mcapi" / source / target.library
 
 
-def build(target: Target, out: Path | None = None) -> Path:
+def build(target: BuildTarget, out: Path | None = None) -> Path:
     """Compile the library and return its path; raise CannotBuild if that fails."""
     default = default_path(target)
     if out is None and default is None:
@@ -111,7 +111,7 @@ def build(target: Target, out: Path | None = None) -> Path:
     return to
 
 
-def _compiler(target: Target) -> list[str]:
+def _compiler(target: BuildTarget) -> list[str]:
     """Return the compiler command: CC (on Linux), or the first compiler installed."""
     given = os.environ.get("CC") if target.name == "linux" else None
     if given:

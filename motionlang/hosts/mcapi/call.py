@@ -9,10 +9,10 @@ from motionlang.kernel.mccl import Line
 
 if TYPE_CHECKING:
     from motionlang.hosts.mcapi.session import Handle
-    from motionlang.hosts.mcapi.table import Function, Value
+    from motionlang.hosts.mcapi.table import ApiFunction, Value
 
 
-class Call:
+class ApiCall:
     """A function with its arguments and, when `done`, its results.
 
     `arguments` are the inputs of the table, flattened: a structure as its values, an array as its length and
@@ -21,7 +21,7 @@ class Call:
     """
 
     def __init__(
-        self, function: Function, number: int, arguments: tuple[Value | None, ...], begin: float
+        self, function: ApiFunction, number: int, arguments: tuple[Value | None, ...], begin: float
     ) -> None:
         self.function, self.number, self.arguments = function, number, arguments
         self.handle: Handle | None = None
@@ -34,7 +34,7 @@ class Call:
         self.done = False
         self.begin = self.end = begin
         # Called when the call is done.
-        self.finished: Callable[[Call], None] | None = None
+        self.finished: Callable[[ApiCall], None] | None = None
 
     def finish(self, now: float, code: int | None = None) -> None:
         """Complete the call, once; its code becomes the last error of the handle."""

@@ -10,7 +10,7 @@ import motionlang.hosts.mcapi.calls  # noqa: F401
 from motionlang.hosts.address import BadAddress, parse
 from motionlang.hosts.channel import TcpWire
 from motionlang.hosts.mcapi import table as mc
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.protocol import VERSION, decode, encode, request
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
@@ -101,7 +101,7 @@ class VirtualBoard:
         machine: Machine | Mapping[str, object] | str | None = None,
         step: float = STEP,
         complain: Callable[[str], None] | None = None,
-        record: Callable[[Call], None] | None = None,
+        record: Callable[[ApiCall], None] | None = None,
     ) -> None:
         self.console = Console(_machine(machine))
         self.desk = McapiBoard(self.console, complain, record)

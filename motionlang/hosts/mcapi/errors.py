@@ -18,7 +18,7 @@ _CODES = {
 _KINDS = {"model": mc.MCERR_NOTSUPPORTED, "moving": mc.MCERR_AXIS_ACTIVE, "axis": mc.MCERR_AXIS_NUMBER}
 
 
-class Refused(Exception):
+class CallRefused(Exception):
     """A call fails with an error code before it reaches the board."""
 
     def __init__(self, code: int) -> None:

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import motionlang.hosts.mcapi.calls  # noqa: F401
-from motionlang.hosts.channel import Channel
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.channel import HostChannel
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.protocol import MAX_LINE, VERSION, answer, decode, parse
-from motionlang.hosts.mcapi.session import BadCall, McapiBoard, Session
+from motionlang.hosts.mcapi.session import BadCall, HostProcess, McapiBoard
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
-from motionlang.hosts.serve.pace import Pace
+from motionlang.hosts.serve.pace import ServerPace
 from motionlang.hosts.serve.spy import Spy
 from motionlang.kernel import Wait
 
 LF = 10
 # The line that names the host process of a connection.
-SESSION = "Session"
+SESSION = "HostProcess"
 
 
 class McapiPort:
@@ -28,8 +28,8 @@ class McapiPort:
 
     def __init__(self, desk: McapiBoard) -> None:
         self._desk = desk
-        self._session: Session | None = None
-        self._call: Call | None = None
+        self._session: HostProcess | None = None
+        self._call: ApiCall | None = None
         self._out = bytearray()
         self.refused = False
 
@@ -108,7 +108,7 @@ class McapiPort:
         self._session = self._desk.session(token)
         self._out += b"0\n"
 
-    def _done(self, call: Call) -> None:
+    def _done(self, call: ApiCall) -> None:
         self._call = None
         self._out += answer(call).encode("latin-1", "replace") + b"\n"
 
@@ -122,7 +122,7 @@ class McapiHost(Host):
     port: McapiPort
 
     def __init__(
-        self, number: int, channel: Channel, desk: McapiBoard, limits: Limits, spy: Spy | None
+        self, number: int, channel: HostChannel, desk: McapiBoard, limits: Limits, spy: Spy | None
     ) -> None:
         super().__init__(number, channel, McapiPort(desk), limits, spy)
         desk.console.join(self.port)
@@ -132,7 +132,7 @@ class McapiHost(Host):
         """True if the host is gone or was refused, and all answers have been sent."""
         return (self.ended is not None or self.port.refused) and self.is_silent
 
-    def feed(self, pace: Pace) -> None:
+    def feed(self, pace: ServerPace) -> None:
         """Begin the calls that have arrived; in lock step only one."""
         while self._inbox and not self.port.busy:
             end = self._inbox.find(LF) + 1

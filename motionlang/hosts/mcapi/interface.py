@@ -22,8 +22,8 @@ from motionlang.kernel import INFINITY, Rejected, Task, Wait
 from motionlang.kernel.mccl import FORMS, Board, CommandTask, Fault, Line
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.block import Block
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.block import CommandBlock
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.session import Handle
 
 ESC = 27
@@ -42,12 +42,12 @@ class Interface(CommandTask):
         self.serve()
         self.write = self._replied
         self.port = port
-        self.current_call: Call | None = None
-        self.block: Block | None = None
+        self.current_call: ApiCall | None = None
+        self.block: CommandBlock | None = None
         # The handle for which pmclock has reserved the interface.
         self.owner: Handle | None = None
         self.reply_text = ""
-        self._queue: deque[Call] = deque()
+        self._queue: deque[ApiCall] = deque()
         # Characters from the board that no host has read, and from a host that wait for the end of a call.
         self._unread = bytearray()
         self._buffered = bytearray()
@@ -59,11 +59,11 @@ class Interface(CommandTask):
             self.current_call is not None or bool(self._queue) or (self.port is not None and self.port.busy)
         )
 
-    def submit(self, call: Call) -> None:
+    def submit(self, call: ApiCall) -> None:
         """Queue a call that has a line of commands."""
         self._queue.append(call)
 
-    def drop(self, call: Call) -> None:
+    def drop(self, call: ApiCall) -> None:
         """Abandon a call whose host is gone, or that timed out before it began."""
         if call is self.current_call:
             self.abandon()
@@ -92,7 +92,7 @@ class Interface(CommandTask):
     def _may_begin(self) -> bool:
         return bool(self._queue) and self._following() is not None
 
-    def _following(self) -> Call | None:
+    def _following(self) -> ApiCall | None:
         """Return the next call; while a handle owns the interface, its next call."""
         if self.port is not None and self.port.busy:
             return None
@@ -207,7 +207,7 @@ class Poll(Task):
         return now, None
 
 
-def expire(call: Call, interface: Interface, now: float) -> None:
+def expire(call: ApiCall, interface: Interface, now: float) -> None:
     """End a call that has exceeded the time-out of its handle.
 
     The board continues its work.

@@ -8,13 +8,13 @@ from __future__ import annotations
 import re
 
 from motionlang.hosts.mcapi import table as mc
-from motionlang.hosts.mcapi.block import Block
+from motionlang.hosts.mcapi.block import CommandBlock
 from motionlang.hosts.mcapi.client import VirtualBoard
-from motionlang.hosts.mcapi.errors import Refused
-from motionlang.hosts.mcapi.log import Entry
+from motionlang.hosts.mcapi.errors import CallRefused
+from motionlang.hosts.mcapi.log import LoggedCall
 from motionlang.hosts.mcapi.protocol import encode, request
 from motionlang.hosts.mcapi.registry import AT_ONCE, POLLS, QUERIES
-from motionlang.hosts.mcapi.session import BadCall, Given, commands_for
+from motionlang.hosts.mcapi.session import BadCall, CallInputs, commands_for
 from motionlang.hosts.mcapi.table import FUNCTIONS
 from motionlang.kernel import Rejected
 from motionlang.kernel.lang import MAX_AXES
@@ -24,7 +24,7 @@ from motionlang.kernel.mccl import Fault
 COLUMN = 32
 
 
-class Listing:
+class CallListing:
     """Lists calls, on a board of the log's model, on which the commands may depend."""
 
     def __init__(self, model: str) -> None:
@@ -34,9 +34,9 @@ class Listing:
         handle = board.desk.session().open(mc.MC_OPEN_BINARY)
         self._interface = handle.interface
         # A repeat is a command only in a block.
-        self._interface.block = Block(handle, mc.MC_BLOCK_COMPOUND, (), [])
+        self._interface.block = CommandBlock(handle, mc.MC_BLOCK_COMPOUND, (), [])
 
-    def line(self, entry: Entry) -> str:
+    def line(self, entry: LoggedCall) -> str:
         """Return the line of a call: its commands, start time, and answer.
 
         A call without commands is shown as a remark.
@@ -49,17 +49,17 @@ class Listing:
         answer = "" if values in ("0", "-") else f" = {values}"
         return f"{commands:<{COLUMN - 1}} {remark} {entry.name}{answer}"
 
-    def _commands(self, entry: Entry) -> str:
+    def _commands(self, entry: LoggedCall) -> str:
         """Return the commands of a call, "" if it has none."""
         function = FUNCTIONS[entry.name]
         try:
-            given = Given(function, entry.arguments)
+            given = CallInputs(function, entry.arguments)
             if function.unsupported or function.name in AT_ONCE:
                 return ""
             if function.name in QUERIES or function.name in POLLS:
                 return _read(function.mccl, given.by_name)
             return ",".join(each.text for each in commands_for(self._interface, function, given.by_name))
-        except (BadCall, Refused, Fault, Rejected):
+        except (BadCall, CallRefused, Fault, Rejected):
             return ""
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.protocol import answer, decode, parse, request
 from motionlang.hosts.mcapi.session import BadCall
 from motionlang.hosts.mcapi.table import Value
@@ -34,7 +34,7 @@ class BadLog(ValueError):
 
 
 @dataclass(eq=False, slots=True)
-class Entry:
+class LoggedCall:
     """A call of a log; `result` is None if it is not known."""
 
     line: int
@@ -48,19 +48,19 @@ class Entry:
     outputs: tuple[Value | None, ...]
 
 
-class Recorder:
+class CallRecorder:
     """Writes every completed call with its machine times."""
 
     def __init__(self, write: Callable[[str], object], model: str) -> None:
         self._write = write
         write(f"{HEAD} {model}\n")
 
-    def __call__(self, call: Call) -> None:
+    def __call__(self, call: ApiCall) -> None:
         line = request(call.function.name, call.number, call.arguments)
         self._write(f"{call.begin:.9f} {call.end:.9f} {call.host} {line} = {answer(call)}\n")
 
 
-def read_entry(text: str, number: int) -> Entry:
+def read_entry(text: str, number: int) -> LoggedCall:
     """Return the call of a line; raise BadLog if the line is not a call."""
     try:
         begin, end, host, rest = text.split(" ", 3)
@@ -70,7 +70,7 @@ def read_entry(text: str, number: int) -> Entry:
         times = float(begin), float(end)
         if not (isinstance(result, int) or result is None) or not 0.0 <= times[0] <= times[1] < 1e9:
             raise ValueError
-        return Entry(number, *times, int(host), name, handle, tuple(arguments), result, tuple(outputs))
+        return LoggedCall(number, *times, int(host), name, handle, tuple(arguments), result, tuple(outputs))
     except BadCall as problem:
         raise BadLog(number, f"this is no call: {problem}") from None
     except ValueError:
@@ -91,7 +91,7 @@ def model_of(file: BinaryIO) -> str:
     raise BadLog(1, f"this is no log of MCAPI: the first line is not {HEAD!r}")
 
 
-def read(file: BinaryIO) -> Iterator[Entry]:
+def read(file: BinaryIO) -> Iterator[LoggedCall]:
     """Read the calls in the order of their start times.
 
     Raises BadLog at the first line that is not a call. Two passes save memory: the first one finds the lines that

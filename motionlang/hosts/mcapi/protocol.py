@@ -16,7 +16,7 @@ import re
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.session import BadCall, function_named
 from motionlang.hosts.mcapi.table import FUNCTIONS, STRUCTURES, Value
 
@@ -81,7 +81,7 @@ def request(name: str, handle: int, arguments: Sequence[Value | None]) -> str:
     return " ".join(words)
 
 
-def answer(call: Call) -> str:
+def answer(call: ApiCall) -> str:
     """Return the line that answers a call."""
     return encode((call.result, *call.outputs))
 

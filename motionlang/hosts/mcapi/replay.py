@@ -20,12 +20,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import isclose
 
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.calls.controller import MODELS
 from motionlang.hosts.mcapi.client import VirtualBoard
-from motionlang.hosts.mcapi.log import Entry, model_of, read
+from motionlang.hosts.mcapi.log import LoggedCall, model_of, read
 from motionlang.hosts.mcapi.protocol import encode, request
-from motionlang.hosts.mcapi.session import BadCall, Session
+from motionlang.hosts.mcapi.session import BadCall, HostProcess
 from motionlang.hosts.mcapi.table import STRUCTURES, Value
 from motionlang.kernel.mccl.axis import flags
 from motionlang.kernel.tools import count_of
@@ -70,10 +70,10 @@ REST = 1e-3
 
 
 @dataclass(eq=False, slots=True)
-class Difference:
+class AnswerDifference:
     """A call whose answer differs, in a code, state, setting, position or time."""
 
-    entry: Entry
+    entry: LoggedCall
     kind: str
     text: str
 
@@ -83,13 +83,13 @@ class _Check:
     """A difference that is reported only if the track up to `due` does not explain it."""
 
     due: float
-    entry: Entry
+    entry: LoggedCall
     found: tuple[Value, ...]
     text: str
     kind: str
 
 
-class Replay:
+class CallReplay:
     """Carries out the calls of a log and collects the differences.
 
     `first` is the first difference in the log, `counts` their number by kind.
@@ -97,15 +97,15 @@ class Replay:
 
     def __init__(self, board: VirtualBoard, skew: float = SKEW, tolerance: float = 0.0) -> None:
         self._board, self._skew, self._tolerance = board, skew, tolerance
-        self._sessions: dict[int, Session] = {}
+        self._sessions: dict[int, HostProcess] = {}
         self._handles: dict[tuple[int, int], int] = {}
         self._checks: deque[_Check] = deque()
-        self._open: dict[int, Entry] = {}
+        self._open: dict[int, LoggedCall] = {}
         self.calls = 0
-        self.first: Difference | None = None
+        self.first: AnswerDifference | None = None
         self.counts: dict[str, int] = {}
 
-    def run(self, entries: Iterable[Entry]) -> None:
+    def run(self, entries: Iterable[LoggedCall]) -> None:
         """Carry out all calls."""
         end = 0.0
         for entry in entries:
@@ -130,7 +130,7 @@ class Replay:
         if console.now < time:
             console.run(time)
 
-    def _call(self, entry: Entry) -> None:
+    def _call(self, entry: LoggedCall) -> None:
         self.calls += 1
         session = self._sessions.get(entry.host)
         if session is None:
@@ -161,7 +161,7 @@ class Replay:
 
     # --------------------------------------------------------------------------------------------- comparing
 
-    def _compare(self, entry: Entry, call: Call) -> None:
+    def _compare(self, entry: LoggedCall, call: ApiCall) -> None:
         self._open.pop(entry.line, None)
         if entry.name == "MCOpen" and call.value > 0 and isinstance(entry.result, int):
             self._handles[entry.host, entry.result] = call.value
@@ -178,19 +178,19 @@ class Replay:
         elif not all(map(self._same, entry.outputs, call.outputs)):
             self._outputs_differ(entry, call)
 
-    def _same_result(self, entry: Entry, result: int) -> bool:
+    def _same_result(self, entry: LoggedCall, result: int) -> bool:
         return entry.result == result or (
             entry.name == "MCOpen" and entry.result is not None and entry.result > 0 and result > 0
         )
 
-    def _result_differs(self, entry: Entry, call: Call, result: int) -> None:
+    def _result_differs(self, entry: LoggedCall, call: ApiCall, result: int) -> None:
         text = f"the result is {entry.result}, here {result}"
         if entry.name in STATES:
             self._later(entry, (result,), text, "state")
         else:
             self._differs(entry, "code" if not call.function.is_value else "setting", text)
 
-    def _outputs_differ(self, entry: Entry, call: Call) -> None:
+    def _outputs_differ(self, entry: LoggedCall, call: ApiCall) -> None:
         text = _difference(entry, call)
         if entry.name in MOVING:
             self._later(entry, call.outputs, text, "position")
@@ -204,14 +204,14 @@ class Replay:
             return logged == here
         return logged == here or isclose(logged, here, rel_tol=1e-9, abs_tol=1e-12)
 
-    def _later(self, entry: Entry, found: tuple[Value, ...], text: str, kind: str) -> None:
+    def _later(self, entry: LoggedCall, found: tuple[Value, ...], text: str, kind: str) -> None:
         due = max(entry.end, self._board.now) + self._skew
         self._checks.append(_Check(due, entry, found, text, kind))
 
-    def _differs(self, entry: Entry, kind: str, text: str) -> None:
+    def _differs(self, entry: LoggedCall, kind: str, text: str) -> None:
         self.counts[kind] = self.counts.get(kind, 0) + 1
         if self.first is None or entry.line < self.first.entry.line:
-            self.first = Difference(entry, kind, text)
+            self.first = AnswerDifference(entry, kind, text)
 
     # --------------------------------------------------------------------------- what was read in motion
 
@@ -233,7 +233,7 @@ class Replay:
         values = self._track("position", axis, begin, end)
         return max(values) > min(values)
 
-    def _lies_within(self, entry: Entry, axis: int, begin: float, end: float) -> bool:
+    def _lies_within(self, entry: LoggedCall, axis: int, begin: float, end: float) -> bool:
         quantity, logged = MOVING[entry.name], entry.outputs[0]
         state = self._board.console.board.axes.get(axis)
         if state is None or not isinstance(logged, (int, float)):
@@ -264,7 +264,7 @@ class Replay:
         return recall(controller, axis, "actual", times)
 
 
-def _same_but_for_motion(entry: Entry, found: tuple[Value, ...]) -> bool:
+def _same_but_for_motion(entry: LoggedCall, found: tuple[Value, ...]) -> bool:
     """True if two states differ only in bits that motion changes."""
     if entry.name in ("MCGetStatus", "MCGetStatusEx"):
         logged = entry.outputs[0] if entry.outputs else entry.result
@@ -272,11 +272,11 @@ def _same_but_for_motion(entry: Entry, found: tuple[Value, ...]) -> bool:
     return True
 
 
-def _shown(entry: Entry) -> str:
+def _shown(entry: LoggedCall) -> str:
     return encode((entry.result, *entry.outputs))
 
 
-def _difference(entry: Entry, call: Call) -> str:
+def _difference(entry: LoggedCall, call: ApiCall) -> str:
     """Return the first value that differs, with its name."""
     names: list[str] = []
     for each in call.function.outputs:
@@ -299,7 +299,7 @@ def _model(number: Value | None) -> str:
 
 def replay_file(
     path: str, settings: Mapping[str, object], skew: float = SKEW, tolerance: float = 0.0
-) -> Replay:
+) -> CallReplay:
     """Replay the log of a file.
 
     The model is that of the log unless the settings name one.
@@ -310,11 +310,11 @@ def replay_file(
         model = model_of(file)
         file.seek(0)
         board = VirtualBoard({"controller.model": model, **settings}, complain=lambda text: None)
-        replay = Replay(board, skew, tolerance)
+        replay = CallReplay(board, skew, tolerance)
         replay.run(read(file))
     return replay
 
 
-def call_of(entry: Entry) -> str:
+def call_of(entry: LoggedCall) -> str:
     """Return the call of an entry as it appears in the log."""
     return request(entry.name, entry.handle, entry.arguments)

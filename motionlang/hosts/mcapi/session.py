@@ -2,7 +2,7 @@
 
 Problem    A host process has any number of threads, each with a connection, and its handles are valid in all
            of them. A handle of another host is not. A wrong argument must not reach the board.
-Idea       A `Session` is one host process. It checks a call against the table in this order: handle, NULL,
+Idea       A `HostProcess` is one host process. It checks a call against the table in this order: handle, NULL,
            finite numbers, axis. Then it runs the function that `calls/` has for the call, of one of four kinds:
              commands   a list of MCCL commands, carried out by the interface, or added to an open block
              reading    a function that the interface calls at the machine time of the call
@@ -20,12 +20,12 @@ from math import isfinite
 from typing import Any
 
 from motionlang.hosts.mcapi import table as mc
-from motionlang.hosts.mcapi.call import Call
+from motionlang.hosts.mcapi.call import ApiCall
 from motionlang.hosts.mcapi.command import command, line, own, takes_all_axes
-from motionlang.hosts.mcapi.errors import Refused, code_of
+from motionlang.hosts.mcapi.errors import CallRefused, code_of
 from motionlang.hosts.mcapi.interface import Interface, Poll, expire
 from motionlang.hosts.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
-from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, Argument, Function, Value
+from motionlang.hosts.mcapi.table import BITS, FUNCTIONS, STRUCTURES, ApiFunction, Argument, Value
 from motionlang.hosts.mccl.console import Console
 from motionlang.kernel import INFINITY, Rejected
 from motionlang.kernel.mccl import Command, CommandTask, Fault
@@ -39,7 +39,7 @@ class BadCall(ValueError):
     """A call that does not match the table: its sender does not speak the protocol."""
 
 
-def function_named(name: str) -> Function:
+def function_named(name: str) -> ApiFunction:
     """Return a function; raise BadCall if the table does not have it."""
     function = FUNCTIONS.get(name)
     if function is None:
@@ -51,7 +51,7 @@ def function_named(name: str) -> Function:
 class Handle:
     """An open handle; `error` is its last error, `timeout` 0 for none."""
 
-    def __init__(self, session: Session, number: int, mode: int, interface: Interface) -> None:
+    def __init__(self, session: HostProcess, number: int, mode: int, interface: Interface) -> None:
         self.session, self.number, self.mode, self.interface = session, number, mode, interface
         self.error = 0
         self.timeout = 0.0
@@ -78,14 +78,14 @@ class McapiBoard:
         self,
         console: Console,
         complain: Callable[[str], None] | None = None,
-        record: Callable[[Call], None] | None = None,
+        record: Callable[[ApiCall], None] | None = None,
     ) -> None:
         self.console, self.board = console, console.board
         self.record = record
         self.handles: list[Handle] = []
         self._complain = complain or _to_standard_error
         self._interfaces: dict[bool, Interface] = {}
-        self._sessions: dict[str, Session] = {}
+        self._sessions: dict[str, HostProcess] = {}
         self._complained: set[str] = set()
         self._count = 0
 
@@ -93,7 +93,7 @@ class McapiBoard:
     def now(self) -> float:
         return self.console.now
 
-    def session(self, token: str = "") -> Session:
+    def session(self, token: str = "") -> HostProcess:
         """Return the session of a host process.
 
         A connection without a token is a process of its own.
@@ -101,7 +101,7 @@ class McapiBoard:
         found = self._sessions.get(token)
         if found is None:
             self._count += 1
-            found = Session(self, token, self._count)
+            found = HostProcess(self, token, self._count)
             if token:
                 self._sessions[token] = found
         found.connections += 1
@@ -126,19 +126,19 @@ class McapiBoard:
             self._complained.add(name)
             self._complain(f"{name} is not supported: {reason}")
 
-    def forget(self, session: Session) -> None:
+    def forget(self, session: HostProcess) -> None:
         """Remove the session of a host that is gone."""
         self._sessions.pop(session.token, None)
 
 
-class Session:
+class HostProcess:
     """One host process: its handles, and its pending calls."""
 
     def __init__(self, desk: McapiBoard, token: str, number: int) -> None:
         self.desk, self.token, self.number = desk, token, number
         self.connections = 0
         self.handles: dict[int, Handle] = {}
-        self._pending: dict[Call, Poll | None] = {}
+        self._pending: dict[ApiCall, Poll | None] = {}
 
     def leave(self) -> None:
         """Close a connection.
@@ -159,7 +159,7 @@ class Session:
             self.close(handle)
         self.desk.forget(self)
 
-    def give_up(self, call: Call) -> None:
+    def give_up(self, call: ApiCall) -> None:
         """End a call that can no longer complete."""
         poll = self._pending.get(call)
         if poll is not None:
@@ -173,7 +173,7 @@ class Session:
         kind = self._checked_mode(mode, None)
         number = next(number for number in range(1, MAX_HANDLES + 2) if number not in self.handles)
         if number > MAX_HANDLES:
-            raise Refused(mc.MCERR_OUT_OF_HANDLES)
+            raise CallRefused(mc.MCERR_OUT_OF_HANDLES)
         handle = Handle(self, number, mode, self.desk.interface(kind == mc.MC_OPEN_ASCII))
         self.handles[number] = handle
         self.desk.handles.append(handle)
@@ -204,10 +204,10 @@ class Session:
         if kind not in (mc.MC_OPEN_ASCII, mc.MC_OPEN_BINARY) or mode & ~(
             kind | mc.MC_OPEN_EXCLUSIVE | mc.MC_THREAD
         ):
-            raise Refused(mc.MCERR_UNSUPPORTED_MODE)
+            raise CallRefused(mc.MCERR_UNSUPPORTED_MODE)
         others = [each for each in self.desk.handles if each is not own_handle and each.mode & kind]
         if others and (mode & mc.MC_OPEN_EXCLUSIVE or any(each.is_exclusive for each in others)):
-            raise Refused(mc.MCERR_OPEN_EXCLUSIVE)
+            raise CallRefused(mc.MCERR_OPEN_EXCLUSIVE)
         return kind
 
     # ----------------------------------------------------------------------------------------------- calls
@@ -217,18 +217,18 @@ class Session:
         name: str,
         number: int,
         arguments: Sequence[Value | None],
-        finished: Callable[[Call], None] | None = None,
-    ) -> Call:
+        finished: Callable[[ApiCall], None] | None = None,
+    ) -> ApiCall:
         """Begin a call with the flattened inputs of the table; it may complete at once.
 
         `number` is the handle. Raises BadCall if the table has no function with this name and these arguments.
         """
         function = function_named(name)
-        call = Call(function, number, tuple(arguments), self.desk.now)
+        call = ApiCall(function, number, tuple(arguments), self.desk.now)
         call.host = self.number
         self._pending[call] = None
 
-        def done(ended: Call) -> None:
+        def done(ended: ApiCall) -> None:
             self._pending.pop(ended, None)
             if self.desk.record is not None:
                 self.desk.record(ended)
@@ -237,34 +237,34 @@ class Session:
 
         call.finished = done
         try:
-            self._begin(call, Given(function, call.arguments))
+            self._begin(call, CallInputs(function, call.arguments))
         except BadCall:
             self._pending.pop(call, None)
             raise
-        except Refused as refused:
+        except CallRefused as refused:
             self._fail(call, refused.code)
         except (Fault, Rejected) as trouble:
             self._fail(call, code_of(trouble))
         return call
 
-    def _fail(self, call: Call, code: int) -> None:
+    def _fail(self, call: ApiCall, code: int) -> None:
         call.value = call.function.failed(code)
         call.finish(self.desk.now, code)
 
-    def _begin(self, call: Call, given: Given) -> None:
+    def _begin(self, call: ApiCall, given: CallInputs) -> None:
         function = call.function
         name = function.name
         if function.has_handle:
             call.handle = self.handles.get(call.number)
             if call.handle is None:
-                raise Refused(mc.MCERR_CONTROLLER)
+                raise CallRefused(mc.MCERR_CONTROLLER)
         if function.unsupported:
             self.desk.unsupported(name, function.unsupported)
-            raise Refused(mc.MCERR_NOTSUPPORTED)
+            raise CallRefused(mc.MCERR_NOTSUPPORTED)
         if given.null:
-            raise Refused(mc.MCERR_RANGE)
+            raise CallRefused(mc.MCERR_RANGE)
         if not all(isfinite(each) for each in given.flat if isinstance(each, float)):
-            raise Refused(mc.MCERR_RANGE)
+            raise CallRefused(mc.MCERR_RANGE)
         self._check_axes(function, given)
         if name in AT_ONCE:
             self._at_once(call, given)
@@ -276,25 +276,25 @@ class Session:
             assert call.handle is not None
             self._command(call, commands_for(call.handle.interface, function, given.by_name))
 
-    def _check_axes(self, function: Function, given: Given) -> None:
+    def _check_axes(self, function: ApiFunction, given: CallInputs) -> None:
         for name in AXES:
             number = given.by_name.get(name)
             if number is None or (name == "caxis" and given.by_name["mode"] != mc.MC_MODE_CONTOUR):
                 continue
             if number == 0:
                 if not (name == "axis" and _takes_all_axes(function)):
-                    raise Refused(mc.MCERR_ALL_AXES)
+                    raise CallRefused(mc.MCERR_ALL_AXES)
             elif number not in self.desk.board.axes:
-                raise Refused(mc.MCERR_AXIS_NUMBER)
+                raise CallRefused(mc.MCERR_AXIS_NUMBER)
 
-    def _at_once(self, call: Call, given: Given) -> None:
+    def _at_once(self, call: ApiCall, given: CallInputs) -> None:
         found = AT_ONCE[call.function.name](self, call, **given.by_name)
         if found is None:
             call.finish(self.desk.now)
         elif found:
             self._submit(call)
 
-    def _poll(self, call: Call, given: Given) -> None:
+    def _poll(self, call: ApiCall, given: CallInputs) -> None:
         ready, due, seconds, finish = POLLS[call.function.name](self, call, **given.by_name)
         if ready() or seconds <= 0.0:
             finish(ready())
@@ -309,7 +309,7 @@ class Session:
         self._pending[call] = poll
         self.desk.console.start(poll)
 
-    def _read(self, call: Call, given: Given) -> None:
+    def _read(self, call: ApiCall, given: CallInputs) -> None:
         """Read at once if the interface is idle, else after its queued calls.
 
         Reading at once takes no machine time.
@@ -322,7 +322,7 @@ class Session:
         def read(task: CommandTask, _: Command | None) -> None:
             try:
                 found = query(task, **by_name)
-            except Refused as refused:
+            except CallRefused as refused:
                 call.code = refused.code
                 return
             if call.function.is_value:
@@ -337,7 +337,7 @@ class Session:
             read(handle.interface, None)
             call.finish(self.desk.now)
 
-    def _command(self, call: Call, commands: list[Command]) -> None:
+    def _command(self, call: ApiCall, commands: list[Command]) -> None:
         """Carry out commands, or add them to the open block."""
         assert call.handle is not None
         interface = call.handle.interface
@@ -352,7 +352,7 @@ class Session:
         else:
             call.finish(self.desk.now)
 
-    def _submit(self, call: Call) -> None:
+    def _submit(self, call: ApiCall) -> None:
         handle = call.handle
         assert handle is not None
         handle.interface.submit(call)
@@ -367,7 +367,7 @@ class Session:
             self.desk.console.start(Poll(self.desk.board, lambda: call.done, lambda: INFINITY, end, give_up))
 
 
-class Given:
+class CallInputs:
     """The inputs of a call: flattened, and by argument name.
 
     `null` is True if one of them is a NULL pointer.
@@ -375,7 +375,7 @@ class Given:
 
     __slots__ = ("by_name", "flat", "null")
 
-    def __init__(self, function: Function, flat: tuple[Value | None, ...]) -> None:
+    def __init__(self, function: ApiFunction, flat: tuple[Value | None, ...]) -> None:
         self.flat = flat
         self.null = False
         self.by_name: dict[str, Any] = {}
@@ -447,7 +447,7 @@ def wrapped(value: int, bits: int) -> int:
     return value - (1 << size) if bits < 0 and value >> (size - 1) else value
 
 
-def _takes_all_axes(function: Function) -> bool:
+def _takes_all_axes(function: ApiFunction) -> bool:
     if any(each.takes_all for each in function.arguments):
         return True
     first = function.mccl.partition(",")[0]
@@ -456,7 +456,7 @@ def _takes_all_axes(function: Function) -> bool:
     return takes_all_axes(first[1:3])
 
 
-def commands_for(interface: Interface, function: Function, given: dict[str, Any]) -> list[Command]:
+def commands_for(interface: Interface, function: ApiFunction, given: dict[str, Any]) -> list[Command]:
     """Return the commands of a function; `given` has its arguments by name."""
     made = COMMANDS.get(function.name)
     if made is not None:

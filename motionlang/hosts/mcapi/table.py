@@ -148,7 +148,7 @@ CONSTANTS = {name: value for name, value in globals().items() if isinstance(valu
 
 # ----------------------------------------------------------------------------------------------- structures
 
-STRUCTURES: dict[str, type[Structure]] = {}
+STRUCTURES: dict[str, type[ApiStructure]] = {}
 
 
 @dataclass(eq=False, slots=True)
@@ -160,7 +160,7 @@ class Field:
     count: int
 
 
-class Structure(SimpleNamespace):
+class ApiStructure(SimpleNamespace):
     """A structure of MCAPI: attributes that are initially 0.
 
     `layout` has the names of the fields after the letter of their kind, with `*` and the number of elements of an
@@ -211,7 +211,7 @@ class Structure(SimpleNamespace):
             setattr(self, field.name, found if field.count > 1 else found[0])
 
 
-class MCAXISCONFIG(Structure):
+class MCAXISCONFIG(ApiStructure):
     """The module of an axis."""
 
     layout = (
@@ -222,19 +222,19 @@ class MCAXISCONFIG(Structure):
     older = (16,)
 
 
-class MCCOMMUTATION(Structure):
+class MCCOMMUTATION(ApiStructure):
     """Commutation of a brushless motor."""
 
     layout = "i cbSize d PhaseA PhaseB i Divisor PreScale Repeat"
 
 
-class MCCONTOUR(Structure):
+class MCCONTOUR(ApiStructure):
     """Vector settings of an axis."""
 
     layout = "d VectorAccel VectorDecel VectorVelocity VelocityOverride"
 
 
-class MCFILTEREX(Structure):
+class MCFILTEREX(ApiStructure):
     """Settings of the servo loop."""
 
     layout = (
@@ -245,7 +245,7 @@ class MCFILTEREX(Structure):
     older = (13,)
 
 
-class MCFILTER(Structure):
+class MCFILTER(ApiStructure):
     """Settings of the servo loop, without gain."""
 
     layout = (
@@ -254,19 +254,19 @@ class MCFILTER(Structure):
     )
 
 
-class MCJOGEX(Structure):
+class MCJOGEX(ApiStructure):
     """Joystick settings, with the channel."""
 
     layout = "i cbSize d Acceleration MinVelocity Deadband Gain Offset i Channel"
 
 
-class MCJOG(Structure):
+class MCJOG(ApiStructure):
     """Joystick settings."""
 
     layout = "d Acceleration MinVelocity Deadband Gain Offset"
 
 
-class MCMOTIONEX(Structure):
+class MCMOTIONEX(ApiStructure):
     """Settings of motion."""
 
     layout = (
@@ -276,7 +276,7 @@ class MCMOTIONEX(Structure):
     )
 
 
-class MCMOTION(Structure):
+class MCMOTION(ApiStructure):
     """Settings of motion, with gain and rate."""
 
     layout = (
@@ -285,7 +285,7 @@ class MCMOTION(Structure):
     )
 
 
-class MCPARAMEX(Structure):
+class MCPARAMEX(ApiStructure):
     """Capabilities of a controller."""
 
     layout = (
@@ -297,7 +297,7 @@ class MCPARAMEX(Structure):
     older = (18, 24, 27)
 
 
-class MCPARAM(Structure):
+class MCPARAM(ApiStructure):
     """Capabilities of a controller, for older hosts."""
 
     layout = (
@@ -306,13 +306,13 @@ class MCPARAM(Structure):
     )
 
 
-class MCSCALE(Structure):
+class MCSCALE(ApiStructure):
     """User units."""
 
     layout = "d Constant Offset Rate Scale Zero Time"
 
 
-class MCSTATUSEX(Structure):
+class MCSTATUSEX(ApiStructure):
     """The four status words of an axis."""
 
     layout = "i cbSize D Status AuxStatus ProfileStatus ModeStatus"
@@ -342,7 +342,7 @@ class Argument:
 
 
 @dataclass(eq=False, slots=True)
-class Function:
+class ApiFunction:
     """A row of the table.
 
     `unsupported` is the reason why a call returns MCERR_NOTSUPPORTED, or "". `python` has the parameters of the
@@ -431,8 +431,8 @@ def _f(
     *,
     unsupported: str = "",
     python: str = "",
-) -> Function:
-    return Function(name, result, _arguments(arguments), mccl, help, unsupported, python)
+) -> ApiFunction:
+    return ApiFunction(name, result, _arguments(arguments), mccl, help, unsupported, python)
 
 
 _FUNCTIONS = (

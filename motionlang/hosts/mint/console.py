@@ -21,7 +21,7 @@ from collections import deque
 from collections.abc import Callable, Mapping
 
 from motionlang.hosts.console import HostConsole
-from motionlang.hosts.mint.editor import PROGRAM, Texts
+from motionlang.hosts.mint.editor import PROGRAM, ControllerTexts
 from motionlang.hosts.mint.hcp import Elements
 from motionlang.hosts.mint.port import MAX_PRINTED, MintPort
 from motionlang.kernel import (
@@ -63,7 +63,7 @@ class MintConsole(HostConsole[MintPort]):
         machine.terminal.repeats = True
         self._idle = _Idle()
         super().__init__(machine, Scheduler(machine, self._idle, outside=_Hosts(machine)), self._idle)
-        self.texts = Texts()
+        self.texts = ControllerTexts()
         self.elements = Elements(lambda: self.machine.host, shows_float(self.machine))
         self._complain = complain
         self._interactive = MintInteractive(self.machine)

@@ -18,7 +18,7 @@ PROGRAM, CONFIGURATION = "program", "configuration"
 MAX_TEXT = 1_000_000
 
 
-class Texts:
+class ControllerTexts:
     """The program and the configuration of a controller, as lists of lines."""
 
     def __init__(self) -> None:
@@ -59,7 +59,7 @@ class Texts:
 class Editor:
     """The editor of one host's line; `number` is the next line in EDIT, otherwise 0."""
 
-    def __init__(self, texts: Texts) -> None:
+    def __init__(self, texts: ControllerTexts) -> None:
         self._texts = texts
         self._which = PROGRAM
         self.number = 0

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from motionlang.kernel import INFINITY, Wait
 
 if TYPE_CHECKING:
-    from motionlang.hosts.channel import Channel
+    from motionlang.hosts.channel import HostChannel
     from motionlang.hosts.console import HostPort
     from motionlang.hosts.serve.limits import Limits
-    from motionlang.hosts.serve.pace import Pace
+    from motionlang.hosts.serve.pace import ServerPace
     from motionlang.hosts.serve.spy import Spy
 
 
@@ -23,7 +23,7 @@ class Host:
     """
 
     def __init__(
-        self, number: int, channel: Channel, port: HostPort, limits: Limits, spy: Spy | None
+        self, number: int, channel: HostChannel, port: HostPort, limits: Limits, spy: Spy | None
     ) -> None:
         self.number, self.channel, self.port = number, channel, port
         self._limits, self._spy = limits, spy
@@ -60,7 +60,7 @@ class Host:
         """True if neither direction has data and the port on the board is not busy."""
         return not (self._inbox or self._outbox or self.port.busy)
 
-    def can_continue(self, pace: Pace) -> bool:
+    def can_continue(self, pace: ServerPace) -> bool:
         """True if the board would accept more of the host's data."""
         if not self._inbox:
             return False
@@ -93,7 +93,7 @@ class Host:
             self._spy.sent(self.number, data)
         self._inbox += data
 
-    def feed(self, pace: Pace) -> None:
+    def feed(self, pace: ServerPace) -> None:
         """Pass the data that the board accepts: all of it, or one line in lock step."""
         port, inbox = self.port, self._inbox
         port.drop_abandoned(inbox)

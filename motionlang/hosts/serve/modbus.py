@@ -30,12 +30,12 @@ from motionlang.hosts.serve.modbus_requests import (
     IDENTIFY,
     ILLEGAL_ADDRESS,
     Identity,
-    Rejected,
     Request,
+    RequestRejected,
     exception,
     parse,
 )
-from motionlang.hosts.serve.outside import Closed, Outside
+from motionlang.hosts.serve.outside import Closed, QuestionQueue
 from motionlang.hosts.serve.refusals import Refusals
 from motionlang.kernel.controller import HostMemory
 from motionlang.kernel.version import __version__
@@ -49,7 +49,7 @@ PATIENCE, FAREWELL = 10.0, 0.5
 THIS_DEVICE = (0, 255)
 
 
-class Connection:
+class ModbusPeer:
     """A client, with a flag for a request in progress and the time of the last one.
 
     The time is real time, s.
@@ -70,7 +70,7 @@ class ModbusServer:
 
     def __init__(
         self,
-        outside: Outside,
+        outside: QuestionQueue,
         host: str,
         port: int,
         *,
@@ -87,7 +87,7 @@ class ModbusServer:
         self._limits = limits or Limits()
         self._refusals = Refusals(complain)
         self.requests = 0
-        self._connections: dict[asyncio.Task[None], Connection] = {}
+        self._connections: dict[asyncio.Task[None], ModbusPeer] = {}
         self._ready = Event()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._over: asyncio.Event | None = None
@@ -144,7 +144,7 @@ class ModbusServer:
             return
         task = asyncio.current_task()
         assert task is not None
-        connection = self._connections[task] = Connection(writer)
+        connection = self._connections[task] = ModbusPeer(writer)
         self._remark(f"Modbus client {name} connected\n")
         try:
             while await self._answer_next(reader, connection):
@@ -174,7 +174,7 @@ class ModbusServer:
 
     # -------------------------------------------------------------------------------------------- requests
 
-    async def _answer_next(self, reader: StreamReader, connection: Connection) -> bool:
+    async def _answer_next(self, reader: StreamReader, connection: ModbusPeer) -> bool:
         """Answer a client's next request; return False if the next frame cannot be found."""
         transaction, protocol, length = unpack(">HHH", await reader.readexactly(HEADER))
         if not MIN_FRAME <= length <= MAX_FRAME:
@@ -199,7 +199,7 @@ class ModbusServer:
             self.requests += 1
             question = self._outside.ask(lambda: self._exchange(request))
             found = await asyncio.wrap_future(question)
-        except Rejected as rejected:
+        except RequestRejected as rejected:
             return exception(data[0], rejected.code)
         except Closed:
             return exception(data[0], DEVICE_FAILURE)
@@ -215,7 +215,7 @@ class ModbusServer:
         memory: HostMemory = self._outside.machine.host
         area = memory.mapping
         if not all(memory.has_registers(area, first, count) for first, count in request.spans):
-            raise Rejected(ILLEGAL_ADDRESS)
+            raise RequestRejected(ILLEGAL_ADDRESS)
         values = request.values
         if request.masks is not None:
             keep, add = request.masks

@@ -24,7 +24,7 @@ CONFORMITY = 0x82
 _LAST = {BASIC: 2, REGULAR: 6, EXTENDED: 6}
 
 
-class Rejected(Exception):
+class RequestRejected(Exception):
     """A request that is answered with an exception `code`."""
 
     def __init__(self, code: int) -> None:
@@ -77,14 +77,14 @@ class Identity(NamedTuple):
     def answer(self, data: bytes) -> bytes:
         """Return the identification; raise Rejected for an invalid request."""
         if len(data) < 2 or data[1] != IDENTIFICATION:
-            raise Rejected(ILLEGAL_FUNCTION)
+            raise RequestRejected(ILLEGAL_FUNCTION)
         if len(data) != 4 or not BASIC <= data[2] <= SINGLE:
-            raise Rejected(ILLEGAL_VALUE)
+            raise RequestRejected(ILLEGAL_VALUE)
         category, first = data[2:]
         objects = self.objects
         if category == SINGLE:
             if first not in objects:
-                raise Rejected(ILLEGAL_ADDRESS)
+                raise RequestRejected(ILLEGAL_ADDRESS)
             chosen = [first]
         else:
             # The specification: an object that does not exist means the first one.
@@ -98,7 +98,7 @@ def parse(request: bytes) -> Request:
     """Return the request in a protocol data unit; raise Rejected if it is invalid."""
     reader = _READERS.get(request[0])
     if reader is None:
-        raise Rejected(ILLEGAL_FUNCTION)
+        raise RequestRejected(ILLEGAL_FUNCTION)
     return reader(request[0], request[1:])
 
 
@@ -135,19 +135,19 @@ def _write_and_read(function: int, data: bytes) -> Request:
 
 def _words(data: bytes, count: int) -> tuple[int, ...]:
     if len(data) != 2 * count:
-        raise Rejected(ILLEGAL_VALUE)
+        raise RequestRejected(ILLEGAL_VALUE)
     return unpack(f">{count}H", data)
 
 
 def _values(data: bytes, count: int) -> tuple[int, ...]:
     if not data or data[0] != 2 * count:
-        raise Rejected(ILLEGAL_VALUE)
+        raise RequestRejected(ILLEGAL_VALUE)
     return _words(data[1:], count)
 
 
 def _quantity(count: int, most: int) -> int:
     if not 1 <= count <= most:
-        raise Rejected(ILLEGAL_VALUE)
+        raise RequestRejected(ILLEGAL_VALUE)
     return count
 
 

@@ -26,7 +26,7 @@ class Closed(Exception):
     """The run has ended and answers no more questions."""
 
 
-class Outside:
+class QuestionQueue:
     """A queue of questions for the run.
 
     The run calls `start` with its machine before the program starts.
@@ -94,7 +94,7 @@ class Outside:
                 self._changed.wait(min(seconds, PATIENCE))
 
 
-class InTurn(Outside):
+class InTurn(QuestionQueue):
     """Questions that a server of hosts answers, one in each of its iterations.
 
     `wake` starts an iteration. Add `answer_next` to the server's calls; `entered` is called for each question.
@@ -117,7 +117,7 @@ class InTurn(Outside):
             self._wake()
 
 
-class RealTime(Outside):
+class RealTimeQueue(QuestionQueue):
     """Machine time follows real time: `factor` machine seconds per second.
 
     Lost real time is not made up for.
@@ -151,7 +151,7 @@ class RealTime(Outside):
         return any_came
 
 
-class LockStep(Outside):
+class LockStepQueue(QuestionQueue):
     """Machine time stops until a request arrives, which advances it by `step` s.
 
     The same requests in the same order find the same machine, regardless of the speed of this computer and of

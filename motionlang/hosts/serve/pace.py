@@ -33,7 +33,7 @@ TIME_SLICE = 0.2e-3
 STEP = 1e-3
 
 
-class Pace(Protocol):
+class ServerPace(Protocol):
     """The control of time in a server; `by_line` is True if lines are read one by one.
 
     In every iteration the server calls `before`, then `entered` for each line from a host, then `work`. `timeout`

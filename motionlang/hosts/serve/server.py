@@ -19,7 +19,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from motionlang.hosts import address
-from motionlang.hosts.channel import Channel, DeviceChannel, TcpChannel
+from motionlang.hosts.channel import DeviceChannel, HostChannel, TcpChannel
 from motionlang.hosts.errors import ConnectionLost
 from motionlang.hosts.serve.host import Host
 from motionlang.hosts.serve.limits import Limits
@@ -29,11 +29,11 @@ from motionlang.kernel import INFINITY
 
 if TYPE_CHECKING:
     from motionlang.hosts.console import HostConsole
-    from motionlang.hosts.serve.pace import Pace
+    from motionlang.hosts.serve.pace import ServerPace
     from motionlang.hosts.serve.spy import Spy
 
 # Makes a host of its number and its channel.
-MakeHost: TypeAlias = Callable[[int, Channel], Host]
+MakeHost: TypeAlias = Callable[[int, HostChannel], Host]
 
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
 # Seconds of real time that hosts have at the end to read their output.
@@ -52,7 +52,7 @@ class Server:
     def __init__(
         self,
         console: HostConsole[Any],
-        pace: Pace | None = None,
+        pace: ServerPace | None = None,
         *,
         limits: Limits | None = None,
         spy: Spy | None = None,
@@ -219,7 +219,7 @@ class Server:
     def _maker(self, echo: bool | None) -> MakeHost:
         return lambda number, channel: Host(number, channel, self.console.open(echo), self.limits, self.spy)
 
-    def _join(self, channel: Channel, make: MakeHost) -> None:
+    def _join(self, channel: HostChannel, make: MakeHost) -> None:
         self.served += 1
         host = make(self.served, channel)
         self.hosts.append(host)

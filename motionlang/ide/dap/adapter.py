@@ -13,7 +13,7 @@ from collections.abc import Callable
 from queue import SimpleQueue
 
 from motionlang.ide.dap import tables
-from motionlang.ide.dap.arguments import Arguments, Refused
+from motionlang.ide.dap.arguments import Arguments, RequestRefused
 from motionlang.ide.dap.breaking import Breaking
 from motionlang.ide.dap.framing import Message
 from motionlang.ide.dap.launch import Launch, problems
@@ -102,7 +102,7 @@ class Adapter:
             body = self._dispatch(name, message.get("arguments"))
             if body is not None:
                 response["body"] = body
-        except Refused as refused:
+        except RequestRefused as refused:
             response |= _failure(name, str(refused), refused.code)
         except NotStopped:
             response |= _failure(name, "the program is not stopped", "notStopped")
@@ -124,13 +124,13 @@ class Adapter:
     def _dispatch(self, name: str, given: object) -> Body | None:
         phases = PHASES.get(name)
         if phases is None:
-            raise Refused(f"there is no request {name[:60]!r}")
+            raise RequestRefused(f"there is no request {name[:60]!r}")
         if self.is_over:
-            raise Refused("the session is over")
+            raise RequestRefused("the session is over")
         if self.phase not in phases:
             if name in NEED_A_STOP and self.phase == RUNNING:
                 raise NotStopped
-            raise Refused(f"{name} is not possible now: the session is {self.phase}")
+            raise RequestRefused(f"{name} is not possible now: the session is {self.phase}")
         handler: Callable[[Arguments], Body | None] = getattr(self, f"_do_{name}")
         return handler(Arguments(given))
 
@@ -328,7 +328,7 @@ class Adapter:
     def _do_goToTime(self, given: Arguments) -> None:  # noqa: N802 - in the style of the protocol
         time = given.seconds("time")
         if time is None:
-            raise Refused("time must be a time in seconds")
+            raise RequestRefused("time must be a time in seconds")
         self._go(lambda: self._debugger.go_to_time(time))
 
     def _do_gotoTargets(self, given: Arguments) -> Body:  # noqa: N802 - a name of the protocol
@@ -337,7 +337,7 @@ class Adapter:
     def _do_goto(self, given: Arguments) -> None:
         line, goes_back = divmod(given.number("targetId"), 2)
         if self._debugger.line_for(line) != line:
-            raise Refused(f"there is no target {given.number('targetId')}")
+            raise RequestRefused(f"there is no target {given.number('targetId')}")
         debugger = self._debugger
         self._go(lambda: debugger.go_back_to_line(line) if goes_back else debugger.go_to_line(line))
 
@@ -425,7 +425,7 @@ class Adapter:
             return ""
         if word == "help":
             return _CONSOLE_HELP
-        raise Refused(f"there is no command .{word[:40]} with these values; .help lists the commands")
+        raise RequestRefused(f"there is no command .{word[:40]} with these values; .help lists the commands")
 
 
 def _failure(command: str, text: str, code: str = "") -> Message:

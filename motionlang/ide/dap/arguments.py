@@ -8,7 +8,7 @@ from collections.abc import Mapping
 _MOST = 2**53
 
 
-class Refused(Exception):
+class RequestRefused(Exception):
     """A request that cannot be carried out.
 
     `code` is the protocol's code for the reason, such as "notStopped", or "".
@@ -24,7 +24,7 @@ class Arguments:
 
     def __init__(self, values: object) -> None:
         if values is not None and not isinstance(values, dict):
-            raise Refused("arguments must be an object")
+            raise RequestRefused("arguments must be an object")
         self._values: Mapping[str, object] = values or {}
 
     def text(self, name: str, default: str | None = None) -> str:
@@ -33,7 +33,7 @@ class Arguments:
         if value is None and default is not None:
             return default
         if not isinstance(value, str):
-            raise Refused(f"{name} must be a text")
+            raise RequestRefused(f"{name} must be a text")
         return value
 
     def number(self, name: str, default: int | None = None) -> int:
@@ -42,7 +42,7 @@ class Arguments:
         if value is None and default is not None:
             return default
         if isinstance(value, bool) or not isinstance(value, int) or not -_MOST < value < _MOST:
-            raise Refused(f"{name} must be a whole number")
+            raise RequestRefused(f"{name} must be a whole number")
         return value
 
     def seconds(self, name: str, default: float | None = None) -> float | None:
@@ -51,7 +51,7 @@ class Arguments:
         if value is None:
             return default
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value < 1e9:
-            raise Refused(f"{name} must be a time in seconds")
+            raise RequestRefused(f"{name} must be a time in seconds")
         return float(value)
 
     def flag(self, name: str, default: bool = False) -> bool:
@@ -60,7 +60,7 @@ class Arguments:
         if value is None:
             return default
         if not isinstance(value, bool):
-            raise Refused(f"{name} must be true or false")
+            raise RequestRefused(f"{name} must be true or false")
         return value
 
     def objects(self, name: str) -> list[Arguments]:
@@ -69,7 +69,7 @@ class Arguments:
         if value is None:
             return []
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
-            raise Refused(f"{name} must be a list of objects")
+            raise RequestRefused(f"{name} must be a list of objects")
         return [Arguments(each) for each in value]
 
     def texts(self, name: str) -> list[str]:
@@ -80,7 +80,7 @@ class Arguments:
         if isinstance(value, str):
             return [value]
         if not isinstance(value, list) or not all(isinstance(each, str) for each in value):
-            raise Refused(f"{name} must be a list of texts")
+            raise RequestRefused(f"{name} must be a list of texts")
         return list(value)
 
     def object(self, name: str) -> Arguments:
@@ -93,8 +93,8 @@ class Arguments:
         if value is None:
             return {}
         if not isinstance(value, dict):
-            raise Refused(f"{name} must be an object")
+            raise RequestRefused(f"{name} must be an object")
         for each in value.values():
             if isinstance(each, bool) or not isinstance(each, (int, float, str)):
-                raise Refused(f"the values of {name} must be numbers or texts")
+                raise RequestRefused(f"the values of {name} must be numbers or texts")
         return dict(value)

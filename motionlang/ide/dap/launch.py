@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from motionlang.ide.dap.arguments import Arguments, Refused
+from motionlang.ide.dap.arguments import Arguments, RequestRefused
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.kernel import (
     Dialect,
@@ -44,21 +44,21 @@ class Launch:
     def read(self) -> tuple[Source, Dialect, dict[str, object]]:
         """Read the program and its machine; raise Refused or ProgramError."""
         if "\0" in self.path:
-            raise Refused("the path of the program has a NUL in it")
+            raise RequestRefused("the path of the program has a NUL in it")
         try:
             source = Source.read(self.path)
             machine = machine_of(self.path, self._machine or None)
             settings = {} if machine is None else read_machine(Source.read(machine))
         except OSError as error:
-            raise Refused(f"{error.filename or self.path} cannot be read: {reason(error)}") from None
+            raise RequestRefused(f"{error.filename or self.path} cannot be read: {reason(error)}") from None
         if self._lang and self._lang not in dialects():
-            raise Refused(f"there is no language {self._lang!r}: {' or '.join(dialects())}")
+            raise RequestRefused(f"there is no language {self._lang!r}: {' or '.join(dialects())}")
         if not self._lang and dialect_of(self.path) is None:
-            raise Refused("unknown file extension; choose the language with lang mint or mccl")
+            raise RequestRefused("unknown file extension; choose the language with lang mint or mccl")
         try:
             self.settings = with_entries(settings, *self._entries)
         except WrongEntry as error:
-            raise Refused(str(error)) from None
+            raise RequestRefused(str(error)) from None
         return source, dialect_for(source, self._lang or None), self.settings
 
     def summary(self, debugger: Debugger) -> Iterator[str]:

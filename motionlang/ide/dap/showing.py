@@ -11,7 +11,7 @@ import os
 import re
 from collections.abc import Sequence
 
-from motionlang.ide.dap.arguments import Arguments, Refused
+from motionlang.ide.dap.arguments import Arguments, RequestRefused
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.expressions import WrongExpression, assignment, parse
 from motionlang.ide.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
@@ -75,7 +75,7 @@ class Showing:
         if task is None:
             if number == 1 and self._debugger.run is not None:
                 return self._end()
-            raise Refused(f"there is no thread {number}")
+            raise RequestRefused(f"there is no thread {number}")
         frames = state.frames(task.task)
         found = [self._frame(task.name, depth, frame) for depth, frame in enumerate(frames)]
         first, levels = given.number("startFrame", 0), given.number("levels", 0)
@@ -113,7 +113,7 @@ class Showing:
         """Return the scopes of a frame: local variables, program variables, the machine."""
         number = given.number("frameId") - self._old_frames
         if not 1 <= number <= len(self._frames):
-            raise Refused(f"there is no frame {number + self._old_frames} at this stop")
+            raise RequestRefused(f"there is no frame {number + self._old_frames} at this stop")
         task, depth = self._frames[number - 1]
         found = []
         if task and self._local(number - 1):
@@ -140,7 +140,9 @@ class Showing:
     def _referred(self, given: Arguments) -> tuple[Path, int | None, list[Variable]]:
         number = given.number("variablesReference") - self._old_references
         if not 1 <= number <= len(self._references):
-            raise Refused(f"there is no variablesReference {number + self._old_references} at this stop")
+            raise RequestRefused(
+                f"there is no variablesReference {number + self._old_references} at this stop"
+            )
         path, frame, variable = self._references[number - 1]
         state = self._debugger.state()
         if variable is not None and isinstance(variable.value, list):
@@ -194,11 +196,11 @@ class Showing:
         if path[0] == INPUTS:
             return self._set_input(name, text)
         if path[0] in (AXES, OUTPUTS):
-            raise Refused(_FIXED)
+            raise RequestRefused(_FIXED)
         if not any(each.name == name for each in found):
-            raise Refused(f"there is no variable {name[:60]} here")
+            raise RequestRefused(f"there is no variable {name[:60]} here")
         if frame is not None and not self._is_current(frame):
-            raise Refused("only variables of the task that is stopped can be changed")
+            raise RequestRefused("only variables of the task that is stopped can be changed")
         return self._assign((*path, name), text)
 
     def _is_current(self, frame: int) -> bool:
@@ -208,7 +210,7 @@ class Showing:
     def _set_input(self, name: str, text: str) -> Body:
         what, _, number = name.rpartition(" ")
         if not number.isdecimal() or what not in ("input", "analogue input"):
-            raise Refused(f"{name[:60]} is no input")
+            raise RequestRefused(f"{name[:60]} is no input")
         entry = f"{number}={text.strip()}"
         made = entries({}, inputs=entry) if what == "input" else entries({}, analog=entry)
         self._debugger.enter(made)
@@ -235,7 +237,7 @@ class Showing:
         if path[0] != MACHINE:
             return self._assign(path, text)
         if "input" not in path[1]:
-            raise Refused(_FIXED)
+            raise RequestRefused(_FIXED)
         return self._set_input(path[1], text)
 
     def carry_out(self, line: str) -> Body:

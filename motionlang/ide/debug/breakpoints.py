@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable, Sequence
 
 from motionlang.ide.debug import scopes
-from motionlang.ide.debug.expressions import Expression, Names, WrongExpression, parse
-from motionlang.ide.debug.replay import Point, Replay
+from motionlang.ide.debug.expressions import Expression, ExpressionState, WrongExpression, parse
+from motionlang.ide.debug.replay import Replay, StopPoint
 from motionlang.ide.debug.values import shown
 
 _HITS = re.compile(r"\s*(>=|>|==|=|<=|<|%)?\s*(\d{1,9})\s*")
@@ -33,7 +33,7 @@ class Breakpoint:
         self.condition: Expression | None = parse(condition) if condition.strip() else None
         self._counts = _hits(hits)
         self.is_counted = bool(hits.strip())
-        self.message: Callable[[Names], str] | None = None if message is None else _message(message)
+        self.message: Callable[[ExpressionState], str] | None = None if message is None else _message(message)
 
     def counts(self, count: int) -> bool:
         """True if the program stops at hit number `count`, counted from 1."""
@@ -59,7 +59,7 @@ def _hits(text: str) -> Callable[[int], bool]:
     }[sign]
 
 
-def _message(text: str) -> Callable[[Names], str]:
+def _message(text: str) -> Callable[[ExpressionState], str]:
     """Return a function that makes the text of a log point.
 
     Expressions in braces are replaced by their values.
@@ -67,7 +67,7 @@ def _message(text: str) -> Callable[[Names], str]:
     segments = re.split(r"\{([^{}]*)\}", text)
     expressions = [parse(each) for each in segments[1::2]]
 
-    def message(state: Names) -> str:
+    def message(state: ExpressionState) -> str:
         values = []
         for expression in expressions:
             try:
@@ -88,11 +88,11 @@ class Watched:
     def __init__(self, path: tuple[str, ...]) -> None:
         self.path = path
 
-    def note(self, replay: Replay, point: Point) -> None:
+    def note(self, replay: Replay, point: StopPoint) -> None:
         """Store the current value in a run."""
         replay.values[self.path] = self._value(replay, point)
 
-    def change(self, replay: Replay, point: Point) -> str:
+    def change(self, replay: Replay, point: StopPoint) -> str:
         """Return how the value has changed since the last call in this run.
 
         The result is "" if it has not.
@@ -107,7 +107,7 @@ class Watched:
             return f"{self.path[-1]} changes"
         return f"{self.path[-1]} changes from {shown(before)} to {shown(now)}"
 
-    def _value(self, replay: Replay, point: Point) -> object:
+    def _value(self, replay: Replay, point: StopPoint) -> object:
         if self.path[0] == scopes.MACHINE:
             return scopes.present(replay.machine, self.path[1])
         variable = scopes.find(replay.hook, point, self.path)

@@ -35,10 +35,10 @@ from motionlang.ide.debug import moments, scopes
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.checkpoints import Checkpoint
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
-from motionlang.ide.debug.moments import Moment, Search
+from motionlang.ide.debug.moments import Occurrence, Search
 from motionlang.ide.debug.patience import Patience
-from motionlang.ide.debug.replay import EVERY, Output, Point, Replay, Setup
-from motionlang.ide.debug.state import State
+from motionlang.ide.debug.replay import EVERY, Replay, SessionOutput, Setup, StopPoint
+from motionlang.ide.debug.state import StoppedRun
 from motionlang.kernel import DEFAULT_AXES, INFINITY, Dialect, Run, Source, Variable
 
 Given = ParamSpec("Given")
@@ -117,7 +117,7 @@ class Debugger:
         self._settings, self._overrides = dict(settings or {}), dict(overrides or {})
         self.language, self._until = language, until
         self.journal = Journal()
-        self._output = Output(show)
+        self._output = SessionOutput(show)
         self.breakpoints: list[Breakpoint] = []
         # The source offsets at which hits are counted.
         self._counted: frozenset[int] = frozenset()
@@ -193,7 +193,7 @@ class Debugger:
             found = self._locations[at] = self.language.locate(self.source, at)
         return found
 
-    def state(self) -> State:
+    def state(self) -> StoppedRun:
         """Return the state at the stop, or at the end.
 
         Raises NotStopped before the first statement.
@@ -201,7 +201,7 @@ class Debugger:
         replay = self._replay
         if replay.point is None and replay.run is None:
             raise NotStopped
-        return State(self, replay)
+        return StoppedRun(self, replay)
 
     def abandon(self) -> None:
         """End the session and its run."""
@@ -256,12 +256,12 @@ class Debugger:
         task = self._point().task
         return self._replay.depth(task)
 
-    def _point(self) -> Point:
+    def _point(self) -> StopPoint:
         if self._replay.point is None:
             raise NotStopped
         return self._replay.point
 
-    def _forward(self, steps: Callable[[Point], bool] | None, reason: str) -> Stop | None:
+    def _forward(self, steps: Callable[[StopPoint], bool] | None, reason: str) -> Stop | None:
         """Continue to a breakpoint, a moment, or a point at which `steps` is true."""
         if self._replay.run is not None:
             return None
@@ -278,7 +278,7 @@ class Debugger:
         every = steps is not None or bool(self.watched)
         self._marks = [(begin, self.stop.time if self.stop else 0.0)]
 
-        def decide(point: Point) -> bool:
+        def decide(point: StopPoint) -> bool:
             hit = self._hit(point, True)
             if hit is not None:
                 found.append(hit)
@@ -335,7 +335,7 @@ class Debugger:
         self._next_search = 2 * replay.advances
         return bool(self._moments(replay.machine.clock.now))
 
-    def _still_waits(self, point: Point, time: float) -> str:
+    def _still_waits(self, point: StopPoint, time: float) -> str:
         scheduler = self._replay.machine.scheduler
         if scheduler is not None and scheduler.ended is not None:
             return f"the program has ended, but motion continues at {time:.9g} s"
@@ -344,7 +344,7 @@ class Debugger:
     def _stopping_offsets(self) -> frozenset[int]:
         return frozenset(offset for each in self.breakpoints for offset in each.offsets)
 
-    def _at(self, point: Point | None, reason: str, text: str = "") -> Stop | None:
+    def _at(self, point: StopPoint | None, reason: str, text: str = "") -> Stop | None:
         """Make a point the stop, and show the output before it."""
         self._output.release(self._replay.written)
         if point is None:
@@ -361,7 +361,7 @@ class Debugger:
 
     # ------------------------------------------------------------------------------------------- breakpoints
 
-    def _hit(self, point: Point, live: bool) -> tuple[str, str] | None:
+    def _hit(self, point: StopPoint, live: bool) -> tuple[str, str] | None:
         """Return reason and text of a stop at a point; None if the program does not stop."""
         hit = self._line_hit(point, live)
         for watched in self.watched:
@@ -370,16 +370,16 @@ class Debugger:
                 return "change", f"{change} before line {self.location_of(point.offset)[0]}"
         return hit
 
-    def _count_hits(self, point: Point) -> None:
+    def _count_hits(self, point: StopPoint) -> None:
         """Count the hits at a point at which the program does not stop."""
         if point.offset in self._counted:
             self._line_hit(point, False)
 
-    def _line_hit(self, point: Point, live: bool) -> tuple[str, str] | None:
+    def _line_hit(self, point: StopPoint, live: bool) -> tuple[str, str] | None:
         for each in self.breakpoints:
             if point.offset not in each.offsets:
                 continue
-            state = State(self, self._replay, point)
+            state = StoppedRun(self, self._replay, point)
             try:
                 if each.condition is not None and not each.condition(state):
                     continue
@@ -411,13 +411,13 @@ class Debugger:
         offsets = self._lines.get(line, [])
         return (*offsets[:1], *(each for each in offsets[1:] if each in self._entries))
 
-    def _note_values(self, point: Point) -> None:
+    def _note_values(self, point: StopPoint) -> None:
         for watched in self.watched:
             watched.note(self._replay, point)
 
     # ----------------------------------------------------------------------------------------------- moments
 
-    def _has_come(self, moment: Moment, point: Point) -> bool:
+    def _has_come(self, moment: Occurrence, point: StopPoint) -> bool:
         """True if a moment has occurred by a point, according to the log.
 
         The statement that causes a moment may have the same time and not be executed yet.
@@ -426,12 +426,12 @@ class Debugger:
             abs(each.time - moment.time) <= CLOSE for each in self._moments(point.time)
         )
 
-    def _moments(self, until: float) -> list[Moment]:
+    def _moments(self, until: float) -> list[Occurrence]:
         machine = self._replay.machine
         found = [each for search in self.searches for each in search(machine, self._after, until)]
         return sorted(found, key=lambda each: each.time)
 
-    def _earliest(self, point: Point | None) -> Moment | None:
+    def _earliest(self, point: StopPoint | None) -> Occurrence | None:
         """Return the first moment between the last stop and a point, or the end."""
         run = self._replay.run
         if not self.searches and not self.stops_at_errors:
@@ -445,7 +445,7 @@ class Debugger:
             passed = set(map(id, self._replay.machine.diagnostics))
             wrong = [each for each in run.diagnostics if each.severity == "error" and id(each) not in passed]
             if wrong:
-                return moments.Moment(INFINITY, wrong[0].message, None, "exception")
+                return moments.Occurrence(INFINITY, wrong[0].message, None, "exception")
         return None
 
     def _end(self) -> float:
@@ -453,7 +453,7 @@ class Debugger:
         replay = self._replay
         return replay.run.time if replay.run is not None else replay.machine.clock.now
 
-    def _to_moment(self, moment: Moment, begin: int) -> Stop | None:
+    def _to_moment(self, moment: Occurrence, begin: int) -> Stop | None:
         """Go to the first statement at or after a moment, or else to the last one."""
         last = self._replay.hook.count
         if moment.time < INFINITY:
@@ -468,7 +468,7 @@ class Debugger:
             self._go_to(last)
         return self._paused() if self._replay.paused else self._at_moment(moment)
 
-    def _at_moment(self, moment: Moment) -> Stop | None:
+    def _at_moment(self, moment: Occurrence) -> Stop | None:
         """Make the current statement the stop for a moment."""
         text = moment.text if moment.time == INFINITY else self._described(moment)
         stop = self._at(self._replay.point, moment.reason, text)
@@ -480,8 +480,8 @@ class Debugger:
     # -------------------------------------------------------------------------------------------------- back
 
     def _go_to(
-        self, number: int, decide: Callable[[Point], bool] | None = None, time: float = INFINITY
-    ) -> Point | None:
+        self, number: int, decide: Callable[[StopPoint], bool] | None = None, time: float = INFINITY
+    ) -> StopPoint | None:
         """Go back, and on to a statement, or from there to where `decide` is true.
 
         The run gives up a while after `time`.
@@ -490,12 +490,12 @@ class Debugger:
         return self._go_on_to(number, decide, time)
 
     def _go_on_to(
-        self, number: int, decide: Callable[[Point], bool] | None = None, time: float = INFINITY
-    ) -> Point | None:
+        self, number: int, decide: Callable[[StopPoint], bool] | None = None, time: float = INFINITY
+    ) -> StopPoint | None:
         """Go on like `_go_to`."""
         replay = self._replay
 
-        def there(point: Point) -> bool:
+        def there(point: StopPoint) -> bool:
             self._count_hits(point)
             return point.number >= number and (decide is None or decide(point))
 
@@ -518,7 +518,7 @@ class Debugger:
         """Go to a statement and make it the stop."""
         return self._arrive_on_replay(self._go_to(number), reason, text)
 
-    def _arrive_on_replay(self, point: Point | None, reason: str, text: str) -> Stop | None:
+    def _arrive_on_replay(self, point: StopPoint | None, reason: str, text: str) -> Stop | None:
         """Make the end of a replay the stop, or the pause that ended it."""
         return self._paused() if self._replay.paused else self._at(point, reason, text)
 
@@ -533,7 +533,7 @@ class Debugger:
             self._can_interrupt = True
 
     def _last_before(
-        self, last: int, find: Callable[[Point], Found | None], offsets: frozenset[int] | None = None
+        self, last: int, find: Callable[[StopPoint], Found | None], offsets: frozenset[int] | None = None
     ) -> tuple[int, Found] | None:
         """Return the last statement up to `last` for which `find` returns something, and that.
 
@@ -542,7 +542,7 @@ class Debugger:
         replay, found = self._replay, None
         for begin in self._beginnings(last):
 
-            def decide(point: Point) -> bool:
+            def decide(point: StopPoint) -> bool:
                 nonlocal found
                 what = find(point)
                 if what is not None:
@@ -571,7 +571,7 @@ class Debugger:
             return self._at(point, "start", "this is the first statement")
         name, here = point.task.name, point.number
 
-        def is_before(each: Point) -> bool | None:
+        def is_before(each: StopPoint) -> bool | None:
             self._count_hits(each)
             is_of_task = each.number < here and each.task.name == name
             return True if is_of_task and self._replay.depth(each.task) <= depth else None
@@ -585,7 +585,7 @@ class Debugger:
         """Go back to the last breakpoint or moment before this stop, or to the beginning."""
         here, found = self._here(), self._last_moment()
 
-        def hit(point: Point) -> tuple[str, str] | None:
+        def hit(point: StopPoint) -> tuple[str, str] | None:
             what = self._hit(point, False)
             return what if point.number < here else None
 
@@ -623,15 +623,15 @@ class Debugger:
             self._after = after
         return None
 
-    def _described(self, moment: Moment) -> str:
+    def _described(self, moment: Occurrence) -> str:
         where = "" if moment.at is None or moment.at < 0 else f" in line {self.location_of(moment.at)[0]}"
         return f"{moment.text} at {moment.time:.9g} s{where}"
 
-    def _first_after(self, moment: Moment, before: int) -> int | None:
+    def _first_after(self, moment: Occurrence, before: int) -> int | None:
         """Return the number of the first statement after a moment, if below `before`."""
         replay = self._replay
 
-        def has_come(point: Point) -> bool:
+        def has_come(point: StopPoint) -> bool:
             self._count_hits(point)
             return point.number >= before or self._has_come(moment, point)
 
@@ -652,7 +652,7 @@ class Debugger:
             replay.back(replay.checkpoints.before_time(time))
         self._output.hold()
 
-        def there(point: Point) -> bool:
+        def there(point: StopPoint) -> bool:
             self._count_hits(point)
             return point.time >= time
 
@@ -669,7 +669,7 @@ class Debugger:
         before = self._point().number
         self._output.hold()
 
-        def decide(point: Point) -> bool:
+        def decide(point: StopPoint) -> bool:
             self._count_hits(point)
             return point.offset in offsets
 
@@ -686,7 +686,7 @@ class Debugger:
         here = self._here()
         offsets = frozenset(self.offsets_at(line))
 
-        def is_line(point: Point) -> bool | None:
+        def is_line(point: StopPoint) -> bool | None:
             self._count_hits(point)
             return True if point.offset in offsets and point.number < here else None
 

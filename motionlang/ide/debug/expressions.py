@@ -21,7 +21,7 @@ from motionlang.kernel.tools import nearest
 Value = float | str
 
 
-class Names(Protocol):
+class ExpressionState(Protocol):
     """The state that an expression reads."""
 
     def variable(self, name: str, subscripts: list[float]) -> Value | None:
@@ -31,7 +31,7 @@ class Names(Protocol):
         """Return a reading of an axis or a channel; ValueError if that does not exist."""
 
 
-Expression = Callable[[Names], Value]
+Expression = Callable[[ExpressionState], Value]
 
 READINGS = {
     "position": "position", "pos": "position", "velocity": "velocity", "vel": "velocity", "target": "target",
@@ -177,7 +177,7 @@ class _Parser:
         return lambda names: _named(names, name, [_number(each(names)) for each in arguments])
 
 
-def _named(names: Names, name: str, arguments: list[float]) -> Value:
+def _named(names: ExpressionState, name: str, arguments: list[float]) -> Value:
     found = names.variable(name, arguments)
     if found is not None:
         return found
@@ -206,7 +206,7 @@ def _binary(operator: str, left: Expression, right: Expression) -> Expression:
         return lambda names: float(bool(_number(left(names))) or bool(_number(right(names))))
     work = _WORK[operator]
 
-    def value(names: Names) -> Value:
+    def value(names: ExpressionState) -> Value:
         one, other = left(names), right(names)
         if isinstance(one, str) is not isinstance(other, str):
             raise WrongExpression(f"{operator} cannot take a text and a number")

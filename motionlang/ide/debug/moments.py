@@ -21,7 +21,7 @@ from motionlang.kernel import INFINITY, Machine, WholeTrack
 from motionlang.kernel.log import Changed, Switched
 
 # Yields the moments after one time up to another.
-Search = Callable[[Machine, float, float], Iterable["Moment"]]
+Search = Callable[[Machine, float, float], Iterable["Occurrence"]]
 
 # Samples of each profile in which a condition is looked for, and the resolution of its time, s.
 SAMPLES = 64
@@ -43,7 +43,7 @@ FORMS = "axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a conditi
 
 
 @dataclass(eq=False, slots=True)
-class Moment:
+class Occurrence:
     """An occurrence at a time, s.
 
     `at` is the program's source offset at that time, if it is known, and `reason` the reason of the stop after it.
@@ -55,12 +55,12 @@ class Moment:
     reason: str = "moment"
 
 
-def together(found: list[Moment]) -> Moment:
+def together(found: list[Occurrence]) -> Occurrence:
     """Return the first of ordered moments, with the texts of all at the same time."""
     first = found[0]
     texts = list(dict.fromkeys(each.text for each in found if each.time == first.time))
     more = f"; {len(texts) - MAX_TEXTS} more" if len(texts) > MAX_TEXTS else ""
-    return Moment(first.time, "; ".join(texts[:MAX_TEXTS]) + more, first.at, first.reason)
+    return Occurrence(first.time, "; ".join(texts[:MAX_TEXTS]) + more, first.at, first.reason)
 
 
 def search(text: str, axes: range) -> Search:
@@ -95,33 +95,35 @@ def filtered(kinds: Iterable[str]) -> Search:
     """Return the search for events of some kinds."""
     wanted = frozenset(kinds)
 
-    def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+    def find(machine: Machine, after: float, until: float) -> Iterator[Occurrence]:
         for event in _since(machine.log.events, after):
             if event.time <= until and event.kind in wanted:
                 axis = "" if event.axis is None else f" of axis {event.axis}"
                 text = f": {event.text}" if event.text else ""
-                yield Moment(event.time, f"{event.kind}{axis}{text}", event.at, "exception")
+                yield Occurrence(event.time, f"{event.kind}{axis}{text}", event.at, "exception")
 
     return find
 
 
-def complaints(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+def complaints(machine: Machine, after: float, until: float) -> Iterator[Occurrence]:
     """Yield the errors that did not end the program, such as rejected commands."""
     for each in machine.diagnostics:
         if each.severity == "error" and after < each.first <= until:
-            yield Moment(each.first, f"{each.message}, line {each.line}", None, "exception")
+            yield Occurrence(each.first, f"{each.message}, line {each.line}", None, "exception")
 
 
 def channel(what: str, number: int, how: str, reason: str = "moment") -> Search:
     """Return the search for changes of a digital input or output."""
 
-    def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+    def find(machine: Machine, after: float, until: float) -> Iterator[Occurrence]:
         log = machine.log.inputs if what == "input" else machine.log.outputs
         for each in _since(log, after):
             if each.channel == number and each.time <= until:
                 rises = bool(each.value)
                 if how == "changes" or (how == "rises") is rises:
-                    yield Moment(each.time, f"{what} {number} {'rises' if rises else 'falls'}", None, reason)
+                    yield Occurrence(
+                        each.time, f"{what} {number} {'rises' if rises else 'falls'}", None, reason
+                    )
 
     return find
 
@@ -140,7 +142,7 @@ def _axis(number: int, how: str) -> Search:
     if how == "stops":
         return lambda machine, after, until: _stops(machine, number, after, until)
 
-    def starts(machine: Machine, after: float, until: float) -> Iterator[Moment]:
+    def starts(machine: Machine, after: float, until: float) -> Iterator[Occurrence]:
         found = []
         for move in reversed(machine.log.moves):
             if move.start_time <= after:
@@ -152,12 +154,12 @@ def _axis(number: int, how: str) -> Search:
                 and move.start_time <= until
                 and (move.profile is None or move.profile.duration)
             ):
-                yield Moment(move.start_time, f"axis {number} starts {move.command}")
+                yield Occurrence(move.start_time, f"axis {number} starts {move.command}")
 
     return starts
 
 
-def _stops(machine: Machine, number: int, after: float, until: float) -> Iterator[Moment]:
+def _stops(machine: Machine, number: int, after: float, until: float) -> Iterator[Occurrence]:
     axis = machine.controller.axes.get(number)
     if axis is None:
         return
@@ -169,7 +171,7 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
             profile.velocity(profile.duration * fraction) for fraction in (0.25, 0.5, 0.75)
         )
         if moved and after < end <= until and abs(track.at(end + RESOLUTION).velocity) < RESOLUTION:
-            yield Moment(end, f"axis {number} stops")
+            yield Occurrence(end, f"axis {number} stops")
 
 
 # --------------------------------------------------------------------------------------------------- conditions
@@ -238,7 +240,7 @@ class Past:
 
 def _becomes_true(
     expression: Expression, text: str, machine: Machine, after: float, until: float
-) -> Iterator[Moment]:
+) -> Iterator[Occurrence]:
     state = Past(machine, after)
 
     def holds(time: float) -> bool:
@@ -255,7 +257,7 @@ def _becomes_true(
                 if not low < middle < high:
                     break
                 low, high = (low, middle) if holds(middle) else (middle, high)
-            yield Moment(high, f"{text.strip()} holds")
+            yield Occurrence(high, f"{text.strip()} holds")
         before, was_true = time, now
 
 

@@ -12,7 +12,7 @@ another thread continues from there. Runs are deterministic, so a statement has 
     go(…)              -- None ------------> continues
       waits                                  … statement 17: decide(point) is true
       returns          <-- "stopped" ------- waits in the hook
-    back(12)           -- ABANDON ---------> raises `Abandoned` through the program
+    back(12)           -- ABANDON ---------> raises `RunAbandoned` through the program
       puts a snapshot back
     go(…)              -- starts ----------> another thread, from statement 9
 
@@ -60,7 +60,7 @@ POLL = 0.05
 STACK_SIZE = 64 * 1024 * 1024
 
 
-class Abandoned(BaseException):
+class RunAbandoned(BaseException):
     """Raised in the hook to end a run that is no longer needed."""
 
 
@@ -69,7 +69,7 @@ class Cancelled(Exception):
 
 
 @dataclass(eq=False, slots=True)
-class Point:
+class StopPoint:
     """A statement about to be executed: its number, time (s) and source offset."""
 
     number: int
@@ -90,7 +90,7 @@ class Setup:
     program: Program
 
 
-class Output:
+class SessionOutput:
     """The output of a session; text that an earlier run has shown is not repeated.
 
     A run that searches for a moment may have to go back. It retains its output until it is known up to which character
@@ -137,7 +137,7 @@ class Replay:
         self,
         setup: Setup,
         journal: Journal,
-        output: Output,
+        output: SessionOutput,
         ask_user: Callable[[str], str | None] | None = None,
         meanwhile: Callable[[], None] = lambda: None,
     ) -> None:
@@ -154,7 +154,7 @@ class Replay:
         self._idle = 0
         self.machine: Machine
         self._is_new = True
-        self.point: Point | None = None
+        self.point: StopPoint | None = None
         # The result, once the program has ended, and an internal error.
         self.run: Run | None = None
         self.error: BaseException | None = None
@@ -164,7 +164,7 @@ class Replay:
         self.values: dict[tuple[str, ...], object] = {}
         self.written = 0
         self._answers_used = 0
-        self._decide: Callable[[Point], bool] = lambda point: False
+        self._decide: Callable[[StopPoint], bool] = lambda point: False
         self._limit = INFINITY
         # True if `pause` caused the last stop.
         self.paused = self._pausing = False
@@ -176,11 +176,11 @@ class Replay:
 
     def go(
         self,
-        decide: Callable[[Point], bool],
+        decide: Callable[[StopPoint], bool],
         limit: float = INFINITY,
         offsets: frozenset[int] | None = None,
         give_up: Callable[[float], bool] | None = None,
-    ) -> Point | None:
+    ) -> StopPoint | None:
         """Continue until `decide` is true; return that point, or None at the end.
 
         `decide` is called before each statement from number `limit` on, and before those at `offsets`. `give_up` is
@@ -280,7 +280,7 @@ class Replay:
                 begun=self._begun,
                 hook=self.hook,
             )
-        except Abandoned:
+        except RunAbandoned:
             if not self.gave_up:
                 self.error = Cancelled()
         except BaseException as error:
@@ -298,7 +298,7 @@ class Replay:
         self._output.write(begin, text)
 
     def _stop(self, task: Task, time: float, offset: int) -> None:
-        point = Point(self.hook.count, time, task, offset)
+        point = StopPoint(self.hook.count, time, task, offset)
         decided = self._decide(point)  # before the changes, as when they were made
         for change in self._journal.at(point.number):
             self.make(change, point)
@@ -317,12 +317,12 @@ class Replay:
             self.paused = self._idle > PAUSE
         if self.paused or (self._give_up is not None and self._give_up(time)):
             self._pausing, self.gave_up = False, True
-            raise Abandoned
+            raise RunAbandoned
 
     def _wait(self) -> None:
         """Wait until the run continues or is abandoned."""
         if self._requests.get() == "abandon":
-            raise Abandoned
+            raise RunAbandoned
 
     def _arm(self) -> None:
         """Set the number of the next statement for `decide` or the journal."""
@@ -358,7 +358,7 @@ class Replay:
         assert self.hook.inspection is not None
         return self.hook.inspection.depth(task)
 
-    def make(self, change: Assigned | Entered, point: Point) -> None:
+    def make(self, change: Assigned | Entered, point: StopPoint) -> None:
         """Make a change of the journal before a statement."""
         try:
             if isinstance(change, Entered):

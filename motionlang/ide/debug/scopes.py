@@ -15,10 +15,10 @@ from motionlang.ide.debug.expressions import WrongExpression
 from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable, WholeTrack
 from motionlang.kernel.controller import Channels, fault_names
 from motionlang.kernel.lang import Frame
-from motionlang.kernel.log import Move
+from motionlang.kernel.log import LoggedMove
 
 if TYPE_CHECKING:
-    from motionlang.ide.debug.replay import Point
+    from motionlang.ide.debug.replay import StopPoint
 
 # The first word of the path of a variable: of the program, or of the innermost call, the next one and so on. MACHINE is
 # that of an axis or a channel.
@@ -51,7 +51,7 @@ def tasks(machine: Machine, running: Task | None) -> list[Waiting]:
     return found
 
 
-def frames(hook: Hook, task: Task, point: Point | None) -> Sequence[Frame]:
+def frames(hook: Hook, task: Task, point: StopPoint | None) -> Sequence[Frame]:
     """Return the calls of a task, the innermost first; `point` is the stop of the run."""
     assert hook.inspection is not None
     offset = point.offset if point is not None and point.task is task else None
@@ -64,7 +64,7 @@ def module(hook: Hook) -> list[Variable]:
     return hook.inspection.module()
 
 
-def find(hook: Hook, point: Point | None, path: Sequence[str]) -> Variable | None:
+def find(hook: Hook, point: StopPoint | None, path: Sequence[str]) -> Variable | None:
     """Return the variable at a path, which is its scope and the names that lead to it.
 
     `point` is None at the end of the run, where there are no calls.
@@ -91,7 +91,7 @@ def find(hook: Hook, point: Point | None, path: Sequence[str]) -> Variable | Non
     return variable
 
 
-def named(hook: Hook, point: Point | None, name: str) -> tuple[tuple[str, ...], Variable] | None:
+def named(hook: Hook, point: StopPoint | None, name: str) -> tuple[tuple[str, ...], Variable] | None:
     """Return path and variable of a name, resolved as in the program."""
     for scope in (f"{LOCAL}0", MODULE):
         variable = find(hook, point, (scope, name))
@@ -153,7 +153,7 @@ def _state(controller: Controller, axis: Axis) -> str:
     return "idle" if controller.is_idle(axis.index) else "moving"
 
 
-def _move(number: int, move: Move) -> Variable:
+def _move(number: int, move: LoggedMove) -> Variable:
     released = "" if move.released else ", not released"
     return Variable(f"move {number}", "", f"{move.command}, line {move.line}{released}")
 

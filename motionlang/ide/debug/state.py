@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.ide.debug import scopes
 from motionlang.ide.debug.expressions import READINGS, WrongExpression, parse
-from motionlang.ide.debug.replay import Point, Replay
+from motionlang.ide.debug.replay import Replay, StopPoint
 from motionlang.ide.debug.scopes import Waiting
 from motionlang.kernel import Machine, Task, Variable
 from motionlang.kernel.lang import Frame
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     from motionlang.ide.debug.debugger import Debugger
 
 
-class State:
+class StoppedRun:
     """The state of a run at its stop, or at its end."""
 
-    def __init__(self, debugger: Debugger, replay: Replay, point: Point | None = None) -> None:
+    def __init__(self, debugger: Debugger, replay: Replay, point: StopPoint | None = None) -> None:
         self._debugger, self._replay = debugger, replay
         self._point = replay.point if point is None else point
 

@@ -19,7 +19,7 @@ _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?
 
 
 @dataclass(eq=False, slots=True)
-class Edit:
+class SpanEdit:
     """A replacement of the text in a span."""
 
     span: Span
@@ -34,7 +34,7 @@ class Fix:
     """
 
     title: str
-    edits: list[Edit]
+    edits: list[SpanEdit]
     preferred: bool
 
 
@@ -46,15 +46,15 @@ def fixes(page: Page, diagnostic: Diagnostic) -> Iterator[Fix]:
     span = begin, page.offset(diagnostic.line, diagnostic.column + diagnostic.length)
     if diagnostic.fix:
         written = " ".join(diagnostic.fix.split())
-        yield Fix(f"Change to {written}", [Edit(span, diagnostic.fix)], True)
+        yield Fix(f"Change to {written}", [SpanEdit(span, diagnostic.fix)], True)
     for each in diagnostic.candidates:
-        yield Fix(f"Change to {each}", [Edit(span, each)], False)
+        yield Fix(f"Change to {each}", [SpanEdit(span, each)], False)
     silenced = silencing(page, diagnostic)
     if silenced is not None:
         yield Fix(f"Suppress {diagnostic.code} on this line", [silenced], False)
 
 
-def silencing(page: Page, diagnostic: Diagnostic) -> Edit | None:
+def silencing(page: Page, diagnostic: Diagnostic) -> SpanEdit | None:
     """Return an edit that adds a comment to silence a warning on its line, or None.
 
     A line that continues on the next one cannot have a comment.
@@ -72,10 +72,10 @@ def silencing(page: Page, diagnostic: Diagnostic) -> Edit | None:
     if not comments:
         blank = "" if line.endswith((" ", "\t")) else "  "
         mark = page.language.comment
-        return Edit((end, end), f"{blank}{mark} lint: ignore {diagnostic.code}")
+        return SpanEdit((end, end), f"{blank}{mark} lint: ignore {diagnostic.code}")
     ignored = _IGNORE.search(line, comments[0][1])
     if ignored is not None:
         at = start + ignored.end()
-        return Edit((at, at), f", {diagnostic.code}")
+        return SpanEdit((at, at), f", {diagnostic.code}")
     at = start + len(line.rstrip())
-    return Edit((at, at), f" lint: ignore {diagnostic.code}")
+    return SpanEdit((at, at), f" lint: ignore {diagnostic.code}")

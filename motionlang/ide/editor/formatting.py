@@ -5,11 +5,11 @@ Tokens and comments do not change, so the program keeps its meaning.
 
 from __future__ import annotations
 
-from motionlang.ide.editor.fixes import Edit
+from motionlang.ide.editor.fixes import SpanEdit
 from motionlang.ide.editor.page import Page
 
 
-def format(page: Page, indent: str = "  ") -> list[Edit]:
+def format(page: Page, indent: str = "  ") -> list[SpanEdit]:
     """Return the edits that format a text; none for a language without blocks."""
     edits = []
     start = 0
@@ -21,7 +21,9 @@ def format(page: Page, indent: str = "  ") -> list[Edit]:
             tail = 0
             while tail < min(len(line), len(wanted)) - same and line[-1 - tail] == wanted[-1 - tail]:
                 tail += 1
-            edits.append(Edit((start + same, start + len(line) - tail), wanted[same : len(wanted) - tail]))
+            edits.append(
+                SpanEdit((start + same, start + len(line) - tail), wanted[same : len(wanted) - tail])
+            )
         start += len(line) + 1
     return edits
 

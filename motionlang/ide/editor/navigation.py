@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from motionlang.ide.editor.fixes import Edit
+from motionlang.ide.editor.fixes import SpanEdit
 from motionlang.ide.editor.page import Page
 from motionlang.kernel.lang import Span
 
@@ -14,12 +14,12 @@ _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startu
 _LISTED = frozenset(("constant", "define", "variable", "label", "member"))
 
 
-class Refused(Exception):
+class RenameRefused(Exception):
     """A name cannot be changed; the message has the reason."""
 
 
 @dataclass(eq=False, slots=True)
-class Symbol:
+class OutlineEntry:
     """An entry of the outline.
 
     `span` is its whole text, `at` its name, and `inner` the entries that it contains.
@@ -30,7 +30,7 @@ class Symbol:
     detail: str
     span: Span
     at: Span
-    inner: list[Symbol]
+    inner: list[OutlineEntry]
 
 
 def definition(page: Page, offset: int) -> Span | None:
@@ -52,34 +52,34 @@ def renamed_span(page: Page, offset: int) -> tuple[Span, str]:
     found = page.names.at(offset)
     if found is None:
         word = page.keyword(offset)
-        raise Refused("there is no name here" if word is None else f"{word[0].name} is a keyword")
+        raise RenameRefused("there is no name here" if word is None else f"{word[0].name} is a keyword")
     if found[0].fixed:
-        raise Refused(found[0].fixed)
+        raise RenameRefused(found[0].fixed)
     return found[1], page.text[found[1][0] : found[1][1]]
 
 
-def rename(page: Page, offset: int, name: str) -> list[Edit]:
+def rename(page: Page, offset: int, name: str) -> list[SpanEdit]:
     """Return the edits that rename all uses of the name at an offset.
 
     Raises Refused with the reason if the meaning of the program would change.
     """
     renamed_span(page, offset)
     if not page.names.complete:
-        raise Refused("the text has lines that cannot be read; correct them first")
+        raise RenameRefused("the text has lines that cannot be read; correct them first")
     found = page.names.at(offset)
     assert found is not None
     problem = page.names.problem(found[0], name)
     if problem:
-        raise Refused(problem)
-    return [Edit(span, name) for span in found[0].uses]
+        raise RenameRefused(problem)
+    return [SpanEdit(span, name) for span in found[0].uses]
 
 
-def symbols(page: Page) -> list[Symbol]:
+def symbols(page: Page) -> list[OutlineEntry]:
     """Return the outline of a program: named blocks and declarations."""
-    top: list[Symbol] = []
-    opened: list[Symbol] = []
+    top: list[OutlineEntry] = []
+    opened: list[OutlineEntry] = []
 
-    def add(symbol: Symbol) -> None:
+    def add(symbol: OutlineEntry) -> None:
         while opened and opened[-1].span[1] < symbol.span[1]:
             opened.pop()
         (opened[-1].inner if opened else top).append(symbol)
@@ -90,17 +90,17 @@ def symbols(page: Page) -> list[Symbol]:
     return top
 
 
-def _symbols(page: Page) -> Iterator[Symbol]:
+def _symbols(page: Page) -> Iterator[OutlineEntry]:
     details = {each.span: each for each in page.names.definitions if each.span is not None}
     for block in page.names.blocks:
         if block.kind in _NAMED:
             own = details.get(block.at)
             name = block.name or block.kind.capitalize()
             detail = ", ".join(own.parameters) if own is not None else ""
-            yield Symbol(name, block.kind, detail, block.span, block.at, [])
+            yield OutlineEntry(name, block.kind, detail, block.span, block.at, [])
     for each in page.names.definitions:
         if each.kind in _LISTED and each.span is not None:
-            yield Symbol(each.name, each.kind, each.type, each.span, each.span, [])
+            yield OutlineEntry(each.name, each.kind, each.type, each.span, each.span, [])
 
 
 def folds(page: Page) -> list[tuple[int, int, bool]]:

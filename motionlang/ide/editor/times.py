@@ -10,7 +10,7 @@ from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.commands.profile.tasks import all_waits
 from motionlang.ide.editor.page import Page
-from motionlang.kernel import Checked, Run, end_of, run
+from motionlang.kernel import CheckedSettings, Run, end_of, run
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
 MAX_TIME = 600.0
@@ -71,7 +71,7 @@ NO_TIMES = Times([], None, 0.0, [])
 
 def times(page: Page) -> Times:
     """Run a program and return the times of its lines; none if it has errors."""
-    settings = Checked(page.settings)
+    settings = CheckedSettings(page.settings)
     result = run(
         page.source,
         dialect=page.language,

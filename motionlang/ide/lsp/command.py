@@ -41,10 +41,10 @@ examples:
     def run(self) -> int:
         """Serve one editor; return 0, or 1 if it left without a shutdown request."""
         need("motionlang lsp", "pygls")
-        from motionlang.ide.lsp.server import Server
-        from motionlang.ide.lsp.workers import Process
+        from motionlang.ide.lsp.server import EditorServer
+        from motionlang.ide.lsp.workers import WorkerProcess
 
-        server = Server(Process())
+        server = EditorServer(WorkerProcess())
         if self.tcp is None:
             return server.serve_streams()
         host, port = self.tcp

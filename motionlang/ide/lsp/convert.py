@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from lsprotocol import types
 
-from motionlang.ide.editor.fixes import Edit
-from motionlang.ide.editor.navigation import Symbol
-from motionlang.ide.lsp.documents import Document
+from motionlang.ide.editor.fixes import SpanEdit
+from motionlang.ide.editor.navigation import OutlineEntry
+from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.kernel import Diagnostic
 
 _SEVERITIES = {
@@ -55,7 +55,7 @@ ITEMS = {
 }
 
 
-def diagnostic(document: Document, each: Diagnostic) -> types.Diagnostic:
+def diagnostic(document: OpenDocument, each: Diagnostic) -> types.Diagnostic:
     """Convert a diagnostic.
 
     Without a column it marks its line, without a line the first line.
@@ -79,13 +79,13 @@ def diagnostic(document: Document, each: Diagnostic) -> types.Diagnostic:
     )
 
 
-def edits(document: Document, found: Sequence[Edit]) -> list[types.TextEdit]:
+def edits(document: OpenDocument, found: Sequence[SpanEdit]) -> list[types.TextEdit]:
     """Convert the changes of a text."""
     return [types.TextEdit(document.range(each.span), each.text) for each in found]
 
 
 def workspace_edit(
-    document: Document, found: Sequence[Edit], capabilities: types.ClientCapabilities
+    document: OpenDocument, found: Sequence[SpanEdit], capabilities: types.ClientCapabilities
 ) -> types.WorkspaceEdit:
     """Convert the changes of a text to an edit of the workspace.
 
@@ -100,7 +100,7 @@ def workspace_edit(
     return types.WorkspaceEdit(document_changes=[types.TextDocumentEdit(identifier, list(changes))])
 
 
-def symbol(document: Document, each: Symbol) -> types.DocumentSymbol:
+def symbol(document: OpenDocument, each: OutlineEntry) -> types.DocumentSymbol:
     """Convert an entry of the outline, with all entries inside it."""
     return types.DocumentSymbol(
         each.name,

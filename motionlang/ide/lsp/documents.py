@@ -19,7 +19,7 @@ from motionlang.kernel.lang import Span
 _MARK = "\ufeff"
 
 
-class Document:
+class OpenDocument:
     """One open text, with the `version` that the editor gave it."""
 
     __slots__ = ("_source", "_starts", "text", "uri", "version")

@@ -25,7 +25,7 @@ from motionlang.ide.lsp.session import MAX_TEXT, Known
 from motionlang.kernel import MACHINE_SUFFIX
 
 if TYPE_CHECKING:
-    from motionlang.ide.lsp.server import Server
+    from motionlang.ide.lsp.server import EditorServer
 
 T = TypeVar("T")
 
@@ -47,7 +47,7 @@ LENSES = {
 MAP = "motionlang.map"
 
 
-def register(server: Server) -> None:
+def register(server: EditorServer) -> None:
     """Register all requests with a server."""
     _Names(server).register()
     _Typing(server).register()
@@ -57,7 +57,7 @@ def register(server: Server) -> None:
 class _Feature:
     """A group of requests about the open texts of a server."""
 
-    def __init__(self, server: Server) -> None:
+    def __init__(self, server: EditorServer) -> None:
         self.server, self.session = server, server.session
 
     def known(self, params: Any) -> tuple[Known, Page] | None:
@@ -143,7 +143,7 @@ class _Names(_Feature):
         known, page = found
         try:
             span, text = navigation.renamed_span(page, known.document.offset(params.position))
-        except navigation.Refused as refused:
+        except navigation.RenameRefused as refused:
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return types.PrepareRenamePlaceholder(range=known.document.range(span), placeholder=text)
 
@@ -154,7 +154,7 @@ class _Names(_Feature):
         known, page = found
         try:
             changes = navigation.rename(page, known.document.offset(params.position), params.new_name)
-        except navigation.Refused as refused:
+        except navigation.RenameRefused as refused:
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return workspace_edit(known.document, changes, self.server.capabilities)
 
@@ -268,7 +268,7 @@ class _Typing(_Feature):
 class _Display(_Feature):
     """Folding, semantic tokens, hints and lenses."""
 
-    def __init__(self, server: Server) -> None:
+    def __init__(self, server: EditorServer) -> None:
         super().__init__(server)
         # The latest tokens of each text, for the difference to them.
         self._sent: dict[str, tuple[str, list[int]]] = {}

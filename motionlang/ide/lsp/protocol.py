@@ -16,7 +16,7 @@ from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 
 if TYPE_CHECKING:
-    from motionlang.ide.lsp.server import Server
+    from motionlang.ide.lsp.server import EditorServer
 
 NOT_INITIALIZED = -32002
 INVALID_REQUEST = -32600
@@ -35,7 +35,7 @@ class Malformed:
 class Protocol(LanguageServerProtocol):
     """The protocol of one connection; it uses the server's own documents."""
 
-    _server: Server
+    _server: EditorServer
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)

@@ -16,10 +16,10 @@ from pygls.io_ import run_async
 from pygls.lsp.server import LanguageServer
 
 from motionlang.ide.lsp.convert import diagnostic
-from motionlang.ide.lsp.documents import Document
+from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.ide.lsp.features import register
 from motionlang.ide.lsp.protocol import Protocol
-from motionlang.ide.lsp.session import Session, Worker
+from motionlang.ide.lsp.session import OpenTexts, Worker
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.version import __version__
 
@@ -31,14 +31,14 @@ _CHUNK = 1 << 16
 _LENGTH = re.compile(rb"[ \t]*content-length[ \t]*:[ \t]*(\d+)[ \t]*\r?\n", re.IGNORECASE)
 
 
-class Server(LanguageServer):
+class EditorServer(LanguageServer):
     """A language server for one editor; `worker` does its checks and runs."""
 
     protocol: Protocol
 
     def __init__(self, worker: Worker) -> None:
         super().__init__("motionlang", __version__, protocol_cls=Protocol)
-        self.session = Session(worker, self._publish, self._log)
+        self.session = OpenTexts(worker, self._publish, self._log)
         register(self)
         # Standard error is a window of the editor, which is not the place for a log.
         logging.getLogger("pygls").setLevel(logging.CRITICAL + 1)
@@ -48,7 +48,7 @@ class Server(LanguageServer):
         """The capabilities of the editor."""
         return self.protocol.client_capabilities
 
-    def _publish(self, document: Document, found: list[Diagnostic]) -> None:
+    def _publish(self, document: OpenDocument, found: list[Diagnostic]) -> None:
         shown = [diagnostic(document, each) for each in found]
         self.text_document_publish_diagnostics(
             types.PublishDiagnosticsParams(document.uri, shown, version=document.version)
@@ -71,7 +71,7 @@ class Server(LanguageServer):
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
         sys.stdout = sys.stderr  # nothing else may write where the messages go
         try:
-            self.start_io(Input(sys.stdin.buffer), output)  # type: ignore[arg-type]
+            self.start_io(MessageStream(sys.stdin.buffer), output)  # type: ignore[arg-type]
         except (BrokenPipeError, ValueError):
             pass  # the editor has gone
         finally:
@@ -112,7 +112,7 @@ def _header(line: bytes) -> bytes:
     return line if found is None else b"Content-Length: %b\r\n" % found[1]
 
 
-class Input:
+class MessageStream:
     """A stream of messages that limits their size."""
 
     def __init__(self, stream: BinaryIO) -> None:
@@ -135,7 +135,7 @@ class Input:
 
 
 class _Limited:
-    """Like `Input`, for a connection."""
+    """Like `MessageStream`, for a connection."""
 
     def __init__(self, reader: asyncio.StreamReader) -> None:
         self._reader = reader

@@ -21,7 +21,7 @@ from pygls.uris import to_fs_path
 from motionlang.ide.editor.diagnostics import settings_of
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import NO_TIMES, Times
-from motionlang.ide.lsp.documents import Document
+from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, Dialect, Source, dialect, dialect_of, dialects
 from motionlang.kernel.lang import NO_NAMES, Changes, Names
@@ -47,7 +47,7 @@ class Known:
         "changes", "checked", "document", "found", "language", "names", "naming", "page", "pause", "since", "times",
     )  # fmt: skip
 
-    def __init__(self, document: Document, language: Dialect | None) -> None:
+    def __init__(self, document: OpenDocument, language: Dialect | None) -> None:
         self.document, self.language = document, language
         self.page: Page | None = None
         # The names of the latest text in which they were found, and its changes since.
@@ -62,7 +62,7 @@ class Known:
         self.pause: asyncio.TimerHandle | None = None
 
 
-class Session:
+class OpenTexts:
     """All open texts.
 
     `publish` is called with the diagnostics of a text, and `log` with a message for the editor's log.
@@ -71,7 +71,7 @@ class Session:
     def __init__(
         self,
         worker: Worker,
-        publish: Callable[[Document, list[Diagnostic]], None],
+        publish: Callable[[OpenDocument, list[Diagnostic]], None],
         log: Callable[[str], None],
     ) -> None:
         self._worker, self._publish, self._log = worker, publish, log
@@ -84,7 +84,7 @@ class Session:
     def open(self, item: types.TextDocumentItem) -> None:
         """Store an opened text; an earlier one with the same URI is replaced."""
         self.close(item.uri)
-        document = Document(item.uri, item.text, item.version)
+        document = OpenDocument(item.uri, item.text, item.version)
         name = document.name
         language = dialect_of(name)
         if language is None and item.language_id in dialects():

@@ -19,7 +19,7 @@ from motionlang.ide.editor.times import NO_TIMES
 from motionlang.ide.lsp.jobs import TIMES, Job, Result, work
 
 
-class Stopping(Protocol):
+class StoppableExecutor(Protocol):
     """An executor whose processes can be killed."""
 
     def stop(self) -> None: ...
@@ -42,7 +42,7 @@ class Inline:
         """Do nothing: there is no process."""
 
 
-class Process:
+class WorkerProcess:
     """Carries out jobs in a separate process, which ends with this one."""
 
     def __init__(self, limit: float = JOB_LIMIT, run_limit: float = RUN_LIMIT) -> None:
@@ -66,7 +66,7 @@ class Process:
         """End the process."""
         workers, self._workers = self._workers, None
         if workers is not None:
-            stopping: Stopping = workers  # type: ignore[assignment]
+            stopping: StoppableExecutor = workers  # type: ignore[assignment]
             stopping.stop()
 
 

@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.motion.reference import SpeedReference as SpeedReference
     from motionlang.kernel.controller.motion_listener import MotionListener as MotionListener
     from motionlang.kernel.controller.moves.cam import CurveFollow as CurveFollow
-    from motionlang.kernel.controller.moves.geometry import Line as Line
+    from motionlang.kernel.controller.moves.geometry import StraightLine as StraightLine
     from motionlang.kernel.controller.moves.path import PathMove as PathMove
     from motionlang.kernel.controller.moves.path_run import PathRun as PathRun
     from motionlang.kernel.controller.queue.stop import Stopping as Stopping
@@ -76,7 +76,7 @@ PUBLIC = {
     "motion.profile_playback": "Playback",
     "motion.reference": "PositionReference SpeedReference",
     "moves.cam": "CurveFollow",
-    "moves.geometry": "Line",
+    "moves.geometry": "StraightLine",
     "moves.path": "PathMove",
     "moves.path_run": "PathRun",
 }

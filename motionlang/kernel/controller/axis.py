@@ -11,10 +11,10 @@ from bisect import bisect_right
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.log.profiles import Profiles
-from motionlang.kernel.planners import Profile, State, hold
+from motionlang.kernel.planners import MotionState, Profile, hold
 from motionlang.kernel.planners.limits import LARGEST
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.triggers.homing import Homing
     from motionlang.kernel.controller.triggers.limit import Limit
     from motionlang.kernel.controller.watch import Watch
-    from motionlang.kernel.log.move import Move
+    from motionlang.kernel.log.move import LoggedMove
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
 DEFAULTS: dict[str, float] = {
@@ -158,11 +158,11 @@ class Axis:
         self.blend_distance = 0.0
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free entries above which the listeners are notified; -1: never
-        self.buffer: list[Move] = []
+        self.buffer: list[LoggedMove] = []
         self.move_id = 0  # the identifier of moves loaded from now on
         self.last_id = 0  # the identifier of the last move that left the buffer
-        self.move: Move | None = None
-        self.arrival: Event | None = None
+        self.move: LoggedMove | None = None
+        self.arrival: TimedCall | None = None
         self.target = 0.0
         # The position at the zero of power-up, and how far from there the last homing put the zero; counts.
         self.datum = 0.0
@@ -194,7 +194,7 @@ class Axis:
         self.index_origin = 0.0  # one of the marks, in counts of the machine
 
     @property
-    def entries(self) -> tuple[Move, ...]:
+    def entries(self) -> tuple[LoggedMove, ...]:
         """The log entries that may still change, oldest first; several during a blend."""
         move = self.move
         if move is None or move.action is None:
@@ -242,7 +242,7 @@ class Axis:
 
     # ---------------------------------------------------------------------------------------- state at a time
 
-    def at(self, time: float) -> State:
+    def at(self, time: float) -> MotionState:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
         start, profile = self.in_force(time)
         return profile.at(time - start)
@@ -354,7 +354,7 @@ class Axis:
         decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
 
-    def speed_and_rates(self, move: Move | None) -> tuple[float, float, float]:
+    def speed_and_rates(self, move: LoggedMove | None) -> tuple[float, float, float]:
         """Return speed and rates of a move: its own, or else those of the axis."""
         speed = self.speed if move is None or move.speed is None else move.speed
         accel, decel = self.rates(speed)

@@ -13,7 +13,7 @@ from heapq import heappop, heappush
 INFINITY = float("inf")
 
 
-class Event:
+class TimedCall:
     """A callback at `time`; `cancel()` prevents it."""
 
     __slots__ = ("call", "time")
@@ -39,21 +39,21 @@ class Clock:
         self.now = 0.0
         self.horizon = INFINITY
         self.made = self.fired = 0
-        self._heap: list[tuple[float, int, Event]] = []
+        self._heap: list[tuple[float, int, TimedCall]] = []
 
-    def at(self, time: float, call: Callable[[], object]) -> Event:
+    def at(self, time: float, call: Callable[[], object]) -> TimedCall:
         """Call `call` at `time`; events at the same time run in order of creation.
 
         If the call returns true, it woke no other task.
         """
-        event = Event(time, call)
+        event = TimedCall(time, call)
         self.made += 1
         heappush(self._heap, (time, self.made, event))
         if time < self.horizon:
             self.horizon = time
         return event
 
-    def again(self, event: Event, time: float) -> None:
+    def again(self, event: TimedCall, time: float) -> None:
         """Schedule an event that has already run for another time."""
         event.time = time
         self.made = made = self.made + 1

@@ -20,7 +20,7 @@ from motionlang.kernel.controller.faults import (
 )
 
 if TYPE_CHECKING:
-    from motionlang.kernel.log.move import Move
+    from motionlang.kernel.log.move import LoggedMove
     from motionlang.kernel.planners import Profile
 
 # The name of a fault of each bit; the others are "fault".
@@ -77,7 +77,7 @@ def cleared(a: Axis) -> None:
     note(a, "cleared", text=fault_names(a.faults))
 
 
-def check_velocity(a: Axis, profile: Profile, cause: str, move: Move | None) -> None:
+def check_velocity(a: Axis, profile: Profile, cause: str, move: LoggedMove | None) -> None:
     """Log a jump of velocity from the track of an axis to the profile that continues it now.
 
     The jumps of one move by one cause are one event, with their number.
@@ -122,7 +122,7 @@ def clamped_blend(a: Axis, line: int, commanded: float, got: float) -> None:
     _once(a, "clamp", "blend distance", line, commanded, got)
 
 
-def too_late(a: Axis, move: Move, written: Rates, in_force: Rates) -> None:
+def too_late(a: Axis, move: LoggedMove, written: Rates, in_force: Rates) -> None:
     """Log, once, the rate that was written in motion and with which the axis would pass its target."""
     k = int(written[1] < in_force[1])
     what = ("acceleration", "deceleration")[k]

@@ -46,7 +46,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.joined import Followed
 from motionlang.kernel.controller.queue.stop import freeze
@@ -62,7 +62,7 @@ from motionlang.kernel.servo.samples import (
     REST_ERROR,
     REST_TIME,
     SampleBlock,
-    Window,
+    SettlingWindow,
     crossing,
     next_other_side,
     next_side,
@@ -107,8 +107,8 @@ class Feedback:
         self.chosen: Chosen | None = None
         self.first_loop: Loop | None = None
         self.windows = {
-            "rest": Window(error=REST_ERROR, hold=REST_TIME, announced=False),
-            "program": Window(error=0.5, announced=False),
+            "rest": SettlingWindow(error=REST_ERROR, hold=REST_TIME, announced=False),
+            "program": SettlingWindow(error=0.5, announced=False),
         }
         self._gains: Gains = {}
         # The servo after the last sample computed, and as it was before the last block.
@@ -119,7 +119,7 @@ class Feedback:
         self._sizes: tuple[int, ...] = ()
         self._block = 0
         # The event of the next check, and its sample.
-        self._event: Event | None = None
+        self._event: TimedCall | None = None
         self._next_check = _NEVER
         self._standstill = StandstillDetector()
         # The last sample that was searched for events, which have all run.
@@ -289,7 +289,7 @@ class Feedback:
 
     def settle_within(self, error: float, speed: float, hold: float, at_target: bool = False) -> None:
         """Set the window in which the motor counts as settled for the program."""
-        window = Window(error, speed, hold, at_target)
+        window = SettlingWindow(error, speed, hold, at_target)
         if window.same(self.windows.get("program")):
             return
         self.windows["program"] = window

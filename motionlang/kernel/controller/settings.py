@@ -11,7 +11,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.events import note, too_late
 from motionlang.kernel.controller.queue.life import continue_with, replan_move
 from motionlang.kernel.controller.queue.plan import plan_move
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 
 # All that a language may set.
@@ -121,7 +121,7 @@ def _is_in_force(a: Axis, name: str, value: object) -> bool:
     return name != "feedrate_mode" or all(move.overridden is (a.feedrate_mode > 1) for move in a.entries)
 
 
-def _concerns(move: Move, name: str) -> bool:
+def _concerns(move: LoggedMove, name: str) -> bool:
     """True if a move in progress depends on the setting."""
     if move.action is not None and not move.action.live:
         return name in move.action.live_limits
@@ -152,7 +152,7 @@ def _replan(a: Axis, name: str) -> None:
     continue_with(a, profile, "")
 
 
-def _overshoots(profile: Profile, move: Move) -> bool:
+def _overshoots(profile: Profile, move: LoggedMove) -> bool:
     """True if a profile leaves the way from its start to the target of its move."""
     low, high = profile.extrema()
     ends = sorted((profile.start, move.target))

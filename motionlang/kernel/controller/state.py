@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import Clock, Event
+from motionlang.kernel.controller.clock import Clock, TimedCall
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.listeners import Listeners
@@ -30,7 +30,7 @@ class ControllerState:
         # The entries of the machine file that take effect by time or after an output.
         self.stimuli = Stimuli(clock, self.outputs)
         # The events at which pulses of outputs end.
-        self._pulses: dict[int, Event] = {}
+        self._pulses: dict[int, TimedCall] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
         self.listeners = Listeners()

@@ -15,7 +15,7 @@ from motionlang.kernel.controller.clock import INFINITY, Clock
 from motionlang.kernel.controller.motion import encoder as encoders
 from motionlang.kernel.controller.motion import follow, jog, profile_playback, reference, sampled_velocity
 from motionlang.kernel.controller.moves import cam, entries, path
-from motionlang.kernel.controller.moves.geometry import Arc, Line
+from motionlang.kernel.controller.moves.geometry import Arc, StraightLine
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.queue import buffer, life, stop
 from motionlang.kernel.controller.queue.action import put_action
@@ -27,7 +27,7 @@ from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.reference import Slope
 
@@ -170,7 +170,7 @@ class Controller(Readings):
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Load a move to `position` into the move buffer."""
-        buffer.put(self._movable(axis), Move(axis, command, line, position))
+        buffer.put(self._movable(axis), LoggedMove(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Load a move by `distance`, counted from the position at which it starts."""
@@ -221,7 +221,7 @@ class Controller(Readings):
     def load_guided(
         self,
         axes: Sequence[int],
-        geometry: Line | Arc,
+        geometry: StraightLine | Arc,
         policy: PathPolicy,
         command: str = "",
         line: int = 0,
@@ -286,7 +286,7 @@ class Controller(Readings):
     def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
         """Log a motion that a language had deferred and will not execute."""
         for a in self._all(axes):
-            move = Move(a.index, command, line, a.target)
+            move = LoggedMove(a.index, command, line, a.target)
             move.ended = ended
             log_dropped(a, move)
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from math import ulp
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ class Watch:
     def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
         self.position, self.call, self.physical = position, call, physical
         self.side = 0  # the last side of the axis: above, below, or not known yet
-        self.event: Event | None = None
+        self.event: TimedCall | None = None
 
 
 def begin(axis: Axis, watch: Watch) -> None:

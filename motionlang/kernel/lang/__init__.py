@@ -8,15 +8,6 @@ from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Frame as Frame
-    from motionlang.kernel.lang.facts import READ as READ
-    from motionlang.kernel.lang.facts import WRITE as WRITE
-    from motionlang.kernel.lang.facts import AxisKey as AxisKey
-    from motionlang.kernel.lang.facts import AxisUse as AxisUse
-    from motionlang.kernel.lang.facts import ChannelUse as ChannelUse
-    from motionlang.kernel.lang.facts import Statement as Statement
-    from motionlang.kernel.lang.facts import Structure as Structure
-    from motionlang.kernel.lang.facts import Unit as Unit
-    from motionlang.kernel.lang.facts import Use as Use
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
@@ -72,6 +63,15 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import UNTIL as UNTIL
     from motionlang.kernel.lang.steps import Step as Step
     from motionlang.kernel.lang.steps import Values as Values
+    from motionlang.kernel.lang.structure import READ as READ
+    from motionlang.kernel.lang.structure import WRITE as WRITE
+    from motionlang.kernel.lang.structure import AxisKey as AxisKey
+    from motionlang.kernel.lang.structure import AxisUse as AxisUse
+    from motionlang.kernel.lang.structure import ChannelUse as ChannelUse
+    from motionlang.kernel.lang.structure import Statement as Statement
+    from motionlang.kernel.lang.structure import Structure as Structure
+    from motionlang.kernel.lang.structure import Unit as Unit
+    from motionlang.kernel.lang.structure import Use as Use
     from motionlang.kernel.lang.vocabulary import Vocabulary as Vocabulary
     from motionlang.kernel.lang.wait_causes import KINDS as KINDS
     from motionlang.kernel.lang.wait_causes import MOVING as MOVING
@@ -93,7 +93,7 @@ PUBLIC = {
     "machine.layers": "layered",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "facts": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
+    "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from motionlang.kernel.lang.facts import Use
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.structure import Use
 
 
 def unset(rows: Iterable[Keyword], uses: Iterable[Use], rates: Sequence[str]) -> list[Keyword]:

@@ -42,14 +42,14 @@ from motionlang.kernel.lang.change_times import CLOSE, MAX_NOTES, Dependencies, 
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.statement_time import UNITS, StatementTime, units
 from motionlang.kernel.lang.steps import Steps, own
-from motionlang.kernel.lang.variable_uses import NONE, UNKNOWN, Body, Copy, body_of
+from motionlang.kernel.lang.variable_uses import NONE, UNKNOWN, Copy, IterationUses, body_of
 from motionlang.kernel.lang.waits import ROUNDING, Delay, Wait
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.step_task import StepTask
 
 
-class World(Protocol):
+class SharedState(Protocol):
     """The state that the tasks of a program share."""
 
     dependencies: Dependencies
@@ -116,7 +116,7 @@ NO_RECORDS = Mark([], 0)
 
 
 @dataclass(slots=True, eq=False)
-class State:
+class LoopState:
     """All tasks at a jump back of one of them, at statement `t` from `base`."""
 
     t: float
@@ -126,7 +126,7 @@ class State:
     waits: list[Wait | None]
     left: list[int]
     # What the loop of the running task does, and how often that task has changed its loop, and tasks have taken turns.
-    body: Body
+    body: IterationUses
     strayed: int
     turns: int
     # Counters of all that has been done so far, and of the outputs that have been switched.
@@ -142,14 +142,14 @@ class State:
     seen: Any = None
     occurred: int = 0
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
-    before: State | None = None
+    before: LoopState | None = None
     change: list[float] | None = None
 
 
 class Loops:
     """Watches the jumps back of the tasks of a program, and skips iterations that repeat."""
 
-    def __init__(self, machine: Machine, time: StatementTime, world: World) -> None:
+    def __init__(self, machine: Machine, time: StatementTime, world: SharedState) -> None:
         self.machine, self.time, self.world = machine, time, world
         # The tasks as of the last check, the running one, and how often another one than the last has run.
         self._tasks: Sequence[StepTask] = ()
@@ -255,7 +255,7 @@ class Loops:
             task.met = {}
         return t, wait
 
-    def _most_places(self, task: StepTask, now: State) -> int:
+    def _most_places(self, task: StepTask, now: LoopState) -> int:
         """Return at how many places a task may have been; one that runs alone may toggle outputs."""
         others = [each.wait for each in self._tasks if each is not task]
         if None in others or self._depends_on_turns(task):
@@ -307,7 +307,7 @@ class Loops:
         following, end = scheduler.turn
         return following, round((end - self.time.at(self.time.count)) * UNITS)
 
-    def _state(self, task: StepTask, here: int, t: float) -> State:
+    def _state(self, task: StepTask, here: int, t: float) -> LoopState:
         tasks = self._tasks
         numbers = [number for each in tasks for number in each.own] + self.world.shared
         elapsed = units(self.time.base) + int(t) * self.time.cost_units
@@ -316,7 +316,9 @@ class Loops:
         body = _body(task.last_loop)
         acted = self.world.acted()
         switched = self.world.switched
-        now = State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched)
+        now = LoopState(
+            t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted, switched
+        )
         if self.machine.observer is not None:
             now.seen = self.machine.observer.seen
         if self.machine.stop is not None:
@@ -334,7 +336,7 @@ class Loops:
         if self.task is not None:
             dependencies.notes = self.task.notes
 
-    def _mark(self, now: State) -> None:
+    def _mark(self, now: LoopState) -> None:
         """Record how much has been read and compared before a state."""
         dependencies = self.world.dependencies
         if self.task is not None:
@@ -364,7 +366,7 @@ class Loops:
 
     # ---------------------------------------------------------------------------------------------- skipping
 
-    def _repeated(self, task: StepTask, now: State, last: State) -> tuple[float, Wait | None, bool]:
+    def _repeated(self, task: StepTask, now: LoopState, last: LoopState) -> tuple[float, Wait | None, bool]:
         """Skip the iterations that repeat that from `last` to `now`; False if it does not repeat."""
         t = now.t
         if now.occurred != last.occurred:  # each of these iterations counts
@@ -397,7 +399,7 @@ class Loops:
             *[(None, k) for k in range(len(self.world.shared))],
         ]
 
-    def _with_margins(self, change: list[float], last: State) -> list[float] | None:
+    def _with_margins(self, change: list[float], last: LoopState) -> list[float] | None:
         """Return the changes of numbers and of margins; None if other comparisons were made."""
         since, first = last.margins.since(self._margins), last.margins.length
         if since is None or len(since) > first:
@@ -405,7 +407,7 @@ class Loops:
         before = self._margins[first - len(since) : first]
         return change + [b - a for a, b in zip(before, since, strict=True)]
 
-    def _change(self, last: State, now: State) -> list[float] | None:
+    def _change(self, last: LoopState, now: LoopState) -> list[float] | None:
         """Return by how much each number that matters has changed; None if anything else is different."""
         if last.numbers == now.numbers and list(map(type, last.numbers)) == list(map(type, now.numbers)):
             return [0] * len(now.numbers)
@@ -421,7 +423,7 @@ class Loops:
                 return None
         return change
 
-    def _only_counts(self, task: StepTask, now: State, last: State) -> bool:
+    def _only_counts(self, task: StepTask, now: LoopState, last: LoopState) -> bool:
         """True if the changing numbers are only added and compared, and add up exactly."""
         bodies = {task: now.body if now.strayed == last.strayed else UNKNOWN}
         for each, wait, then in zip(self._tasks, now.waits, last.waits, strict=True):
@@ -438,7 +440,7 @@ class Loops:
                     return False
         return True
 
-    def _turn(self, now: State) -> float:
+    def _turn(self, now: LoopState) -> float:
         """Return how many further iterations take the same branches, and overflow no number."""
         count, change = len(now.numbers), now.change or []
         most = INFINITY
@@ -453,7 +455,9 @@ class Loops:
                 most = min(most, (LARGEST - 1 - abs(number)) // abs(by) - 1)
         return most
 
-    def _skip(self, task: StepTask, now: State, last: State, most: float) -> tuple[float, Wait | None]:
+    def _skip(
+        self, task: StepTask, now: LoopState, last: LoopState, most: float
+    ) -> tuple[float, Wait | None]:
         """Count the iterations that repeat the last one, at most `most` of them."""
         time, clock, scheduler, t = self.time, self.machine.clock, self.machine.scheduler, now.t
         assert scheduler is not None
@@ -507,7 +511,7 @@ class Loops:
                 self.machine.log.outputs.repeat(first, times, period, last.base, time.cost)
         return t, None
 
-    def _first_switch(self, now: State, last: State) -> int:
+    def _first_switch(self, now: LoopState, last: LoopState) -> int:
         """Return the number of the first switch of an output since a state; -1 if these cannot be repeated."""
         scheduler, log = self.machine.scheduler, self.machine.log
         assert scheduler is not None
@@ -521,7 +525,7 @@ class Loops:
                 return -1
         return first
 
-    def _moved(self, now: State, last: State) -> list[tuple[Delay, float, float]] | None:
+    def _moved(self, now: LoopState, last: LoopState) -> list[tuple[Delay, float, float]] | None:
         """Return the waits of other tasks that have begun since a state: statement and length.
 
         None if one of them is not known.
@@ -531,7 +535,7 @@ class Loops:
         found = [(wait, *begun.get(wait.since, (0.0, -1.0))) for wait in waits if isinstance(wait, Delay)]
         return found if all(seconds >= 0.0 for _, _, seconds in found) else None
 
-    def _fitting(self, now: State, last: State, until: float, most: float) -> tuple[int, float]:
+    def _fitting(self, now: LoopState, last: LoopState, until: float, most: float) -> tuple[int, float]:
         """Return how many more iterations fit before a time, at most `most`, and the base after them."""
         time = self.time
         if now.base == last.base:
@@ -555,7 +559,9 @@ class Loops:
             times += 1
         return times, base
 
-    def _carry(self, task: StepTask, now: State, last: State, began: float, here: float, times: int) -> None:
+    def _carry(
+        self, task: StepTask, now: LoopState, last: LoopState, began: float, here: float, times: int
+    ) -> None:
         """Log `times` more iterations like that from `began` to `here`, and let the numbers change with them."""
         time, log, scheduler = self.time, self.machine.log, self.machine.scheduler
         assert scheduler is not None
@@ -583,7 +589,9 @@ class Loops:
             for index, by in enumerate(margins):
                 self._margins[first + index] += times * by
 
-    def _stable_until(self, task: StepTask, now: State, last: State, began: float, is_alone: bool) -> float:
+    def _stable_until(
+        self, task: StepTask, now: LoopState, last: LoopState, began: float, is_alone: bool
+    ) -> float:
         """Return the time until which all readings since `last` that matter stay unchanged."""
         dependencies = self.world.dependencies
         task.notes = dependencies.notes
@@ -609,7 +617,7 @@ class Loops:
         return base
 
 
-def _body(loop: tuple[Steps, int, int]) -> Body:
+def _body(loop: tuple[Steps, int, int]) -> IterationUses:
     """Return what a loop does with variables: its steps, the first and the last."""
     steps, first, last = loop
     found = steps.bodies.get((first, last))
@@ -623,7 +631,7 @@ def _kind(wait: Wait | None) -> object:
     return Delay if isinstance(wait, Delay) else wait
 
 
-def _same_waits(last: State, now: State) -> bool:
+def _same_waits(last: LoopState, now: LoopState) -> bool:
     """True if as much is left of each wait, unless it is the same one."""
     waits = zip(last.waits, now.waits, last.left, now.left, strict=True)
     return all(then is wait or before == left for then, wait, before, left in waits)

@@ -10,11 +10,11 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.facts import Structure
     from motionlang.kernel.lang.literals import Literal, Placed
     from motionlang.kernel.lang.machine.machine import Machine
     from motionlang.kernel.lang.names import LineLayout, Names
     from motionlang.kernel.lang.step_graph import StepGraph
+    from motionlang.kernel.lang.structure import Structure
     from motionlang.kernel.lang.task import Task
 
 

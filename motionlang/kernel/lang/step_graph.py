@@ -58,7 +58,7 @@ State = TypeVar("State")
 SILENT = frozenset((NOW, JUMP, NOTE, TURN, BEGIN))
 
 
-class Point(NamedTuple):
+class GraphPoint(NamedTuple):
     """A step: its kind, the offset of its statement or -1, and the indices of the points that may follow it.
 
     `key` is the name of its list of steps and its index there: another writing of the same program, such as that of a
@@ -104,7 +104,7 @@ class StepGraph:
         self.listed = [each for each in in_sequence[:-1] or lists if each]
         # The points of each list, by its name.
         self.ranges: dict[str, range] = {}
-        self.points: list[Point] = []
+        self.points: list[GraphPoint] = []
         # What each of them does with variables, None if that is unknown; junctions do nothing.
         self.uses: list[Uses | None] = [use for steps in lists for use in steps.uses]
         length = 0
@@ -140,7 +140,7 @@ class StepGraph:
         steps: Steps,
         after: int | None,
         computed: Callable[[Steps, int], Iterable[int]] | None,
-    ) -> Iterator[Point]:
+    ) -> Iterator[GraphPoint]:
         first = self.first(steps)
         for pc, step in enumerate(steps):
             kind, following = step.kind, steps.following(pc)
@@ -160,7 +160,7 @@ class StepGraph:
                 found = [after]
             if after is not None:
                 kind = JUMP if kind == RETURN else CALL if kind == ENTER else kind
-            yield Point(
+            yield GraphPoint(
                 (steps.name, pc), kind, step.at, tuple(dict.fromkeys(found)), called, steps.roles.get(pc, "")
             )
 
@@ -186,7 +186,7 @@ class StepGraph:
             returns = self._returns(entry) if enters else self._own_returns(entry)
             if len(returns) > 1 and len(points) > 1:
                 self._junctions[len(found)] = returns[-1]
-                self.points.append(Point((self.points[entry].key[0], -1), NOTE, -1, ()))
+                self.points.append(GraphPoint((self.points[entry].key[0], -1), NOTE, -1, ()))
                 found.append(tuple(dict.fromkeys(points)))
                 points = [len(found) - 1]
             for p in returns:

@@ -13,7 +13,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.lang.change_times import Note
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.loop_log import LoopLog
-from motionlang.kernel.lang.loops import Loops, State
+from motionlang.kernel.lang.loops import Loops, LoopState
 from motionlang.kernel.lang.steps import (
     BACK,
     BEGIN,
@@ -41,7 +41,7 @@ from motionlang.kernel.lang.waits import Wait
 SLICE = 20_000
 
 
-class Call(NamedTuple):
+class Caller(NamedTuple):
     """The place of a caller: its steps, the index of the next one, and its values."""
 
     steps: Steps
@@ -62,7 +62,7 @@ class StepTask(Task):
     def __init__(self, name: str, steps: Steps, values: Values, loops: Loops) -> None:
         super().__init__(name)
         self.steps, self.pc, self.values = steps, 0, values
-        self.calls: list[Call] = []
+        self.calls: list[Caller] = []
         # True if the time of the statement at `pc` has been paid, and it has not begun.
         self.is_paid = False
         self.at_statement = -1
@@ -81,7 +81,7 @@ class StepTask(Task):
         self.last_loop = steps, 0, -1
         self.strayed = 0
         # The states at its jumps back, by their places, since the last action.
-        self.met: dict[object, State] = {}
+        self.met: dict[object, LoopState] = {}
         self.met_after = -1, -1
         # Its own state at the last checked jump back, what it had read by then, and when that was.
         self.last_own: object = None
@@ -270,7 +270,7 @@ class StepTask(Task):
                             raise self.too_deep()
                         time.count = t
                         called = do(values)  # type: ignore[misc]
-                        calls.append(Call(steps, pc + 1, values))
+                        calls.append(Caller(steps, pc + 1, values))
                         self.steps, self.values = steps, values = called
                         self.pc = pc = max(to, 0)
                         loop_log.enter()

@@ -21,7 +21,7 @@ NONE: frozenset[int] = frozenset()
 
 
 @dataclass(slots=True)
-class Body:
+class IterationUses:
     """The use of variables in an iteration that stays within the steps of its loop."""
 
     # Every iteration sets these before it reads them.
@@ -44,7 +44,7 @@ class Body:
         )
 
 
-UNKNOWN = Body()
+UNKNOWN = IterationUses()
 
 
 @dataclass(slots=True, eq=False)
@@ -58,7 +58,7 @@ class Copy:
         return until(*about)
 
 
-def body_of(steps: Steps, first: int, last: int) -> Body:
+def body_of(steps: Steps, first: int, last: int) -> IterationUses:
     """Return what the steps from `first` to the jump back at `last` do with variables."""
     uses = steps.uses[first : last + 1]
     inside = list(enumerate(steps[first:last], first))
@@ -78,7 +78,7 @@ def body_of(steps: Steps, first: int, last: int) -> Body:
         lambda use, after: (after - use.sets) | use.nonlinear | (use.reads if use.sets & after else NONE),
     )
     overwritten = NONE.union(*(each.sets for each in uses if each)) - live[0]
-    return Body(overwritten, NONE.union(*nonlinear), [*used, NONE], first)
+    return IterationUses(overwritten, NONE.union(*nonlinear), [*used, NONE], first)
 
 
 def _backward(

@@ -32,7 +32,7 @@ from motionlang.kernel.lang.steps import HEAD, NOTE
 from motionlang.kernel.lang.wait_causes import LoopDependencies, Read
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.facts import Statement, Structure, Use
+    from motionlang.kernel.lang.structure import Statement, Structure, Use
 
 # A variable: its number; if each call has its own, also the list of steps that it belongs to.
 Variable = tuple[str, int]

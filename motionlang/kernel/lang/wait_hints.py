@@ -17,8 +17,8 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.facts import ChannelUse
     from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.structure import ChannelUse
     from motionlang.kernel.lang.wait_causes import Read
     from motionlang.kernel.lang.waits import Wait
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.log.log import Log as Log
     from motionlang.kernel.log.move import CONTINUED as CONTINUED
     from motionlang.kernel.log.move import MAX_PIECES as MAX_PIECES
-    from motionlang.kernel.log.move import Move as Move
+    from motionlang.kernel.log.move import LoggedMove as LoggedMove
     from motionlang.kernel.log.records import GRAVE as GRAVE
     from motionlang.kernel.log.records import Changed as Changed
     from motionlang.kernel.log.records import Event as Event
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 PUBLIC = {
     "cycle": "cycle_so_far",
     "log": "Log",
-    "move": "Move CONTINUED MAX_PIECES",
+    "move": "LoggedMove CONTINUED MAX_PIECES",
     "records": "Event Waited Switched Changed Printed GRAVE",
     "stream": "Stream Store",
 }

@@ -130,7 +130,7 @@ class _Sequences:
         del self._items[self._ends[-1] if count else 0 :]
 
 
-class Texts(_Sequences):
+class ColumnOfTexts(_Sequences):
     """A column of texts, most of which differ."""
 
     __slots__ = ()
@@ -164,7 +164,7 @@ class Numbers(_Sequences):
         return list(map(tuple, self._read(first, past)))
 
 
-Column = Floats | Values | Texts | Numbers
+Column = Floats | Values | ColumnOfTexts | Numbers
 
 
 def layout(kind: Any) -> tuple[type[Column], ...]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.log.move import Move
-from motionlang.kernel.log.moves import Moves
+from motionlang.kernel.log.move import LoggedMove
+from motionlang.kernel.log.moves import LoggedMoves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import (
     Changed,
@@ -53,7 +53,7 @@ def nowhere() -> int:
 class Log:
     """The streams of a run, all of them in one store.
 
-    moves      every `Move` that was started, in order of start; updated until it is over
+    moves      every `LoggedMove` that was started, in order of start; updated until it is over
     dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
     inputs, analogue_inputs: `Changed`
     outputs, analogue_outputs: `Switched`
@@ -72,7 +72,7 @@ class Log:
 
     def __init__(self, disk: int = DISK) -> None:
         self.store = store = Store(disk=disk)
-        self.moves, self.dropped = Moves(store), Moves(store)
+        self.moves, self.dropped = LoggedMoves(store), LoggedMoves(store)
         self.inputs: Stream[Changed] = Stream(store, Changed)
         self.outputs: Stream[Switched] = Stream(store, Switched)
         self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
@@ -92,7 +92,7 @@ class Log:
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
         # The move and the cause of the last velocity jump of each axis, with the number of its event; and how often
         # events have occurred, those that did more than once.
-        self.jumps: dict[int, tuple[tuple[Move | None, str], int]] = {}
+        self.jumps: dict[int, tuple[tuple[LoggedMove | None, str], int]] = {}
         self.repeated: dict[int, int] = {}
         self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Printed]] = []
@@ -100,7 +100,7 @@ class Log:
         self.room = FIRST_CHECK
         self._is_checked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
-        self.hurried: Callable[[Move, int, float], object] | None = None
+        self.hurried: Callable[[LoggedMove, int, float], object] | None = None
 
     def power_up(self, axes: Mapping[int, Axis]) -> None:
         """Connect the axes of a controller."""
@@ -212,7 +212,7 @@ class Log:
                 a.older.complete(a)
                 a.older = a.older if a.older.count else None
 
-    def streams(self) -> tuple[Stream[Any] | Moves, ...]:
+    def streams(self) -> tuple[Stream[Any] | LoggedMoves, ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
                 self.analogue_outputs, self.settings, self.zeros, self.waits, self.loops, self.slices, self.prints,

@@ -16,7 +16,7 @@ MAX_PIECES = 500
 CONTINUED = "continued"
 
 
-class Move:
+class LoggedMove:
     """An entry of the move buffer and, once started, of the controller's log.
 
     `target` is the end point in counts. A relative entry also has the `base` that it was counted from: its
@@ -86,6 +86,6 @@ class Move:
         return self.profile.cut(time - self.start_time)
 
 
-def keeps_rates(move: Move | None) -> bool:
+def keeps_rates(move: LoggedMove | None) -> bool:
     """True if a move uses the rates of its axis, unlike a table or following."""
     return move is None or move.action is None or move.action.keeps_rates

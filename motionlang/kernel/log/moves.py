@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
-from motionlang.kernel.log.move import CONTINUED, Move
+from motionlang.kernel.log.move import CONTINUED, LoggedMove
 from motionlang.kernel.log.profiles import joined, parted
 from motionlang.kernel.log.records import MoveRow
 from motionlang.kernel.log.stream import CHUNK, Records, Store, Stream
@@ -24,12 +24,12 @@ MAX_WAITING = 16_000
 _OTHER = cast("Action", object())
 
 
-class _Overlaid(Move):
+class _Overlaid(LoggedMove):
     __slots__ = ()
     overlaid = True
 
 
-class Moves(Records[Move]):
+class LoggedMoves(Records[LoggedMove]):
     """All moves in order of start; an older one is made from its row when it is read.
 
     A row retains everything except the `action`, of which only the existence is stored. A move in progress stays an
@@ -44,14 +44,14 @@ class Moves(Records[Move]):
         self._rows: Stream[MoveRow] = Stream(store, MoveRow)
         # The number of moves that are rows, and the others.
         self.packed = 0
-        self._tail: list[Move] = []
+        self._tail: list[LoggedMove] = []
         # Moves that were in progress when their neighbours became rows, by number.
-        self._late: dict[int, Move] = {}
+        self._late: dict[int, LoggedMove] = {}
         self._waiting = 0  # pieces of continued entries that are no rows
         # The axes of the moves; none before power-up.
         self.axes: Mapping[int, Axis] = {}
         # Called with each move that is added, for what ends a run.
-        self.heard: Callable[[Move], None] | None = None
+        self.heard: Callable[[LoggedMove], None] | None = None
 
     @property
     def first(self) -> int:
@@ -60,7 +60,7 @@ class Moves(Records[Move]):
 
     # ------------------------------------------------------------------------------------------- writing
 
-    def add(self, move: Move) -> None:
+    def add(self, move: LoggedMove) -> None:
         """Append a move."""
         self._tail.append(move)
         if len(self._tail) >= MAX_OBJECTS:
@@ -80,7 +80,7 @@ class Moves(Records[Move]):
             self.packed, self._tail = self.packed + len(chunk), self._tail[len(chunk) :]
             count -= len(chunk)
 
-    def split(self, move: Move, done: Profile, now: float, size: int) -> None:
+    def split(self, move: LoggedMove, done: Profile, now: float, size: int) -> None:
         """Continue a move as another entry; the old one ends now, with the profile `done` of `size` pieces."""
         number = self.number(move)
         sealed = _move(_row(move, None, True), {})
@@ -108,13 +108,13 @@ class Moves(Records[Move]):
         self._rows.finish_updates()
         self._rows.cut(self.packed)
 
-    def extent(self) -> tuple[int, dict[int, Move], dict[int, Move]]:
+    def extent(self) -> tuple[int, dict[int, LoggedMove], dict[int, LoggedMove]]:
         """Return the number of moves, those that are late, and those in progress by their numbers."""
         live = self._live()
         numbers = {self.packed + k: move for k, move in enumerate(self._tail) if id(move) in live}
         return len(self), dict(self._late), numbers
 
-    def cut(self, extent: tuple[int, dict[int, Move], dict[int, Move]]) -> None:
+    def cut(self, extent: tuple[int, dict[int, LoggedMove], dict[int, LoggedMove]]) -> None:
         """Drop later moves; those that were in progress are in progress again, as the same objects."""
         count, late, live = extent
         first = min((self.packed, count, *live))
@@ -130,24 +130,24 @@ class Moves(Records[Move]):
     def __len__(self) -> int:
         return self.packed + len(self._tail)
 
-    def between(self, first: int, past: int) -> Iterator[Move]:
+    def between(self, first: int, past: int) -> Iterator[LoggedMove]:
         """Yield the moves from number `first` to `past` (exclusive)."""
         for number, row in enumerate(self._rows.between(first, min(past, self.packed)), first):
             late = self._late.get(number)
             yield _move(row, self.axes) if late is None else late
         yield from self._tail[max(first - self.packed, 0) : max(past - self.packed, 0)]
 
-    def rows(self) -> Iterator[MoveRow | Move]:
+    def rows(self) -> Iterator[MoveRow | LoggedMove]:
         """Yield all moves, the older ones as they are stored, which have no profile."""
         for number, row in enumerate(self._rows, self.first):
             yield self._late.get(number, row)
         yield from self._tail
 
-    def newest(self, most: int) -> list[Move]:
+    def newest(self, most: int) -> list[LoggedMove]:
         """Return the newest moves that are objects, at most so many; another thread may call it during a run."""
         return self._tail[-most:]
 
-    def number(self, move: Move) -> int:
+    def number(self, move: LoggedMove) -> int:
         """Return the number of a move in progress."""
         for index in range(len(self._tail) - 1, -1, -1):
             if self._tail[index] is move:
@@ -165,7 +165,7 @@ class Moves(Records[Move]):
         return {id(move) for move in (*moves, *on_top)}
 
 
-def _row(move: Move, a: Axis | None, is_live: bool) -> MoveRow:
+def _row(move: LoggedMove, a: Axis | None, is_live: bool) -> MoveRow:
     """Return a move as a row; a complete profile of the track is stored as its number."""
     number = None if a is None or is_live else _number(a, move)
     form, numbers = parted(None if is_live or number is not None else move.profile)
@@ -175,9 +175,9 @@ def _row(move: Move, a: Axis | None, is_live: bool) -> MoveRow:
     )  # fmt: skip
 
 
-def _move(row: MoveRow, axes: Mapping[int, Axis]) -> Move:
+def _move(row: MoveRow, axes: Mapping[int, Axis]) -> LoggedMove:
     """Return the move of a row."""
-    move = (_Overlaid if row.overlaid else Move)(row.axis, row.command, row.line, row.target)
+    move = (_Overlaid if row.overlaid else LoggedMove)(row.axis, row.command, row.line, row.target)
     move.commanded_speed, move.start_time, move.scale = row.commanded_speed, row.start_time, row.scale
     move.ended, move.zero, move.offset = row.ended, row.zero, row.offset
     move.action = _OTHER if row.acts else None
@@ -188,7 +188,7 @@ def _move(row: MoveRow, axes: Mapping[int, Axis]) -> Move:
     return move
 
 
-def _number(a: Axis, move: Move) -> int | None:
+def _number(a: Axis, move: LoggedMove) -> int | None:
     """Return the number of the profile of the track that is the whole move, or None."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:

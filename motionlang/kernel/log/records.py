@@ -7,7 +7,7 @@ line and column; `line` is a line.
 
 from typing import Annotated, NamedTuple
 
-from motionlang.kernel.log.columns import Numbers, Texts, Values
+from motionlang.kernel.log.columns import ColumnOfTexts, Numbers, Values
 
 
 class Changed(NamedTuple):
@@ -50,7 +50,7 @@ class Printed(NamedTuple):
     """A complete line that was printed; `at` is -1 if no program ran."""
 
     time: float
-    text: Annotated[str, Texts]
+    text: Annotated[str, ColumnOfTexts]
     at: int
 
 

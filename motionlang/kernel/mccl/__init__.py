@@ -137,9 +137,9 @@ class Mccl(Dialect):
         return [f"axis.{found[2]}.{keys[found[1]]}"] if found else []
 
     def interactive(self, machine: Machine) -> Interactive:
-        from motionlang.kernel.mccl.runtime.session import Session
+        from motionlang.kernel.mccl.runtime.session import BoardSession
 
-        return Session(machine)
+        return BoardSession(machine)
 
     def has_code(self, line: str) -> bool:
         from motionlang.kernel.mccl.syntax.parser import parse

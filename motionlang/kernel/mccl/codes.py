@@ -43,7 +43,7 @@ ASSIGNED_TWICE = -17
 MAX_LOST = 0.01
 
 
-class Abandoned(Exception):
+class LineAbandoned(Exception):
     """Raised by a command to leave its line and all macros around it."""
 
 

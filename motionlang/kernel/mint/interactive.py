@@ -15,7 +15,7 @@ from motionlang.kernel.mint.check.check import check_line
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.program import MintProgram
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
-from motionlang.kernel.mint.resolve.symbols import Session
+from motionlang.kernel.mint.resolve.symbols import PromptSymbols
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
 from motionlang.kernel.mint.steps.inspection import variable
@@ -35,12 +35,12 @@ class MintInteractive(Interactive):
         self.environment.prepare()
         # The tasks of lines, with functions of no use when they have ended.
         self._passing: list[MintTask] = []
-        self._session: Session
+        self._session: PromptSymbols
         self.forget()
 
     def forget(self) -> None:
         """Discard all names, as before a program is run; the machine does not change."""
-        self._session = Session()
+        self._session = PromptSymbols()
         self.environment.forget_program()
 
     def is_complete(self, text: str) -> bool:
@@ -59,7 +59,7 @@ class MintInteractive(Interactive):
 
     def _mistakes(self, module: Module) -> list[Diagnostic]:
         """Return the mistakes of a module, whose names are not known in later lines."""
-        session = Session()
+        session = PromptSymbols()
         session.scope.names, session.types = dict(self._session.scope.names), self._session.types
         try:
             check_line(module, self.machine.settings, session)

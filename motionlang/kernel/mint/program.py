@@ -6,26 +6,26 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.facts import Structure
 from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import Steps
+from motionlang.kernel.lang.structure import Structure
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mint.check.body import Program as Declared
-from motionlang.kernel.mint.check.check import Checked, declared, examined
+from motionlang.kernel.mint.check.body import CheckContext as Declared
+from motionlang.kernel.mint.check.check import CheckedModule, declared, examined
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
-from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.notation import in_v4
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
+from motionlang.kernel.mint.resolve.statements import FactsReader
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
@@ -130,7 +130,7 @@ class MintProgram(Program):
             return declared(self._readable, self.settings)
 
     @cached_property
-    def checked(self) -> Checked:
+    def checked(self) -> CheckedModule:
         """The names and the problems of the readable lines."""
         with StackSpace():
             found = examined(self._readable, self._declared)

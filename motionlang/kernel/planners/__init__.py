@@ -32,9 +32,9 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
+    from motionlang.kernel.planners.curve import MotionState as MotionState
     from motionlang.kernel.planners.curve import Phase as Phase
     from motionlang.kernel.planners.curve import Profile as Profile
-    from motionlang.kernel.planners.curve import State as State
     from motionlang.kernel.planners.curve import from_curve as from_curve
     from motionlang.kernel.planners.curve import hold as hold
     from motionlang.kernel.planners.curve import pieces_of as pieces_of
@@ -66,7 +66,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.target import plan_trapezoid as plan_trapezoid
 
 PUBLIC = {
-    "curve": "Phase Profile State hold from_curve pieces_of state_in",
+    "curve": "Phase Profile MotionState hold from_curve pieces_of state_in",
     "target": "plan plan_trapezoid",
     "stop": "plan_stop plan_velocity",
     "ramps": "Piece Recipe named_ramps",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import inf
 
-from motionlang.kernel.planners.curve import Profile, State
+from motionlang.kernel.planners.curve import MotionState, Profile
 from motionlang.kernel.planners.ramps import Curve, Piece
 
 FIT = 1e-9
@@ -39,20 +39,20 @@ def cubics(profile: Profile) -> Curve:
     return tuple(knots), tuple(pieces), ((profile.shape, 0),) if pieces else ()
 
 
-def _state_near(profile: Profile, knot: float, inwards: float) -> State:
+def _state_near(profile: Profile, knot: float, inwards: float) -> MotionState:
     """Return the state at a knot as seen from one side, `inwards` from it.
 
     If the velocity jumps at the knot, rounding decides which side `knot` itself is on.
     """
     inside = profile.at(knot + inwards)
     velocity = inside.velocity - inwards * (inside.acceleration - 0.5 * inwards * inside.jerk)
-    return State(profile.at(knot).position, velocity, inside.acceleration, inside.jerk)
+    return MotionState(profile.at(knot).position, velocity, inside.acceleration, inside.jerk)
 
 
 def _fit(
     profile: Profile,
     span: tuple[float, float],
-    ends: tuple[State, State],
+    ends: tuple[MotionState, MotionState],
     slack: float,
     knots: list[float],
     pieces: list[Piece],
@@ -73,7 +73,7 @@ def _fit(
     _fit(profile, (begin + half, finish), (middle, ends[1]), slack, knots, pieces, depth - 1)
 
 
-def _hermite(first: State, last: State, h: float) -> Piece:
+def _hermite(first: MotionState, last: MotionState, h: float) -> Piece:
     """Return the cubic with these positions and velocities at its ends."""
     mean = (last.position - first.position) / h
     c2 = (3.0 * mean - 2.0 * first.velocity - last.velocity) / h

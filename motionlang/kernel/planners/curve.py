@@ -32,7 +32,7 @@ _AT_REST = (0.0, 0.0)
 
 
 @dataclass(eq=False, slots=True)
-class State:
+class MotionState:
     """Position, velocity, acceleration and jerk at one time (length unit, seconds)."""
 
     position: float
@@ -172,18 +172,18 @@ class Profile:
 
     # -- at a time
 
-    def at(self, time: float) -> State:
+    def at(self, time: float) -> MotionState:
         """Return the state at `time`.
 
         Before time 0 the profile is at rest; after its end it rests or continues at its end velocity.
         """
         if time >= self.duration:
-            return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
+            return MotionState(self._beyond(time), self.end_velocity, 0.0, 0.0)
         if time < 0.0:
-            return State(self.start, self.start_velocity, 0.0, 0.0)
+            return MotionState(self.start, self.start_velocity, 0.0, 0.0)
         return self.state(time)
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         """Return the state at a time from 0 up to the duration."""
         return state_in(*self.piece_at(time))
 
@@ -370,9 +370,11 @@ class Profile:
         return peak
 
 
-def state_in(piece: Piece, x: float) -> State:
+def state_in(piece: Piece, x: float) -> MotionState:
     """Return the state at local time x of a piece."""
-    return State(position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x))
+    return MotionState(
+        position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x)
+    )
 
 
 def from_curve(

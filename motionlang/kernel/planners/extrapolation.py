@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.planners.curve import Profile, State
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners.curve import MotionState, Profile
+from motionlang.kernel.planners.formula import FormulaProfile
 
 
-class Extrapolated(Formula):
+class Extrapolated(FormulaProfile):
     """Position plus `lead` seconds of velocity: p(t) + lead v(t).
 
     A switch with that delay acts on time when it is driven by this position. At constant velocity it is the position
@@ -29,10 +29,10 @@ class Extrapolated(Formula):
             last,
         )
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         """Return the state, each derivative plus `lead` times the next higher one."""
         now, lead = self.profile.at(time), self.lead
-        return State(
+        return MotionState(
             now.position + lead * now.velocity,
             now.velocity + lead * now.acceleration,
             now.acceleration + lead * now.jerk,

@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import inf, nextafter
 
 from motionlang.kernel.planners.cubics import cubics
-from motionlang.kernel.planners.curve import Phase, Profile, State
+from motionlang.kernel.planners.curve import MotionState, Phase, Profile
 from motionlang.kernel.planners.ramps import Curve
 from motionlang.kernel.planners.root import bracketed_root
 
@@ -26,7 +26,7 @@ PEAK_SHARE = 0.9
 """Share of the highest grid value from which a neighbouring peak is refined."""
 
 
-class Formula(Profile):
+class FormulaProfile(Profile):
     """A profile without pieces of its own, linear beyond its last finite knot."""
 
     __slots__ = ()
@@ -46,7 +46,7 @@ class Formula(Profile):
 
     # -- provided by a subclass
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         """Return the state at a time from 0 up to the duration."""
         raise NotImplementedError
 

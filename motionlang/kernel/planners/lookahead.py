@@ -25,7 +25,7 @@ _SLACK = 1e-9
 
 
 @dataclass(eq=False, slots=True)
-class Pace:
+class PathPace:
     """The limits of a path: `shape`, speed, rates, and the parameters of the S-curves."""
 
     shape: str
@@ -54,7 +54,7 @@ class Pace:
 
 
 def plan_course(
-    stretches: Sequence[tuple[float, Pace]],
+    stretches: Sequence[tuple[float, PathPace]],
     start: float,
     v0: float,
     a0: float = 0.0,
@@ -92,7 +92,7 @@ def plan_course(
 
 
 def _eased(
-    profile: Profile, stretches: Sequence[tuple[float, Pace]], joins: Sequence[float], slowed: int
+    profile: Profile, stretches: Sequence[tuple[float, PathPace]], joins: Sequence[float], slowed: int
 ) -> Profile:
     """Plan again from the stretch on which a run that began too fast has slowed down.
 
@@ -111,7 +111,7 @@ def _eased(
 
 
 def _ramps_of(
-    lengths: list[float], paces: list[Pace], caps: list[float], v0: float, a0: float
+    lengths: list[float], paces: list[PathPace], caps: list[float], v0: float, a0: float
 ) -> tuple[int, Steps, list[Ramp]] | None:
     """Return the ramps of a run, and how many first stretches are run as one."""
     ramps = [pace.ramps() for pace in paces]
@@ -158,7 +158,7 @@ def _by_squares(
     return [v0, *(sqrt(square) for square in squares[1:-1]), 0.0]
 
 
-def _back(lengths: list[float], paces: list[Pace], ramps: list[Ramps], caps: list[float]) -> list[float]:
+def _back(lengths: list[float], paces: list[PathPace], ramps: list[Ramps], caps: list[float]) -> list[float]:
     """Return the highest feasible speed at the start of each segment; 0 at the end."""
     latest = [0.0]
     for i in range(len(lengths) - 1, 0, -1):
@@ -169,7 +169,7 @@ def _back(lengths: list[float], paces: list[Pace], ramps: list[Ramps], caps: lis
 
 
 def _between_all(
-    lengths: list[float], paces: list[Pace], ramps: list[Ramps], speeds: list[float], a0: float
+    lengths: list[float], paces: list[PathPace], ramps: list[Ramps], speeds: list[float], a0: float
 ) -> tuple[Steps, list[Ramp]]:
     steps, first = between(ramps[0], lengths[0], paces[0].speed, speeds[0], a0, speeds[1])
     found = list(first)
@@ -178,12 +178,12 @@ def _between_all(
     return steps, found
 
 
-def _slowest(paces: list[Pace]) -> Pace:
+def _slowest(paces: list[PathPace]) -> PathPace:
     """Return a pace that respects the limits of all given paces."""
     if len(paces) == 1:
         return paces[0]
     first = paces[0]
-    return Pace(
+    return PathPace(
         first.shape,
         min(pace.speed for pace in paces),
         min(pace.accel for pace in paces),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.planners.curve import Profile, State
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners.curve import MotionState, Profile
+from motionlang.kernel.planners.formula import FormulaProfile
 
 
-class Rate(Formula):
+class Rate(FormulaProfile):
     """A profile whose position is the velocity of another profile.
 
     Its velocity is the acceleration of that profile, and so on.
@@ -21,9 +21,9 @@ class Rate(Formula):
             profile.shape, profile.start_velocity, profile.end_velocity, profile.duration, first, 0.0
         )
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         now = self.profile.at(time)
-        return State(now.velocity, now.acceleration, now.jerk, 0.0)
+        return MotionState(now.velocity, now.acceleration, now.jerk, 0.0)
 
     @property
     def knots(self) -> tuple[float, ...]:

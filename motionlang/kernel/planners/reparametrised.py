@@ -11,8 +11,8 @@ from bisect import bisect_left, bisect_right
 from functools import lru_cache
 from math import inf, nextafter
 
-from motionlang.kernel.planners.curve import Phase, Profile, State
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners.curve import MotionState, Phase, Profile
+from motionlang.kernel.planners.formula import FormulaProfile
 from motionlang.kernel.planners.pieces import acceleration_in, position_in, still_points, velocity_in
 from motionlang.kernel.planners.ramps import Piece
 
@@ -30,7 +30,7 @@ The curvature of the curve applies that far.
 """
 
 
-class Reparametrised(Formula):
+class Reparametrised(FormulaProfile):
     """`curve` travelled with the motion `along`; linear beyond its ends.
 
     At an end itself, rounding decides which side a distance is on. There the curve has the curvature that it has
@@ -54,13 +54,13 @@ class Reparametrised(Formula):
             falling * along.end_velocity,
         )
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         """Return the state by the chain rule: v = f' s', a = f'' s'^2 + f' s'', etc."""
         s = self.along.at(time)
         if 0.0 <= s.position < self.path.duration:
             f = self.path.at(s.position)
             v, a = s.velocity, s.acceleration
-            return State(
+            return MotionState(
                 f.position + self.lift,
                 f.velocity * v,
                 f.acceleration * v * v + f.velocity * a,
@@ -69,7 +69,7 @@ class Reparametrised(Formula):
         position, slope = _on(self.path, s.position)
         bend = _bend_at_end(self.path, s.position)
         v, a = s.velocity, s.acceleration
-        return State(
+        return MotionState(
             position + self.lift, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk
         )
 

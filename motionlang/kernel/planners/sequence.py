@@ -6,14 +6,14 @@ from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from operator import itemgetter
 
-from motionlang.kernel.planners.curve import Phase, Profile, State
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners.curve import MotionState, Phase, Profile
+from motionlang.kernel.planners.formula import FormulaProfile
 
 # The first of a pair.
 _BOUND = itemgetter(0)
 
 
-class ProfileSequence(Formula):
+class ProfileSequence(FormulaProfile):
     """A sequence of profiles, each beginning at the end of the one before.
 
     With a `name` the sequence is one phase of that name.
@@ -32,7 +32,7 @@ class ProfileSequence(Formula):
         first, last = profiles[0], profiles[-1]
         super().__init__(shape, first.start, last.end, time, first.start_velocity, last.end_velocity)
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         i = self._segment_index(time)
         return self.segments[i].at(time - self.begins[i])
 

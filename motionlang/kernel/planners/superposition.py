@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from math import copysign, inf, isnan
 
-from motionlang.kernel.planners.curve import Profile, State, from_curve
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners.curve import MotionState, Profile, from_curve
+from motionlang.kernel.planners.formula import FormulaProfile
 from motionlang.kernel.planners.pieces import recentred
 from motionlang.kernel.planners.ramps import Piece
 
 
-class Superposed(Formula):
+class Superposed(FormulaProfile):
     """The sum of two profiles; after its end the shorter one continues as it ended."""
 
     __slots__ = ("first", "second")
@@ -30,10 +30,10 @@ class Superposed(Formula):
             first.end_velocity + second.end_velocity,
         )
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         """Return the sum of the states of both profiles."""
         a, b = self.first.at(time), self.second.at(time)
-        return State(
+        return MotionState(
             a.position + b.position,
             a.velocity + b.velocity,
             a.acceleration + b.acceleration,

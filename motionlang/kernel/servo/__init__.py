@@ -1,6 +1,6 @@
 """The servo behind the profile: control loops, motors, and their simulation.
 
-`Loop` and its forms define how the error becomes a voltage, `Motor` and `Drive` the effect of the voltage.
+`Loop` and its forms define how the error becomes a voltage, `Motor` and `VelocityDrive` the effect of the voltage.
 `simulate` runs a complete track, `Servo` runs it up to a clock's time. Each name is imported on first use: checking the
 keys of a machine file needs only the modules that describe a loop. NumPy is imported only for columns.
 """
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.servo.loop import FULL_SCALE as FULL_SCALE
     from motionlang.kernel.servo.loop import Loop as Loop
     from motionlang.kernel.servo.loop import Override as Override
-    from motionlang.kernel.servo.plant import Drive as Drive
     from motionlang.kernel.servo.plant import Motor as Motor
+    from motionlang.kernel.servo.plant import VelocityDrive as VelocityDrive
     from motionlang.kernel.servo.response import LoopFigures as LoopFigures
     from motionlang.kernel.servo.response import StepFigures as StepFigures
     from motionlang.kernel.servo.response import loop_figures as loop_figures
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 PUBLIC = {
     "loop": "Loop Override FULL_SCALE",
-    "plant": "Motor Drive",
+    "plant": "Motor VelocityDrive",
     "demand": "Track",
     "servo": "Servo simulate",
     "trace": "ServoTrace",

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from motionlang.kernel.servo.gains import LM628_RATE, Gains, fields, mccl_loop, mint_loop
 from motionlang.kernel.servo.loop import GAINS, Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.settings import SERVO, make_loop
 
 _MIN_BANDWIDTH = 0.1
@@ -30,7 +30,7 @@ class Chosen:
 def axis_loop(
     section: Mapping[str, object],
     gains: Gains,
-    plant: Motor | Drive,
+    plant: Motor | VelocityDrive,
     model: str = "",
     scale: float = 1.0,
 ) -> Chosen:
@@ -87,7 +87,7 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
     return mint_loop(gains)
 
 
-def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
+def _suggested(loop: Loop, plant: Motor | VelocityDrive, bandwidth: float) -> Chosen:
     """Return gains for the bandwidth, or for the part of it that the plant can reach.
 
     The bandwidth is halved until the plant can reach it. The program's deadband of the output stays.

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, log2, pi
 
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.tools import total
 
 Row = tuple[float, float, float, float, float, float, float]
@@ -106,9 +106,9 @@ def _applied(row: Row, motion: Motion, output: float) -> float:
 
 
 @lru_cache(maxsize=64)
-def discretise(plant: Motor | Drive, period: float) -> Discrete:
+def discretise(plant: Motor | VelocityDrive, period: float) -> Discrete:
     """Return the plant's exact matrices for samples `period` seconds apart."""
-    if isinstance(plant, Drive):
+    if isinstance(plant, VelocityDrive):
         return _drive(plant, period)
     friction = bool(plant.coulomb or plant.breakaway)
     slides = (SLIDING_UP, STUCK, SLIDING_DOWN) if friction else (SLIDING_UP,)
@@ -128,7 +128,7 @@ def discretise(plant: Motor | Drive, period: float) -> Discrete:
     )
 
 
-def _drive(plant: Drive, period: float) -> Discrete:
+def _drive(plant: VelocityDrive, period: float) -> Discrete:
     gain, rows = plant.speed_per_volt / plant.time_constant, _no_rows()
     rows[0][1], rows[1][1], rows[1][_OUTPUT] = 1.0, -1.0 / plant.time_constant, gain
     regime = _integrate(rows, period, rows[1])

@@ -1,7 +1,7 @@
 """The plant: the effect of an output voltage on the position.
 
 `Motor` is a DC motor, or a brushless one seen through its commutation (terminal-to-terminal R and L, and the
-torque constant of the commutated current), with its load. `Drive` is an amplifier with its own velocity loop:
+torque constant of the commutated current), with its load. `VelocityDrive` is an amplifier with its own velocity loop:
 chapter 12's model of a drive, a first-order lag between commanded and actual velocity. Units are SI except
 for positions, which are counts.
 """
@@ -97,7 +97,7 @@ class Motor:
 
 
 @dataclass(frozen=True, slots=True)
-class Drive:
+class VelocityDrive:
     """A drive with a velocity loop: the velocity follows the output with a lag.
 
     The lag is first-order with `time_constant` in seconds; the final velocity is `speed_per_volt`, counts/s per volt,

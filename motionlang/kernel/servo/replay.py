@@ -7,7 +7,7 @@ from math import ceil
 
 from motionlang.kernel.servo.demand import Demanded
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.servo import Servo, sample_at
 from motionlang.kernel.servo.standstill import extent, is_still
 from motionlang.kernel.servo.trace import ServoTrace, joined
@@ -69,7 +69,7 @@ def rests_until(servo: Servo, count: int, until: int) -> int:
 def replay(
     track: Demanded,
     loop: Loop,
-    plant: Motor | Drive,
+    plant: Motor | VelocityDrive,
     changes: Sequence[Change],
     until: float,
 ) -> Iterator[tuple[float, ServoTrace]]:
@@ -89,7 +89,7 @@ def replay(
 
 
 def whole(
-    track: Demanded, loop: Loop, plant: Motor | Drive, changes: Sequence[Change], until: float
+    track: Demanded, loop: Loop, plant: Motor | VelocityDrive, changes: Sequence[Change], until: float
 ) -> ServoTrace:
     """Return the run as one trace, in which skipped rest is filled in."""
     servo, traces = Servo(loop, plant, track), []

@@ -16,9 +16,9 @@ from motionlang.kernel.planners import hold
 from motionlang.kernel.servo.demand import Track
 from motionlang.kernel.servo.discrete import STATES, Discrete, discretise
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.servo import Servo
-from motionlang.kernel.servo.step import MEMORY, State, Step, at_rest
+from motionlang.kernel.servo.step import MEMORY, LoopStep, State, at_rest
 from motionlang.kernel.servo.trace import ServoTrace
 
 Array = NDArray[np.float64]
@@ -75,7 +75,7 @@ class LoopFigures:
     """Largest closed-loop gain."""
 
 
-def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float) -> ServoTrace:
+def step_response(loop: Loop, plant: Motor | VelocityDrive, size: float, seconds: float) -> ServoTrace:
     """Simulate a step of the command from 0 to `size` counts at time 0.
 
     Feed-forward sees no motion.
@@ -127,7 +127,7 @@ def _crossing(share: Array, time: Array, level: float) -> float:
 # ------------------------------------------------------------------------------------------ in the frequency domain
 
 
-def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
+def loop_figures(loop: Loop, plant: Motor | VelocityDrive) -> LoopFigures:
     """Return bandwidth and margins of a linear loop.
 
     Raises ValueError if the loop or the plant is not linear. The derivative must be sampled at the servo
@@ -153,7 +153,7 @@ def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
     )
 
 
-def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
+def closed_loop(loop: Loop, plant: Motor | VelocityDrive) -> tuple[Array, Array, Array]:
     """Return F, G, C of z' = F z + G demand, position = C z.
 
     This is one servo sample of the linear loop, without limits.
@@ -166,7 +166,7 @@ def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
         raise ValueError("a frequency response needs the derivative sampled at the servo rate")
     states = _states(loop, discretise(plant, loop.period))
     unlimited = replace(loop, output_limit=inf, integral_limit=inf if loop.has_integral else 0.0)
-    step, size = Step(unlimited, plant), len(states)
+    step, size = LoopStep(unlimited, plant), len(states)
 
     def after(*values: float) -> Array:
         full = [0.0] * (len(STATES) + len(MEMORY))
@@ -196,23 +196,23 @@ def _states(loop: Loop, plant: Discrete) -> list[int]:
     ]
 
 
-def is_stable(loop: Loop, plant: Motor | Drive) -> bool:
+def is_stable(loop: Loop, plant: Motor | VelocityDrive) -> bool:
     """True if the linear loop is stable."""
     f, _, _ = closed_loop(loop, plant)
     return bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
 
 
-def bandwidth(loop: Loop, plant: Motor | Drive) -> float:
+def bandwidth(loop: Loop, plant: Motor | VelocityDrive) -> float:
     """Return the frequency (Hz) at which the closed-loop gain first falls below -3 dB."""
     return _bandwidth(loop, plant, None)
 
 
-def reaches(loop: Loop, plant: Motor | Drive, target: float) -> bool:
+def reaches(loop: Loop, plant: Motor | VelocityDrive, target: float) -> bool:
     """True if the bandwidth is `target` Hz or more; mostly faster than `bandwidth`."""
     return _bandwidth(loop, plant, target) >= target
 
 
-def _bandwidth(loop: Loop, plant: Motor | Drive, target: float | None) -> float:
+def _bandwidth(loop: Loop, plant: Motor | VelocityDrive, target: float | None) -> float:
     """Return the bandwidth, or with a `target` any value on the same side of it."""
     f, g, c = closed_loop(loop, plant)
     grid = _grid(loop.servo_rate)

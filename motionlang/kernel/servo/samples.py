@@ -94,7 +94,7 @@ class SampleBlock:
         self.rows = np.concatenate((self.rows, made), axis=1)
 
 
-class Window:
+class SettlingWindow:
     """The window in which a motor must be for `hold` seconds to count as settled.
 
     It is a following error of at most `error` counts and a speed of at most `speed` counts/s; with
@@ -116,7 +116,7 @@ class Window:
         self.announced = announced
         self.since = inf
 
-    def same(self, other: Window | None) -> bool:
+    def same(self, other: SettlingWindow | None) -> bool:
         """True if another window has the same bounds."""
         names = ("error", "speed", "hold", "at_target")
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)

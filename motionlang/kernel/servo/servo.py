@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.servo.demand import Demanded, Generator
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
-from motionlang.kernel.servo.step import COLUMNS, Reading, State, Step, at_rest
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
+from motionlang.kernel.servo.step import COLUMNS, LoopStep, Reading, State, at_rest
 
 if TYPE_CHECKING:
     from motionlang.kernel.servo.trace import ServoTrace
@@ -30,9 +30,9 @@ class Servo:
     The readings are those of the last sample.
     """
 
-    def __init__(self, loop: Loop, plant: Motor | Drive, track: Demanded) -> None:
+    def __init__(self, loop: Loop, plant: Motor | VelocityDrive, track: Demanded) -> None:
         self.loop, self.plant = loop, plant
-        self._step = Step(loop, plant)
+        self._step = LoopStep(loop, plant)
         self._generator = Generator(track, 1.0 / loop.trajectory_rate)
         start = self._generator.first()
         # The state before the next sample, and its number.
@@ -91,7 +91,7 @@ class Servo:
 
     @property
     def torque(self) -> float:
-        """Motor torque, N m; 0 for a `Drive`."""
+        """Motor torque, N m; 0 for a `VelocityDrive`."""
         constant: float = getattr(self.plant, "torque_constant", 0.0)
         return self.current * constant
 
@@ -183,7 +183,7 @@ class Servo:
     def open(self, output: float = 0.0) -> None:
         """Open the loop and apply `output` volts to the motor (0: it coasts)."""
         self._open_output = output
-        self._step = Step(self.loop, self.plant, output)
+        self._step = LoopStep(self.loop, self.plant, output)
 
     def close(self, profile: int | None = None) -> None:
         """Close the loop at the motor's position, without wind-up.
@@ -195,7 +195,7 @@ class Servo:
         self._generator.rebase(-(-self.sample // self.loop.ratio), measured, profile)
         self._points = (measured, measured, measured)
         self.state = self.state[0], at_rest(measured)[1]
-        self._open_output, self._step = None, Step(self.loop, self.plant)
+        self._open_output, self._step = None, LoopStep(self.loop, self.plant)
 
     def retune(self, loop: Loop) -> None:
         """Continue with other gains; rates and arithmetic must not change."""
@@ -203,10 +203,10 @@ class Servo:
             if getattr(loop, name) != getattr(self.loop, name):
                 raise ValueError(f"the {name.replace('_', ' ')} cannot change while the loop runs")
         self.loop = loop
-        self._step = Step(loop, self.plant, self._open_output)
+        self._step = LoopStep(loop, self.plant, self._open_output)
 
 
-def simulate(track: Demanded, loop: Loop, plant: Motor | Drive, *, until: float) -> ServoTrace:
+def simulate(track: Demanded, loop: Loop, plant: Motor | VelocityDrive, *, until: float) -> ServoTrace:
     """Run a track through a loop and a motor from time 0 to `until` seconds.
 
     The track is an `Axis`, or a `Track` of profiles.

@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields, replace
 from math import inf
 
 from motionlang.kernel.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
-from motionlang.kernel.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
+from motionlang.kernel.servo.plant import AMPLIFIERS, ENCODER_SIDES, Motor, VelocityDrive
 from motionlang.kernel.tools import as_hint, nearest, shown
 
 PLANT_KINDS = ("dc", "brushless", "drive")
@@ -45,7 +45,7 @@ def _not_negative(default: float, text: str) -> Key:
     return Key("number", default, text, 0.0)
 
 
-_MOTOR, _DRIVE, _LOOP = Motor(), Drive(), Loop()
+_MOTOR, _DRIVE, _LOOP = Motor(), VelocityDrive(), Loop()
 # The keys of a machine file that describe a plant.
 PLANT: dict[str, Key] = {
     "kind": Key(
@@ -201,14 +201,14 @@ def section(settings: Mapping[str, object], axis: int, name: str) -> dict[str, o
     return {key[len(prefix) :]: value for key, value in settings.items() if key.startswith(prefix)}
 
 
-def make_plant(values: Mapping[str, object]) -> Motor | Drive:
+def make_plant(values: Mapping[str, object]) -> Motor | VelocityDrive:
     """Return the plant of an `[axis.N.plant]` section (names without the prefix).
 
     Raises ValueError for an invalid entry.
     """
     given = _checked(values, PLANT, "plant")
     kind = given.pop("kind", "dc")
-    wanted = Drive if kind == "drive" else Motor
+    wanted = VelocityDrive if kind == "drive" else Motor
     own = {field.name for field in fields(wanted)}
     for name in given:
         if name not in own:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from motionlang.kernel.servo.discrete import Motion, discretise
 from motionlang.kernel.servo.loop import FINE_BITS, Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 
 COLUMNS = ("demand", "measured", "position", "velocity", "current", "integral", "output")
 """The readings of a sample: counts, counts, counts, counts/s, A, V, V; in motor coordinates, at its measurement."""
@@ -35,10 +35,10 @@ def at_rest(position: float) -> State:
     return (position, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, position, 0, 0, 0.0)
 
 
-class Step:
+class LoopStep:
     """The step of one loop and one plant; with `volts` the loop is open and that is its output."""
 
-    def __init__(self, loop: Loop, plant: Motor | Drive, volts: float | None = None) -> None:
+    def __init__(self, loop: Loop, plant: Motor | VelocityDrive, volts: float | None = None) -> None:
         self.loop, self.plant = loop, discretise(plant, loop.period)
         self._is_real, self._has_integral = loop.arithmetic == "real", loop.has_integral
         self._counts = self.plant.quantised or not self._is_real

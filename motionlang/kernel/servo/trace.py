@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from motionlang.kernel.servo.discrete import discretise
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.step import COLUMNS, Reading
 
 Array = NDArray[np.float64]
@@ -51,7 +51,11 @@ class ServoTrace:
     """
 
     def __init__(
-        self, loop: Loop, plant: Motor | Drive, chunks: Sequence[Array], shifts: Sequence[tuple[int, float]]
+        self,
+        loop: Loop,
+        plant: Motor | VelocityDrive,
+        chunks: Sequence[Array],
+        shifts: Sequence[tuple[int, float]],
     ) -> None:
         self.loop, self.plant, self.shifts = loop, plant, shifts
         self.columns = np.concatenate([np.zeros((len(COLUMNS), 0)), *chunks], axis=1)
@@ -130,13 +134,13 @@ class ServoTrace:
 
     @property
     def current(self) -> Array:
-        """Motor current, A; zero for a `Drive`, which does not report it."""
+        """Motor current, A; zero for a `VelocityDrive`, which does not report it."""
         return self._column("current")
 
     @property
     def torque(self) -> Array:
         """Motor torque, N m."""
-        constant = 0.0 if isinstance(self.plant, Drive) else self.plant.torque_constant
+        constant = 0.0 if isinstance(self.plant, VelocityDrive) else self.plant.torque_constant
         return self.current * constant
 
     @property

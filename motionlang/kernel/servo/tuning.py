@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import inf, pi
 
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Drive, Motor
+from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.response import LoopFigures, bandwidth, is_stable, loop_figures, reaches
 
 SUSPECT = 30.0
@@ -43,7 +43,7 @@ class BeyondPlant(ValueError):
 
 @lru_cache(maxsize=256)
 def suggest(
-    plant: Motor | Drive, target: float, base: Loop | None = None, *, integral: bool = True
+    plant: Motor | VelocityDrive, target: float, base: Loop | None = None, *, integral: bool = True
 ) -> Suggestion:
     """Return gains for a closed-loop bandwidth of `target` Hz.
 
@@ -57,7 +57,7 @@ def suggest(
 
 # Every axis with the same motor, whatever its friction, and every run of it in a session, needs the same.
 @lru_cache(maxsize=256)
-def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
+def suggested_loop(linear: Motor | VelocityDrive, target: float, base: Loop, integral: bool = True) -> Loop:
     """Return the suggested loop for a `linearised` plant.
 
     It has no DAC steps and no deadband of the output.
@@ -98,14 +98,14 @@ def _least(value: Callable[[float], float], low: float, high: float) -> float:
     return high
 
 
-def linearised(plant: Motor | Drive) -> Motor | Drive:
+def linearised(plant: Motor | VelocityDrive) -> Motor | VelocityDrive:
     """Return the plant without friction, backlash and encoder steps."""
-    if isinstance(plant, Drive):
+    if isinstance(plant, VelocityDrive):
         return replace(plant, quantised=False)
     return replace(plant, coulomb=0.0, breakaway=0.0, backlash=0.0, quantised=False, load_torque=0.0)
 
 
-def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float], Loop]:
+def _shape(plant: Motor | VelocityDrive, base: Loop, integral: bool) -> Callable[[float], Loop]:
     """Return a function that maps a triple-pole frequency (rad/s) to a loop.
 
     tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau
@@ -135,9 +135,9 @@ def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float]
     return shaped
 
 
-def _constants(plant: Motor | Drive) -> tuple[float, float]:
+def _constants(plant: Motor | VelocityDrive) -> tuple[float, float]:
     """Return K/tau (counts/s² per volt) and 1/tau (1/s)."""
-    if isinstance(plant, Drive):
+    if isinstance(plant, VelocityDrive):
         return plant.speed_per_volt / plant.time_constant, 1.0 / plant.time_constant
     torque = plant.torque_constant * plant.amplifier_gain
     if plant.amplifier == "voltage":
@@ -145,7 +145,9 @@ def _constants(plant: Motor | Drive) -> tuple[float, float]:
     return torque * plant.counts_per_radian / plant.total_inertia, 1.0 / plant.mechanical_time_constant
 
 
-def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float) -> tuple[float, float]:
+def _range(
+    plant: Motor | VelocityDrive, shaped: Callable[[float], Loop], target: float
+) -> tuple[float, float]:
     """Return stable pole frequencies with bandwidths below and above the target."""
     low = 2.0 * pi * target
     # Stability of a loop takes a hundredth of the time of its bandwidth.
@@ -169,7 +171,7 @@ def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float)
         tried.append(loop)
 
 
-def _warnings(plant: Motor | Drive, figures: LoopFigures) -> tuple[str, ...]:
+def _warnings(plant: Motor | VelocityDrive, figures: LoopFigures) -> tuple[str, ...]:
     found = []
     if figures.phase_margin < SUSPECT:
         found.append(f"the phase margin is only {figures.phase_margin:.0f} degrees: ask for less bandwidth")

@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from motionlang.kernel.tracks.trace import MOTOR as MOTOR
     from motionlang.kernel.tracks.trace import UNITS as UNITS
     from motionlang.kernel.tracks.trace import Array as Array
-    from motionlang.kernel.tracks.trace import Column as Column
     from motionlang.kernel.tracks.trace import Samples as Samples
+    from motionlang.kernel.tracks.trace import TraceColumn as TraceColumn
     from motionlang.kernel.tracks.trace import quantity_of as quantity_of
     from motionlang.kernel.tracks.track import Recorded as Recorded
     from motionlang.kernel.tracks.track import axes_of as axes_of
 
 PUBLIC = {
-    "trace": "Samples Column Array UNITS MOTOR quantity_of",
+    "trace": "Samples TraceColumn Array UNITS MOTOR quantity_of",
     "track": "Recorded axes_of",
     "history": "recall chunks servo_trace servo_traces",
 }

@@ -19,7 +19,7 @@ from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from motionlang.kernel.tools import in_notebook
 from motionlang.kernel.tracks.history import Reader
 from motionlang.kernel.tracks.track import WholeTrack, axes_of
-from motionlang.kernel.tracks.trajectory_points import AT_ONCE, Points
+from motionlang.kernel.tracks.trajectory_points import AT_ONCE, TrajectoryPoints
 
 # Numbers of a column.
 Array = NDArray[np.float64]
@@ -51,7 +51,7 @@ PROFILES, MARGIN = 4096, 0.001
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class TraceColumn:
     """A column: `quantity` ("time", "position" …) in `unit`, of `axis` or None."""
 
     name: str
@@ -60,12 +60,12 @@ class Column:
     axis: int | None
 
 
-_TIME = Column("time_s", "time", "s", None)
+_TIME = TraceColumn("time_s", "time", "s", None)
 
 
-def _column(axis: int, quantity: str) -> Column:
+def _column(axis: int, quantity: str) -> TraceColumn:
     unit, suffix = UNITS[quantity] if quantity in UNITS else MOTOR[quantity]
-    return Column(f"axis{axis}_{quantity.replace(' ', '_')}_{suffix}", quantity, unit, axis)
+    return TraceColumn(f"axis{axis}_{quantity.replace(' ', '_')}_{suffix}", quantity, unit, axis)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class Samples:
     `samples["axis0_position_uu"]` and `samples.get(0, "position")` return the same array.
     """
 
-    columns: tuple[Column, ...]
+    columns: tuple[TraceColumn, ...]
     data: tuple[Array, ...]
 
     def __len__(self) -> int:
@@ -185,7 +185,7 @@ class Trace:
 
     def columns(
         self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
-    ) -> tuple[Column, ...]:
+    ) -> tuple[TraceColumn, ...]:
         """Return the columns that `sample` and `chunks` yield.
 
         Without arguments they are the selected ones. Without `quantities` they are those of `USUAL`, and
@@ -252,7 +252,7 @@ class Trace:
             yield Samples(columns, data)
 
     def _stretches(
-        self, columns: Sequence[Column], first: int, count: int, rate: float
+        self, columns: Sequence[TraceColumn], first: int, count: int, rate: float
     ) -> Iterator[tuple[int, int]]:
         """Yield ranges of rows, each with at most one chunk of packed motion.
 
@@ -295,7 +295,7 @@ class Trace:
         self.to_user(axis, quantity, values)
         return values
 
-    def decimals(self, column: Column) -> int:
+    def decimals(self, column: TraceColumn) -> int:
         """Return the fewest of `DECIMALS` that show a thousandth of a count; `TIME_DECIMALS` for the time."""
         if column.axis is None:
             return TIME_DECIMALS
@@ -311,7 +311,7 @@ class Trace:
             values /= scale.counts
 
     def _fill(
-        self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
+        self, columns: Sequence[TraceColumn], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
         tables: dict[int, PieceTable] = {}
         for column, out in zip(columns, data, strict=True):
@@ -347,11 +347,11 @@ class Commanded(Trace):
     def __init__(self, controller: Controller, trajectory_rate: float = 1000.0) -> None:
         super().__init__(controller)
         self.trajectory_rate = trajectory_rate
-        self._points: dict[int, Points] = {}
+        self._points: dict[int, TrajectoryPoints] = {}
         self.end = (ceil(self.end * trajectory_rate - AT_ONCE) + 1) / trajectory_rate
 
     def _fill(
-        self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
+        self, columns: Sequence[TraceColumn], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
         times = start + np.arange(count, dtype=np.float64) * step
         cycles = times * self.trajectory_rate
@@ -376,9 +376,9 @@ class Commanded(Trace):
                 out -= points.renamed(times)
             self.to_user(column.axis, column.quantity, out)
 
-    def _of(self, axis: int) -> Points:
+    def _of(self, axis: int) -> TrajectoryPoints:
         if axis not in self._points:
-            self._points[axis] = Points(self.controller.axes[axis], 1.0 / self.trajectory_rate)
+            self._points[axis] = TrajectoryPoints(self.controller.axes[axis], 1.0 / self.trajectory_rate)
         return self._points[axis]
 
 

@@ -10,8 +10,8 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.joined import Joined
 from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.controller.verbs import Controller
-from motionlang.kernel.log.move import Move
-from motionlang.kernel.planners import Profile, State
+from motionlang.kernel.log.move import LoggedMove
+from motionlang.kernel.planners import MotionState, Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.feedback import Feedback
@@ -35,12 +35,12 @@ class WholeTrack:
         return self._a.scale
 
     @property
-    def move(self) -> Move | None:
+    def move(self) -> LoggedMove | None:
         """The move in progress."""
         return self._a.move
 
     @property
-    def waiting(self) -> list[Move]:
+    def waiting(self) -> list[LoggedMove]:
         """The buffered moves of the axis; empty while the axis is suspended."""
         return [] if self._a.suspended else self._a.buffer
 
@@ -49,7 +49,7 @@ class WholeTrack:
         """The simulated motor of the axis, or None."""
         return self._a.feedback
 
-    def at(self, time: float) -> State:
+    def at(self, time: float) -> MotionState:
         """Return position, velocity, acceleration and jerk at a time, counts and seconds."""
         return self._a.at(time)
 

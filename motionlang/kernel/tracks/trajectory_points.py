@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 AT_ONCE = 1e-7
 
 
-class Points:
+class TrajectoryPoints:
     """The trajectory points of an axis, in counts unaffected by new zeros.
 
     The point for the end of a cycle is computed as the cycle begins, from the profile that is in force then.

@@ -10,7 +10,7 @@ from math import ceil
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.planners import hold, plan
-from motionlang.kernel.servo import FULL_SCALE, Drive, Loop, Override, Track, simulate
+from motionlang.kernel.servo import FULL_SCALE, Loop, Override, Track, VelocityDrive, simulate
 from motionlang.lab.notes.dissect import FRICTION, GRAVITY_FT, SPEED_FT_MIN, dac_timing, slip_acceleration
 from motionlang.lab.notes.slip import check_trace
 
@@ -87,7 +87,7 @@ def demonstrate(
             servo_rate=1.0 / UPDATE,
             trajectory_rate=1.0 / UPDATE,
         )
-        drive = Drive(FULL_COUNTS / FULL_SCALE, coarse.electrical_time_constant)
+        drive = VelocityDrive(FULL_COUNTS / FULL_SCALE, coarse.electrical_time_constant)
         trace = _run(loop, drive, _CRUISE * speed * scale, share * limit * scale)
         found = check_trace(trace, friction, gravity, scale)
         onset = float(abs(trace.onset).max()) / scale
@@ -98,7 +98,7 @@ def demonstrate(
     return made
 
 
-def _run(loop: Loop, drive: Drive, speed: float, accel: float) -> ServoTrace:
+def _run(loop: Loop, drive: VelocityDrive, speed: float, accel: float) -> ServoTrace:
     distance = speed * speed / accel + speed * _SLEW
     profile = plan("trapezoid", 0.0, distance, speed, accel, accel)
     end = profile.duration

@@ -10,7 +10,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.planners import Profile, hold, jerk_in, plan
-from motionlang.kernel.servo import Drive, Loop, Motor, Track, simulate
+from motionlang.kernel.servo import Loop, Motor, Track, VelocityDrive, simulate
 
 if TYPE_CHECKING:
     from motionlang.kernel.servo import ServoTrace
@@ -22,7 +22,7 @@ REST = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ServoFigures:
     """One profile and its figures under servo control.
 
     `settle` is the time in seconds from the end of the profile until the error remains within the window.
@@ -44,14 +44,14 @@ class Row:
 
 def compare(
     loop: Loop,
-    plant: Motor | Drive,
+    plant: Motor | VelocityDrive,
     distance: float,
     speed: float,
     accel: float,
     basis: str = "acceleration",
     window: float = 1.0,
     ramp: float = 0.1,
-) -> list[Row]:
+) -> list[ServoFigures]:
     """Simulate the move in each shape, at equal peak acceleration or equal time.
 
     The equal time is the time of the trapezoid; the other shapes get the acceleration that they need for it.
@@ -113,11 +113,13 @@ def peak_jerk(profile: Profile) -> float:
     return max(abs(jerk_in(piece, 0.0)) for piece in profile.pieces)
 
 
-def _row(profile: Profile, accel: float, loop: Loop, plant: Motor | Drive, window: float) -> Row:
+def _row(
+    profile: Profile, accel: float, loop: Loop, plant: Motor | VelocityDrive, window: float
+) -> ServoFigures:
     end = profile.duration
     trace = simulate(Track([0.0, end], [profile, hold(profile.end)]), loop, plant, until=end + REST)
     torque = abs(trace.torque)
-    return Row(
+    return ServoFigures(
         shape=profile.shape,
         accel=accel,
         time=end,

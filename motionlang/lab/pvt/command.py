@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, option
-from motionlang.cli.option_groups import Output
+from motionlang.cli.option_groups import OutputOptions
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import whole
 from motionlang.kernel import Diagnostic
@@ -17,7 +17,7 @@ from motionlang.kernel.planners import compare_velocities, knot_accelerations
 from motionlang.kernel.tools import count_of, total
 from motionlang.lab.pvt.drive.point import from_wire, to_wire
 from motionlang.lab.pvt.export import Unwritable, export
-from motionlang.lab.pvt.input import Move, Points, Sent, spans_of
+from motionlang.lab.pvt.input import Points, PointSource, Sent, spans_of
 from motionlang.lab.pvt.points import Point, absolute, plan_points, until_end
 from motionlang.lab.pvt.stream import PvtStream
 from motionlang.lab.pvt.table import write_points
@@ -35,7 +35,7 @@ def _counts(text: str) -> list[int]:
 
 
 @dataclass
-class PvtPlot(Points, Output):
+class PvtPlot(Points, OutputOptions):
     """Show the motion that a drive makes of points, segment by segment, or as a picture."""
 
     def run(self) -> int:
@@ -47,7 +47,7 @@ class PvtPlot(Points, Output):
 
 
 @dataclass
-class PvtRefine(Points, Output):
+class PvtRefine(Points, OutputOptions):
     """Choose velocities for positions, and show the remaining acceleration jumps."""
 
     title: ClassVar[str] = "refinement"
@@ -81,7 +81,7 @@ class PvtRefine(Points, Output):
 
 
 @dataclass
-class PvtExport(Sent, Output):
+class PvtExport(Sent, OutputOptions):
     """Write a move, or the motion of a program, as CSV, serial words or CAN frames."""
 
     format: str = option("", "the form of the output (csv)", choices=DRIVE_FORMATS, default="csv")
@@ -103,7 +103,7 @@ class PvtExport(Sent, Output):
         sys.stdout.write(_text([head, *made.lines]))
         return self.draw([self.planned(received)], [move.name])
 
-    def _error(self, move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
+    def _error(self, move: PointSource, sent: Sequence[Point], start: float) -> tuple[float, float]:
         """Return the largest position error of the sent motion, counts, and its time, s."""
         from motionlang.lab.pvt.fit import motion_error
 

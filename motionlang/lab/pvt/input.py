@@ -57,7 +57,7 @@ NUMBER = real("a number from -1e300 to 1e300", -1e300, 1e300)
 
 
 @dataclass(slots=True)
-class Move:
+class PointSource:
     """Points and their source; for a program also the motion that they were fitted to.
 
     `lines` are the line numbers in the source.
@@ -67,11 +67,11 @@ class Move:
     points: list[Point]
     source: Source | None = None
     lines: Sequence[int] = ()
-    track: Track | None = None
+    track: FittedMotion | None = None
 
 
 @dataclass(slots=True)
-class Track:
+class FittedMotion:
     """The motion of one axis between two times, to which points are fitted."""
 
     starts: list[float]
@@ -142,7 +142,7 @@ class Points(Fitted, Picture):
         if self.linear and self.velocities:
             raise WrongOption("--linear omits the velocities that --velocities chooses")
 
-    def move(self, *, strict: bool) -> Move:
+    def move(self, *, strict: bool) -> PointSource:
         """Return the move; Refused if errors prevent it.
 
         What a drive would misinterpret is an error if the points must be sent as they are (`strict`), else reported as
@@ -176,7 +176,7 @@ class Points(Fitted, Picture):
     def _is_program(self) -> bool:
         return os.path.splitext(self.file)[1].lower() not in TABLES
 
-    def _read(self) -> Move:
+    def _read(self) -> PointSource:
         if self.positions is not None:
             move = self._from_positions(self.positions)
         elif self.scurve is not None:
@@ -189,7 +189,7 @@ class Points(Fitted, Picture):
             move.points = [replace(point, velocity=None) for point in move.points]
         return move
 
-    def _from_positions(self, positions: list[float]) -> Move:
+    def _from_positions(self, positions: list[float]) -> PointSource:
         if self.time is None:
             raise WrongOption("--positions needs --time, the milliseconds between two points")
         if len(positions) < 2:
@@ -200,9 +200,9 @@ class Points(Fitted, Picture):
             raise WrongOption(f"{len(positions)} positions need {wanted}, not {len(times)}")
         spans = [time / 1000.0 for time in times]
         velocities = self._velocities(positions, spans, self.velocities or "exact")
-        return Move("points", points_from(positions, velocities, spans))
+        return PointSource("points", points_from(positions, velocities, spans))
 
-    def _from_scurve(self, distance: float) -> Move:
+    def _from_scurve(self, distance: float) -> PointSource:
         limits = self.accel or inf, self.speed or inf
         try:
             if self.time is not None and self.jerk is None:
@@ -224,9 +224,9 @@ class Points(Fitted, Picture):
             raise
         except ValueError as problem:
             raise _out_of_range(problem) from None
-        return Move(f"S-curve, {distance:.10g} counts", points)
+        return PointSource(f"S-curve, {distance:.10g} counts", points)
 
-    def _from_table(self) -> Move:
+    def _from_table(self) -> PointSource:
         source = self.source()
         try:
             table = read_points(source)
@@ -243,12 +243,12 @@ class Points(Fitted, Picture):
             ]
         elif self.time is not None:
             raise WrongOption(f"{source.name} has its own times: --time has no effect")
-        move = Move(source.name, points, source, table.lines)
+        move = PointSource(source.name, points, source, table.lines)
         if "velocity" not in table.has and not self.velocities:
             self._choose_velocities(move, "exact")
         return move
 
-    def _from_program(self) -> Move:
+    def _from_program(self) -> PointSource:
         """Run the program and fit the motion of one axis."""
         from motionlang.lab.pvt.fit import OutOfTolerance, fit_track, least_tolerance
 
@@ -271,7 +271,7 @@ class Points(Fitted, Picture):
             raise WrongOption(f"axis {number} does not move in {name}")
         whole = WholeTrack(result.controller.axes[number])
         starts, profiles = list(whole.starts), list(whole.profiles)
-        track = Track(starts, profiles, *_span(starts, profiles))
+        track = FittedMotion(starts, profiles, *_span(starts, profiles))
         columns = track.starts, track.profiles
         tolerance = TOLERANCE if self.tolerance is None else self.tolerance
         try:
@@ -282,9 +282,9 @@ class Points(Fitted, Picture):
             raise _out_of_range(problem, hint) from None
         except ValueError as problem:
             raise _out_of_range(problem) from None
-        return Move(f"{name}, axis {number}", fit.points, track=track)
+        return PointSource(f"{name}, axis {number}", fit.points, track=track)
 
-    def _choose_velocities(self, move: Move, method: str) -> None:
+    def _choose_velocities(self, move: PointSource, method: str) -> None:
         """Replace the velocities of a move; the points that prevent it are named with their lines."""
         if method == "given":
             return
@@ -327,7 +327,7 @@ def _out_of_range(problem: object, hint: str = "") -> Refused:
     return Refused([Diagnostic("range", str(problem), hint=hint)])
 
 
-def _diagnose(move: Move, start: float | None, *, strict: bool) -> list[Diagnostic]:
+def _diagnose(move: PointSource, start: float | None, *, strict: bool) -> list[Diagnostic]:
     """Return as diagnostics what a drive would misinterpret.
 
     They are errors if the points must be sent as they are (`strict`), else warnings.

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.command import Refused, flag, option
 from motionlang.cli.complaints import complain
-from motionlang.cli.option_groups import Output
+from motionlang.cli.option_groups import OutputOptions
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.tools import need
 from motionlang.lab.pvt.drive.buffer import SIZE
 from motionlang.lab.pvt.drive.drive import Drive
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
-from motionlang.lab.pvt.input import POSITIVE, Move, Sent
+from motionlang.lab.pvt.input import POSITIVE, PointSource, Sent
 from motionlang.lab.pvt.points import Point, absolute, plan_points
 from motionlang.lab.pvt.view import figure, pairs_lines
 from motionlang.views.table import Column, Document, Table
@@ -29,7 +29,7 @@ LOG = (Column("time"), Column("event"))
 
 
 @dataclass
-class PvtStream(Sent, Output):
+class PvtStream(Sent, OutputOptions):
     """Send a move to a simulated drive over CANopen and compare the motion."""
 
     transfer: str = option(
@@ -64,15 +64,15 @@ class PvtStream(Sent, Output):
             raise Refused([Diagnostic("file", str(problem), hint=hint)]) from None
         return self.draw([self.planned(move.points)], [move.name]) or status
 
-    def _stream_to_simulated(self, move: Move, wire: Sequence[WirePoint]) -> int:
+    def _stream_to_simulated(self, move: PointSource, wire: Sequence[WirePoint]) -> int:
         from motionlang.lab.pvt.drive.bus import LockstepBus
-        from motionlang.lab.pvt.drive.master import Master, StreamError
+        from motionlang.lab.pvt.drive.master import BusMaster, StreamError
 
         drive = Drive(self._start_position(move))
         with LockstepBus(drive, self.node, self._poll_period(wire), self.interface, self.channel) as bus:
             problem, done = "", None
             try:
-                done = Master(bus, self.node).stream(wire, self.transfer)
+                done = BusMaster(bus, self.node).stream(wire, self.transfer)
             except StreamError as error:
                 problem = str(error)
             while drive.next_boundary is not None:
@@ -93,11 +93,11 @@ class PvtStream(Sent, Output):
 
     def _stream_to_real(self, wire: Sequence[WirePoint]) -> int:
         from motionlang.lab.pvt.drive.bus import RealBus
-        from motionlang.lab.pvt.drive.master import Master, StreamError
+        from motionlang.lab.pvt.drive.master import BusMaster, StreamError
 
         try:
             with RealBus(self.node, self.interface, self.channel) as bus:
-                done = Master(bus, self.node).stream(wire, self.transfer)
+                done = BusMaster(bus, self.node).stream(wire, self.transfer)
         except StreamError as error:
             _complain_of_stream(str(error))
             return 1
@@ -105,7 +105,7 @@ class PvtStream(Sent, Output):
             print(f"{done.sent} points sent, {done.resent} of them resent")
         return 0
 
-    def _start_position(self, move: Move) -> float:
+    def _start_position(self, move: PointSource) -> float:
         if self.start_ is not None:
             return self.start_
         first = move.points[0]
@@ -113,7 +113,7 @@ class PvtStream(Sent, Output):
 
     def _report(
         self,
-        move: Move,
+        move: PointSource,
         drive: Drive,
         wire: Sequence[WirePoint],
         done: Streamed | None,
@@ -138,7 +138,7 @@ class PvtStream(Sent, Output):
 
     def _lines(
         self,
-        move: Move,
+        move: PointSource,
         drive: Drive,
         count: int,
         done: Streamed | None,

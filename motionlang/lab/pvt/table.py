@@ -22,7 +22,7 @@ YES, NO = ("1", "yes", "true"), ("0", "no", "false", "")
 
 
 @dataclass(slots=True)
-class Table:
+class PointTable:
     """Points, each with its line number; `has` names the file's columns."""
 
     points: list[Point] = field(default_factory=list)
@@ -30,12 +30,12 @@ class Table:
     has: tuple[str, ...] = COLUMNS
 
 
-def read_points(source: Source) -> Table:
+def read_points(source: Source) -> PointTable:
     """Return the points of a CSV file; raise `ProgramError` with all mistakes.
 
     NaN is accepted as a number here; `check_points` rejects it.
     """
-    table, wrong = Table(), list[Diagnostic]()
+    table, wrong = PointTable(), list[Diagnostic]()
     names: tuple[str, ...] = ()
     separator = ""
     for number, line in enumerate(source.text.split("\n"), 1):
@@ -105,7 +105,7 @@ def _names(cells: list[str], number: int, wrong: list[Diagnostic]) -> tuple[str,
 
 
 def _add_row(
-    table: Table, names: tuple[str, ...], cells: list[str], number: int, wrong: list[Diagnostic]
+    table: PointTable, names: tuple[str, ...], cells: list[str], number: int, wrong: list[Diagnostic]
 ) -> None:
     if len(cells) > len(names):
         message = f"{len(cells)} values for {len(names)} columns"

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
-from motionlang.cli.option_groups import Output, Picture, ProgramOptions
+from motionlang.cli.option_groups import OutputOptions, Picture, ProgramOptions
 from motionlang.cli.readers import machine_time
-from motionlang.kernel import Checked, WholeTrack
+from motionlang.kernel import CheckedSettings, WholeTrack
 from motionlang.kernel import run as run_program
-from motionlang.kernel.servo import SERVO, Drive, Motor, make_loop, mccl_values, mint_values
+from motionlang.kernel.servo import SERVO, Motor, VelocityDrive, make_loop, mccl_values, mint_values
 from motionlang.kernel.servo import simulate as simulate_loop
 from motionlang.lab.notes.tn1069_servo import BASES
 from motionlang.lab.notes.tn1069_servo import compare as compared
@@ -26,7 +26,7 @@ if TYPE_CHECKING:  # which needs numpy
 
 
 @dataclass
-class ServoCommand(Output, Picture):
+class ServoCommand(OutputOptions, Picture):
     """A command that simulates servo loops."""
 
     def run(self) -> int:
@@ -175,7 +175,9 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
         """Run the program and print the data of the motors of its axes."""
         source, language, settings = self.source(), self.known_language(), self.settings()
         if self.plant or self.loop or self.mint or self.mccl or self.bandwidth:
-            settings = Checked({key: value for key, value in settings.items() if ".plant." not in key})
+            settings = CheckedSettings(
+                {key: value for key, value in settings.items() if ".plant." not in key}
+            )
         result = run_program(
             source, dialect=language, until=self.until, machine=settings, overrides=self.overrides()
         )
@@ -185,7 +187,7 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
         from motionlang.kernel.tracks import servo_trace
 
         rows: list[tuple[int, ServoTrace, float]] = []
-        plants: dict[int, Motor | Drive] = {}  # of the axes whose motors are those of the options
+        plants: dict[int, Motor | VelocityDrive] = {}  # of the axes whose motors are those of the options
         for number, axis in result.controller.axes.items():
             if len(axis.starts) > 1:
                 end = min(result.time + self.settle_time, self.until)
@@ -201,7 +203,7 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
         return self.draw(rows[0][1], f"{self.file}, axis {rows[0][0]}") if rows else 0
 
 
-class Servo(Command):
+class ServoSimulation(Command):
     """Simulate and tune the servo loop behind the profile."""
 
     commands: ClassVar = {

@@ -17,10 +17,10 @@ from motionlang.kernel.servo import (
     MODELS,
     PLANT,
     SERVO,
-    Drive,
     Key,
     Loop,
     Motor,
+    VelocityDrive,
     make_loop,
     make_plant,
     mccl_loop,
@@ -41,7 +41,7 @@ def gains_of(language: str) -> dict[str, str]:
 
 
 @dataclass
-class Axis(Command):
+class MotorAndLoop(Command):
     """A motor and its servo loop."""
 
     title: ClassVar[str] = "motor and servo loop"
@@ -59,7 +59,7 @@ class Axis(Command):
         """Return the settings of the machine; Refused for a wrong machine file."""
         raise NotImplementedError
 
-    def motor_of(self, axis: int) -> Motor | Drive:
+    def motor_of(self, axis: int) -> Motor | VelocityDrive:
         """Return the motor of an axis; ValueError names an invalid option."""
         options = pairs(self.plant, PLANT)
         example = {} if options.get("kind") == "drive" else EXAMPLE
@@ -67,7 +67,7 @@ class Axis(Command):
 
 
 @dataclass
-class Gains(Axis):
+class Gains(MotorAndLoop):
     """A motor, and the gains of its servo loop."""
 
     mint: list[str] = option(
@@ -80,7 +80,7 @@ class Gains(Axis):
         "", "the board of the MCCL gains (multiflex)", choices=tuple(MODELS), default="multiflex"
     )
 
-    def loop_of(self, axis: int, plant: Motor | Drive, scale: float = 1.0) -> Loop:
+    def loop_of(self, axis: int, plant: Motor | VelocityDrive, scale: float = 1.0) -> Loop:
         """Return the loop of an axis; ValueError names an invalid option.
 
         If no gain is given, the loop is tuned for the plant, without feed-forward. `scale` is in counts per user unit,
@@ -108,7 +108,7 @@ class Gains(Axis):
 
 
 @dataclass
-class OneAxis(Axis):
+class OneAxis(MotorAndLoop):
     """An axis of a machine file."""
 
     machine: str | None = option("M.toml", "take [axis.N.plant] and [axis.N.servo] from a machine file")

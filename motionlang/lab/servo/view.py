@@ -7,8 +7,8 @@ from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.servo import Drive, Motor
-from motionlang.lab.notes.tn1069_servo import Row
+from motionlang.kernel.servo import Motor, VelocityDrive
+from motionlang.lab.notes.tn1069_servo import ServoFigures
 from motionlang.views.table import Column, Table
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ SHAPE_NAMES = {
 }
 
 
-def plant_line(plant: Motor | Drive) -> str:
+def plant_line(plant: Motor | VelocityDrive) -> str:
     """Describe a motor by the values that differ from the default plant."""
     kind = type(plant)
     values = [
@@ -36,7 +36,7 @@ def plant_line(plant: Motor | Drive) -> str:
     return f"{name}: {', '.join([*own, rest])}"
 
 
-def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
+def plant_lines(plants: Mapping[int, Motor | VelocityDrive]) -> list[str]:
     """Describe the motors of a run by axis, each once."""
     lines: dict[str, list[str]] = {}
     for axis, plant in plants.items():
@@ -44,7 +44,7 @@ def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
     return [f"axis {', '.join(axes)}: {line}" for line, axes in lines.items()]
 
 
-def profiles_table(basis: str, rows: Sequence[Row], window: float) -> Table:
+def profiles_table(basis: str, rows: Sequence[ServoFigures], window: float) -> Table:
     """Return the four profiles side by side; they settle within `window` counts."""
     title = "equal peak acceleration" if basis == "acceleration" else "equal time"
     head = f"{title}; settled: within {_counts(window)} of the demand for good"
@@ -62,7 +62,7 @@ def profiles_table(basis: str, rows: Sequence[Row], window: float) -> Table:
     return Table(basis, columns, rows, head=head)
 
 
-def plants_table(plants: Mapping[int, Motor | Drive]) -> Table:
+def plants_table(plants: Mapping[int, Motor | VelocityDrive]) -> Table:
     """Return the motors of a run by axis, with the value of each of their settings, as data."""
     rows = [
         {"axis": axis, "setting": each.name, "value": getattr(plant, each.name)}

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from motionlang import certify, run
-from motionlang.commands.certify import Limit, least_margin, violations
+from motionlang.commands.certify import CertifiedLimit, least_margin, violations
 from motionlang.commands.quantities import values_of
 from motionlang.kernel import Run, Source, settings_next_to
 
@@ -41,7 +41,7 @@ def extremes(
     axis: int = 0,
     until: float | None = None,
     machine: Mapping[str, Any] = MappingProxyType({}),
-) -> tuple[dict[str, Limit], Run]:
+) -> tuple[dict[str, CertifiedLimit], Run]:
     """Return what an axis reaches, by the name of the limit, and the run."""
     source = Source.read(program) if isinstance(program, Path) else Source("m.mnt", program)
     settings = (settings_next_to(program) if isinstance(program, Path) else {}) | dict(machine)
@@ -222,7 +222,7 @@ def test_the_peaks_of_a_motor_are_those_of_its_trace() -> None:
     assert values_of(still, ["rms_torque.0", "time"]) == {"rms_torque.0": 0.0, "time": 0.0}
 
 
-def certified(limits: Mapping[str, object]) -> list[Limit]:
+def certified(limits: Mapping[str, object]) -> list[CertifiedLimit]:
     settings = {f"axis.0.limits.{name}": value for name, value in limits.items()}
     result = run(Source("m.mnt", SET + "\nMOVEA(0) = 40\nGO(0) : PAUSE IDLE(0)"), machine=settings)
     return certify(result)
@@ -276,7 +276,7 @@ MARGINS: dict[str, tuple[str, float, float, float, str]] = {
 @pytest.mark.parametrize("name", MARGINS)
 def test_the_margin_of_a_limit(name: str) -> None:
     which, limit, reached, margin, verdict = MARGINS[name]
-    line = Limit(0, which, "", limit, at(reached, 0.5), 3)
+    line = CertifiedLimit(0, which, "", limit, at(reached, 0.5), 3)
     assert line.margin == pytest.approx(margin, rel=1e-6)
     assert line.verdict == verdict
     assert (line.reached, line.time) == (reached, 0.5)
@@ -284,12 +284,12 @@ def test_the_margin_of_a_limit(name: str) -> None:
 
 def test_the_least_margin_takes_a_position_relative_to_its_limit() -> None:
     """30 of 50 is 0.6, 3 of 4 is 0.75; without a known limit there is none."""
-    high = Limit(0, "highest position", "", 50.0, at(20.0, 0.0), 0)
-    low = Limit(0, "lowest position", "", -4.0, at(-1.0, 0.0), 0)
-    speed = Limit(0, "speed", "", 10.0, at(3.0, 0.0), 0)
-    torque = Limit(0, "torque", "", 1.0, None, 0)
+    high = CertifiedLimit(0, "highest position", "", 50.0, at(20.0, 0.0), 0)
+    low = CertifiedLimit(0, "lowest position", "", -4.0, at(-1.0, 0.0), 0)
+    speed = CertifiedLimit(0, "speed", "", 10.0, at(3.0, 0.0), 0)
+    torque = CertifiedLimit(0, "torque", "", 1.0, None, 0)
     assert (torque.verdict, torque.reached, torque.time) == ("unknown", None, None)
     # Relative to a limit of 0 any distance is large.
-    zero = Limit(0, "lowest position", "", 0.0, at(0.5, 0.0), 0)
+    zero = CertifiedLimit(0, "lowest position", "", 0.0, at(0.5, 0.0), 0)
     cases = [[high, low, speed, torque], [low, speed], [low, torque], [torque], [], [zero, speed]]
     assert [least_margin(lines) for lines in cases] == [0.6, 0.7, 0.75, None, None, 0.7]

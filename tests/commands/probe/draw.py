@@ -11,7 +11,7 @@ import sys
 from random import Random
 from typing import TYPE_CHECKING
 
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.kernel import dialect, dialects
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import pytest
 
 from motionlang.commands.probe.answers import is_answer
 from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
-from motionlang.commands.probe.facts import facts_of, listed
+from motionlang.commands.probe.fact_evidence import facts_of, listed
 from motionlang.kernel import dialect, dialects
 
 

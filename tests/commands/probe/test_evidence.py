@@ -10,7 +10,7 @@ from pathlib import Path
 
 from motionlang.commands.probe.assumption import Assumption
 from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.facts import of_word
+from motionlang.commands.probe.fact_evidence import of_word
 from motionlang.kernel import dialect, dialects
 from tests.commands.probe.draw import FACTS, ROWS, drawn, line
 from tools.fidelity_page import PAGE

@@ -20,7 +20,7 @@ from motionlang.hosts.mcapi.protocol import encode, parse
 from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.hosts.serve.pace import Pace
+from motionlang.hosts.serve.pace import ServerPace
 from motionlang.kernel import Machine
 from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
 
@@ -118,7 +118,7 @@ class Board:
         console = Console(Machine(machine, first_axis=1))
         self.complaints: list[str] = []
         self.console = console
-        pace: Pace = LockStep(console) if clock == "lockstep" else RealTime(console)
+        pace: ServerPace = LockStep(console) if clock == "lockstep" else RealTime(console)
         self.server = Server(console, pace, limits=limits, complain=self.complaints.append)
         self.mcapi = McapiBoard(console, self.complaints.append)
         self.address = self.server.listen(

@@ -11,13 +11,13 @@ import io
 import pytest
 
 from motionlang import mcapi as mc
-from motionlang.hosts.mcapi.listing import Listing
+from motionlang.hosts.mcapi.listing import CallListing
 from motionlang.hosts.mcapi.log import read
 
 
 @functools.cache
-def listing(model: str) -> Listing:
-    return Listing(model)
+def listing(model: str) -> CallListing:
+    return CallListing(model)
 
 
 def commands(call: str, model: str = "multiflex") -> str:

@@ -14,7 +14,7 @@ import pytest
 from motionlang import mcapi as mc
 from motionlang.cli import main
 from motionlang.hosts.mcapi import VirtualBoard
-from motionlang.hosts.mcapi.log import BadLog, Recorder, model_of, read
+from motionlang.hosts.mcapi.log import BadLog, CallRecorder, model_of, read
 from motionlang.hosts.mcapi.replay import replay_file
 from motionlang.mcapi import Mcapi
 
@@ -26,7 +26,7 @@ def recorded(model: str = "multiflex") -> str:
     """Return the log of a host that moves an axis and reads it in motion."""
     lines: list[str] = []
     board = VirtualBoard({"controller.model": model}, complain=lambda text: None)
-    board.desk.record = Recorder(lines.append, model)
+    board.desk.record = CallRecorder(lines.append, model)
     host = Mcapi(board)
     host.Open(0, mc.MC_OPEN_BINARY)
     host.GetConfigurationEx(mc.MCPARAMEX())
@@ -435,7 +435,7 @@ def test_a_position_in_user_units_may_be_off_by_the_skew(off: float, wanted: dic
     """
     lines: list[str] = []
     board = VirtualBoard(complain=lambda text: None)
-    board.desk.record = Recorder(lines.append, "multiflex")
+    board.desk.record = CallRecorder(lines.append, "multiflex")
     host, scale = Mcapi(board), mc.MCSCALE()
     host.Open(0, mc.MC_OPEN_BINARY)
     scale.Constant = scale.Rate = scale.Time = 1.0

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve import Limits, LockStep, RealTime, Server
-from motionlang.hosts.serve.pace import Pace
+from motionlang.hosts.serve.pace import ServerPace
 from motionlang.kernel import Machine
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.
@@ -107,7 +107,7 @@ def serve() -> Iterator[Serve]:
         model: str = "multiflex", clock: str = "lockstep", limits: Limits | None = None, factor: float = 1.0
     ) -> Board:
         console = Console(Machine({"controller.model": model}, first_axis=1))
-        pace: Pace = LockStep(console) if clock == "lockstep" else RealTime(console, factor)
+        pace: ServerPace = LockStep(console) if clock == "lockstep" else RealTime(console, factor)
         complaints: list[str] = []
         board = Board(Server(console, pace, limits=limits, complain=complaints.append), console)
         board.complaints = complaints

@@ -21,7 +21,7 @@ import pytest
 
 from motionlang import Run
 from motionlang.cli import main
-from motionlang.hosts.serve.outside import LockStep, Outside, RealTime
+from motionlang.hosts.serve.outside import LockStepQueue, QuestionQueue, RealTimeQueue
 from motionlang.kernel import Source, run
 from tests.cli.programs import MAX_SECONDS
 
@@ -51,7 +51,7 @@ STORED = 1 << 18
 class Served:
     """A program that runs in a thread with a server, and a connected client."""
 
-    def __init__(self, text: str, outside: Outside, settings: dict[str, object] | None = None) -> None:
+    def __init__(self, text: str, outside: QuestionQueue, settings: dict[str, object] | None = None) -> None:
         self.outside = outside
         self.server = ModbusServer(outside, "127.0.0.1", 0)
         self.server.start()
@@ -86,7 +86,7 @@ class Served:
         self.server.stop()
 
 
-@pytest.fixture(params=[RealTime, LockStep])
+@pytest.fixture(params=[RealTimeQueue, LockStepQueue])
 def served(request: pytest.FixtureRequest) -> Iterator[Served]:
     served = Served(PACKER, request.param())
     yield served
@@ -147,7 +147,7 @@ def test_the_comms_array_of_an_esb() -> None:
     text = (
         PACKER.replace("NETINTEGER", "COMMSINTEGER").replace("NETFLOAT", "COMMS").replace("NETDATA", "COMMS")
     )
-    served = Served(text, LockStep(), {"controller.model": "nextmove-esb2"})
+    served = Served(text, LockStepQueue(), {"controller.model": "nextmove-esb2"})
     try:
         assert served.client.read_holding_registers(0, count=2).isError()  # there is no element 0
         served.write(8, *halves(1.0))
@@ -160,7 +160,9 @@ def test_the_comms_array_of_an_esb() -> None:
 def test_lock_step_finds_the_same_machine_every_time() -> None:
     outputs = []
     for _ in range(2):
-        served = Served("JOG(0) = 1000\nLoop\n  NETFLOAT(6) = POS(0)\n  WAIT = 1\nEnd Loop", LockStep(0.25))
+        served = Served(
+            "JOG(0) = 1000\nLoop\n  NETFLOAT(6) = POS(0)\n  WAIT = 1\nEnd Loop", LockStepQueue(0.25)
+        )
         try:
             outputs.append([tuple(served.read(12, 2)) for _ in range(5)])
         finally:
@@ -172,11 +174,11 @@ def test_lock_step_finds_the_same_machine_every_time() -> None:
 
 
 def test_an_address_that_is_taken() -> None:
-    first = ModbusServer(RealTime(), "127.0.0.1", 0)
+    first = ModbusServer(RealTimeQueue(), "127.0.0.1", 0)
     first.start()
     try:
         with pytest.raises(OSError, match=r"127\.0\.0\.1"):
-            ModbusServer(RealTime(), "127.0.0.1", first.port).start()
+            ModbusServer(RealTimeQueue(), "127.0.0.1", first.port).start()
     finally:
         first.stop()
 

@@ -16,7 +16,7 @@ from threading import Thread
 from motionlang.hosts.serve import Limits
 from motionlang.hosts.serve.modbus import ModbusServer
 from motionlang.hosts.serve.modbus_requests import Identity
-from motionlang.hosts.serve.outside import LockStep
+from motionlang.hosts.serve.outside import LockStepQueue
 from motionlang.kernel import Source, run
 
 PATIENCE = 60.0
@@ -29,7 +29,7 @@ def served(
     complain: Callable[[str], None] = lambda text: None,
     unit: int | None = None,
 ) -> Iterator[ModbusServer]:
-    outside = LockStep()
+    outside = LockStepQueue()
     identity = Identity("motionlang", "NextMove e100", "0.1.0")
     server = ModbusServer(
         outside, "127.0.0.1", 0, limits=limits, unit=unit, identity=identity, complain=complain
@@ -47,7 +47,7 @@ def served(
         server.stop()
 
 
-def end(outside: LockStep) -> None:
+def end(outside: LockStepQueue) -> None:
     """Write the element that the program waits for, which ends it."""
     assert outside.machine is not None
     outside.machine.host.write("netdata", 999, [1])
@@ -244,4 +244,4 @@ def test_a_client_that_has_sent_nothing_makes_room_and_requests_are_counted() ->
 
 
 def test_a_server_that_has_not_started_can_be_stopped() -> None:
-    ModbusServer(LockStep(), "127.0.0.1", 0).stop()
+    ModbusServer(LockStepQueue(), "127.0.0.1", 0).stop()

@@ -7,18 +7,18 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.hosts.serve.outside import InTurn, LockStep, Outside, RealTime
+from motionlang.hosts.serve.outside import InTurn, LockStepQueue, QuestionQueue, RealTimeQueue
 from motionlang.kernel import INFINITY, Machine
 from tests.hosts.serve.test_time import Wall
 
 
-def started(outside: Outside) -> list[float]:
+def started(outside: QuestionQueue) -> list[float]:
     """Start a machine; return the list of the times of questions that `ask` fills."""
     outside.start(Machine(first_axis=1))
     return []
 
 
-def ask(outside: Outside, times: list[float]) -> None:
+def ask(outside: QuestionQueue, times: list[float]) -> None:
     outside.ask(lambda: times.append(outside.clock.now))
 
 
@@ -29,7 +29,7 @@ def test_a_wait_takes_real_time(factor: float, sleeps: list[float], monkeypatch:
     The real time before the first wait does not count.
     """
     wall, slept = Wall(), list[float]()
-    outside = RealTime(factor, wall)
+    outside = RealTimeQueue(factor, wall)
     started(outside)
 
     def sleep(seconds: float) -> None:
@@ -49,7 +49,7 @@ def test_a_wait_takes_real_time(factor: float, sleeps: list[float], monkeypatch:
 def test_real_time_goes_on_from_the_time_of_the_first_wait(monkeypatch: pytest.MonkeyPatch) -> None:
     """At 4 × real time, the waits from 4 to 8 s and on to 10 s take 1 s and 0.5 s."""
     wall, slept = Wall(), list[float]()
-    outside = RealTime(4.0, wall)
+    outside = RealTimeQueue(4.0, wall)
     started(outside)
 
     def sleep(seconds: float) -> None:
@@ -69,7 +69,7 @@ def test_an_answer_ends_a_wait_in_real_time(monkeypatch: pytest.MonkeyPatch) -> 
     The rest of the wait is left.
     """
     wall = Wall()
-    outside = RealTime(1.0, wall)
+    outside = RealTimeQueue(1.0, wall)
     times = started(outside)
 
     def sleep(seconds: float) -> None:
@@ -86,7 +86,7 @@ def test_an_answer_ends_a_wait_in_real_time(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_in_lock_step_each_question_grants_a_step(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first step of 10 ms is free; a wait of 25 ms needs two questions more."""
-    outside = LockStep()
+    outside = LockStepQueue()
     times, slept = started(outside), list[float]()
 
     def sleep(seconds: float) -> None:
@@ -106,7 +106,7 @@ def test_in_lock_step_an_event_or_an_endless_wait_ends_with_the_question(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """An answer may make an event that comes before the end of the wait."""
-    outside = LockStep(0.01)
+    outside = LockStepQueue(0.01)
     times = started(outside)
     monkeypatch.setattr(outside, "_sleep", lambda seconds: ask(outside, times))
     outside.advance(INFINITY)
@@ -119,7 +119,7 @@ def test_in_lock_step_an_event_or_an_endless_wait_ends_with_the_question(
 
 
 def test_a_question_fails_with_its_exception_and_after_the_end() -> None:
-    outside = LockStep(0.01)
+    outside = LockStepQueue(0.01)
     started(outside)
     assert outside.may_act()
     wrong, right, late = outside.ask(lambda: 1 / 0), outside.ask(lambda: 7), outside.ask(lambda: 8)
@@ -136,7 +136,7 @@ def test_a_question_fails_with_its_exception_and_after_the_end() -> None:
 def test_a_thread_sleeps_half_a_second_at_most_and_not_if_a_question_waits(
     seconds: float, waited: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    outside, found = LockStep(0.01), list[float]()
+    outside, found = LockStepQueue(0.01), list[float]()
     times = started(outside)
     monkeypatch.setattr(outside._changed, "wait", found.append)
     outside._sleep(seconds)

@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from motionlang.ide.dap.arguments import Arguments, Refused
+from motionlang.ide.dap.arguments import Arguments, RequestRefused
 from motionlang.ide.dap.framing import MAX_BODY, MAX_HEADER, WrongMessage, read, written
 
 # --------------------------------------------------------------------------------------------------- arguments
@@ -52,7 +52,7 @@ def test_an_argument(kind: str, value: object, wanted: object) -> None:
     arguments = Arguments({"a": value})
     try:
         found = getattr(arguments, kind)("a")
-    except Refused as refused:
+    except RequestRefused as refused:
         found = str(refused)
     assert found == wanted
 
@@ -61,7 +61,7 @@ def test_arguments_that_are_missing() -> None:
     none = Arguments(None)
     assert (none.text("a", "x"), none.number("a", 7), none.seconds("a", 2.0)) == ("x", 7, 2.0)
     assert none.flag("a", True) is True
-    with pytest.raises(Refused, match="arguments must be an object"):
+    with pytest.raises(RequestRefused, match="arguments must be an object"):
         Arguments([])
 
 

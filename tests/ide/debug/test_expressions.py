@@ -7,7 +7,7 @@ import pytest
 from motionlang.ide.debug.breakpoints import Breakpoint
 from motionlang.ide.debug.destinations import destination
 from motionlang.ide.debug.expressions import WrongExpression, parse
-from motionlang.ide.debug.moments import Moment, search, together
+from motionlang.ide.debug.moments import Occurrence, search, together
 from motionlang.ide.debug.values import shown
 from tests.ide.debug.test_debugger import MOVE, line_of, mint
 
@@ -307,11 +307,11 @@ def test_the_axes_of_the_machine() -> None:
 
 def test_moments_at_the_same_time_are_one() -> None:
     """Two different texts are shown; the rest is counted."""
-    first = Moment(1.0, "a", 7, "exception")
-    others = [Moment(1.0, text) for text in ("b", "a", "c", "d")]
+    first = Occurrence(1.0, "a", 7, "exception")
+    others = [Occurrence(1.0, text) for text in ("b", "a", "c", "d")]
     assert together([first]).text == "a"
     assert together([first, others[0]]).text == "a; b"
-    found = together([first, *others, Moment(2.0, "e")])
+    found = together([first, *others, Occurrence(2.0, "e")])
     assert (found.time, found.text, found.at, found.reason) == (1.0, "a; b; 2 more", 7, "exception")
 
 

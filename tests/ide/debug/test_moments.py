@@ -11,7 +11,15 @@ from math import inf
 import pytest
 
 from motionlang import run
-from motionlang.ide.debug.moments import FILTERS, MAX_TEXTS, Moment, complaints, filtered, search, together
+from motionlang.ide.debug.moments import (
+    FILTERS,
+    MAX_TEXTS,
+    Occurrence,
+    complaints,
+    filtered,
+    search,
+    together,
+)
 from motionlang.kernel import Diagnostic, Run, Source
 from tests.ide.debug.test_debugger import mint
 
@@ -43,7 +51,7 @@ def made(until: float = inf) -> Run:
     return result
 
 
-def found(text: str, after: float = 0.0, until: float = 9.0, result: Run | None = None) -> list[Moment]:
+def found(text: str, after: float = 0.0, until: float = 9.0, result: Run | None = None) -> list[Occurrence]:
     return list(search(text, range(8))((result or made()).machine, after, until))
 
 
@@ -155,9 +163,9 @@ def test_a_run_without_motion_has_no_moments() -> None:
 
 def test_moments_of_one_time_are_one() -> None:
     """At most two of their texts are shown, each once."""
-    three = [Moment(1.0, text, 7, "exception") for text in ("a", "b", "a", "c")]
+    three = [Occurrence(1.0, text, 7, "exception") for text in ("a", "b", "a", "c")]
     assert together(three).text == "a; b; 1 more"
-    first = together([*three[:3], Moment(1.5, "d")])
+    first = together([*three[:3], Occurrence(1.5, "d")])
     assert (first.time, first.text, first.at, first.reason) == (1.0, "a; b", 7, "exception")
     assert MAX_TEXTS == 2
 

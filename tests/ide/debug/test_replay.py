@@ -7,7 +7,7 @@ import pytest
 from motionlang.ide.debug import replay as module
 from motionlang.ide.debug.breakpoints import Watched
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
-from motionlang.ide.debug.replay import Output
+from motionlang.ide.debug.replay import SessionOutput
 from motionlang.kernel import Source
 from tests.cases import cases
 from tests.ide.debug.test_debugger import CALLS, at, mint, value
@@ -37,7 +37,7 @@ from tests.ide.debug.walks import go_to_number
 )  # fmt: skip
 def test_output_is_shown_once(work: list[tuple[object, ...]], shown: str, count: int) -> None:
     texts: list[str] = []
-    output = Output(texts.append)
+    output = SessionOutput(texts.append)
     for name, *arguments in work:
         getattr(output, str(name))(*arguments)
     assert ("|".join(texts), output._shown) == (shown, count)

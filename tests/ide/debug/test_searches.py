@@ -12,7 +12,7 @@ import pytest
 from motionlang.ide.debug import debugger as module
 from motionlang.ide.debug.breakpoints import Watched
 from motionlang.ide.debug.debugger import Debugger, Stop
-from motionlang.ide.debug.moments import Moment, complaints, search
+from motionlang.ide.debug.moments import Occurrence, complaints, search
 from motionlang.kernel import Machine
 from tests.cases import cases
 from tests.ide.debug.test_debugger import CALLS, at, mccl, mint
@@ -100,7 +100,7 @@ def recorded(debugger: Debugger) -> list[tuple[float, float]]:
     """Return the intervals of the following searches of the log."""
     intervals: list[tuple[float, float]] = []
 
-    def find(machine: Machine, after: float, until: float) -> list[Moment]:
+    def find(machine: Machine, after: float, until: float) -> list[Occurrence]:
         intervals.append((round(after / UNIT, 3), round(until / UNIT, 3)))
         return []
 

@@ -6,7 +6,7 @@ import pytest
 
 from motionlang.ide.editor import navigation
 from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.navigation import Refused
+from motionlang.ide.editor.navigation import RenameRefused
 from tests.cases import cases
 from tests.ide.editor.pages import at_cursor, page
 
@@ -143,7 +143,7 @@ REFUSED = (
 
 @cases("text, reason", REFUSED)
 def test_a_name_is_refused_with_a_reason(text: str, reason: str) -> None:
-    with pytest.raises(Refused) as refused:
+    with pytest.raises(RenameRefused) as refused:
         navigation.rename(*at_cursor(text), "speed")
     assert str(refused.value) == reason
 
@@ -155,7 +155,7 @@ def test_a_new_name_has_letters_digits_and_underscores(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["", "1x", "a b", "x.1", "x+1", "x ", " x", "x:", "#x", "ü", "Dim", "step"])
 def test_what_is_no_name_is_refused(name: str) -> None:
-    with pytest.raises(Refused) as refused:
+    with pytest.raises(RenameRefused) as refused:
         navigation.rename(*at_cursor("x| = 1\nPrint x\n"), name)
     assert str(refused.value) == f"{name} is not a name: use letters, digits and _, and no keyword"
 

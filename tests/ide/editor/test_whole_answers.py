@@ -11,7 +11,7 @@ from motionlang.ide.editor.fixes import fixes
 from motionlang.ide.editor.formatting import format
 from motionlang.ide.editor.hover import hover
 from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.ide.editor.navigation import Symbol
+from motionlang.ide.editor.navigation import OutlineEntry
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.signature import signature
 from motionlang.ide.editor.times import times
@@ -97,7 +97,7 @@ OUTLINES: tuple[tuple[str, str, list[object]], ...] = (
 
 @cases("language, text, wanted", OUTLINES)
 def test_the_outline_of_a_program(language: str, text: str, wanted: list[object]) -> None:
-    def rows(symbols: list[Symbol]) -> list[object]:
+    def rows(symbols: list[OutlineEntry]) -> list[object]:
         assert [text[slice(*each.at)] for each in symbols] == [each.name for each in symbols]
         return [
             (each.name, each.kind, each.detail, text[slice(*each.span)], rows(each.inner)) for each in symbols

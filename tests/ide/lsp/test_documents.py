@@ -11,7 +11,7 @@ pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 from lsprotocol import types
 
 from motionlang.ide.lsp.convert import diagnostic
-from motionlang.ide.lsp.documents import Document, characters
+from motionlang.ide.lsp.documents import OpenDocument, characters
 from motionlang.ide.lsp.features import _difference as difference
 from motionlang.kernel import Diagnostic
 from tests.ide.lsp.test_answers import span
@@ -39,7 +39,7 @@ def test_a_diagnostic_marks_its_place_or_its_line(
 
     No place at all is the first line.
     """
-    document = Document(URI, "first\n  one b  \n", 1)
+    document = OpenDocument(URI, "first\n  one b  \n", 1)
     found = diagnostic(document, Diagnostic("syntax", "message", *place[:2], length=place[2]))
     start, end = found.range.start, found.range.end
     assert (start.line, start.character, end.line, end.character) == (
@@ -74,7 +74,7 @@ def test_positions_of_offsets(end: str) -> None:
 
     A position outside is the nearest one.
     """
-    document = Document(URI, f"ab{end}\U0001f527c{end}", 1)
+    document = OpenDocument(URI, f"ab{end}\U0001f527c{end}", 1)
     places = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (1, 3), (2, 0)]
     for offset, (line, character) in enumerate(places):
         position = types.Position(line, character)
@@ -89,7 +89,7 @@ def test_positions_of_offsets(end: str) -> None:
 
 
 def test_a_position_behind_an_empty_line_is_its_end() -> None:
-    document = Document(URI, "\nabc", 1)
+    document = OpenDocument(URI, "\nabc", 1)
     assert [document.offset(types.Position(0, character)) for character in (0, 1, 9)] == [0, 0, 0]
 
 
@@ -98,7 +98,7 @@ def test_a_position_behind_an_empty_line_is_its_end() -> None:
     [(URI, "a.mnt"), ("file:///a/b/", "b"), ("untitled:1", "untitled:1"), ("/", "/"), ("b", "b")],
 )
 def test_the_file_name_of_a_text(uri: str, name: str) -> None:
-    assert Document(uri, "", 1).name == name
+    assert OpenDocument(uri, "", 1).name == name
 
 
 def test_the_edit_between_two_lists_of_tokens() -> None:

@@ -18,8 +18,8 @@ pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 from motionlang.ide.editor.times import NO_TIMES, Times
 from motionlang.ide.lsp import features, server, session, workers
 from motionlang.ide.lsp.jobs import CHECK, TIMES, Job
-from motionlang.ide.lsp.server import Input, _Limited
-from motionlang.ide.lsp.workers import Process
+from motionlang.ide.lsp.server import MessageStream, _Limited
+from motionlang.ide.lsp.workers import WorkerProcess
 from motionlang.kernel import Diagnostic
 from tests.cases import cases
 from tests.ide.lsp.test_answers import MACHINE, ask, at, span
@@ -100,10 +100,10 @@ def test_a_message_that_is_too_large_is_skipped(count: int, monkeypatch: pytest.
         return [await stream.readexactly(count), await reader.read()]
 
     stream = io.BytesIO(body + rest)
-    assert [Input(stream).read(count), stream.read()] == [wanted, rest]
+    assert [MessageStream(stream).read(count), stream.read()] == [wanted, rest]
     assert asyncio.run(limited(body + rest)) == [wanted, rest]
     if count > 10:
-        assert Input(io.BytesIO(b"short")).read(count) == b"{}"
+        assert MessageStream(io.BytesIO(b"short")).read(count) == b"{}"
         assert asyncio.run(limited(b"short")) == [b"", b""]
 
 
@@ -139,7 +139,7 @@ def test_a_process_does_one_job_after_another_and_is_replaced_if_it_dies(
             ended.append(len(made))
 
     async def whole() -> list[Any]:
-        process = Process(0.0 if not results else 0.01, 3.0)
+        process = WorkerProcess(0.0 if not results else 0.01, 3.0)
         found = [await process.do(JOB) for _ in range(5)]
         process.stop()
         process.stop()

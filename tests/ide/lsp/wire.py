@@ -11,7 +11,7 @@ from pygls.exceptions import JsonRpcException
 
 from motionlang.ide.editor.times import NO_TIMES
 from motionlang.ide.lsp.jobs import Job, Result, work
-from motionlang.ide.lsp.server import Server
+from motionlang.ide.lsp.server import EditorServer
 from motionlang.ide.lsp.workers import Inline
 
 # What does the jobs, in this process here, and the kinds of jobs.
@@ -68,7 +68,7 @@ class Wire:
     """Both ends of a connection in one process; `sent` has the server's messages."""
 
     def __init__(self, worker: Inline | None = None) -> None:
-        self.server = Server(worker or Checks())
+        self.server = EditorServer(worker or Checks())
         self.sent: list[dict[str, Any]] = []
         self.server.protocol.set_writer(self, include_headers=False)
 

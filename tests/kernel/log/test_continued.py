@@ -8,7 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.kernel import Source
-from motionlang.kernel.log import Move, moves
+from motionlang.kernel.log import LoggedMove, moves
 from motionlang.kernel.planners import Profile
 
 PROGRAM = """Dim k As Integer
@@ -29,14 +29,14 @@ def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: p
 
     50 at speed 20 with rates of 100 takes 50/20 + 20/100 s, without a gap between the entries.
     """
-    split = moves.Moves.split
+    split = moves.LoggedMoves.split
 
-    def read_first(log: moves.Moves, move: Move, done: Profile, now: float, size: int) -> None:
+    def read_first(log: moves.LoggedMoves, move: LoggedMove, done: Profile, now: float, size: int) -> None:
         assert all(each.axis in (0, 1) for each in log)
         split(log, move, done, now, size)
 
     monkeypatch.setattr(moves, "MAX_WAITING", 2500)
-    monkeypatch.setattr(moves.Moves, "split", read_first)
+    monkeypatch.setattr(moves.LoggedMoves, "split", read_first)
     log = run(Source("found.mnt", PROGRAM)).controller.log.moves
     for axis in (0, 1):
         entries = [each for each in log if each.axis == axis]

@@ -16,7 +16,7 @@ from motionlang import prove
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import Controller, Rejected, Run, Source, WholeTrack, report, run
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.log import Log, Move, Store, stream
+from motionlang.kernel.log import Log, LoggedMove, Store, stream
 from motionlang.kernel.log import log as log_module
 from tests.kernel.log.small import shrink
 
@@ -94,10 +94,10 @@ def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> N
     assert packed > len(whole) // 2
 
 
-def living_moves() -> list[Move]:
+def living_moves() -> list[LoggedMove]:
     """Return every Move object that exists in the process."""
     gc.collect()
-    return [each for each in gc.get_objects() if type(each) is Move]
+    return [each for each in gc.get_objects() if type(each) is LoggedMove]
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from motionlang.kernel import Controller, WholeTrack
-from motionlang.kernel.log import Log, Move, Waited
+from motionlang.kernel.log import Log, LoggedMove, Waited
 from motionlang.kernel.planners import pieces_of
 from tests.kernel.tracks.test_figures import machine
 
@@ -40,8 +40,8 @@ def test_the_first_room_is_for_all_profiles(monkeypatch: pytest.MonkeyPatch) -> 
     assert followed.log.room == 10_240 - 1024
 
 
-def filled(**more: Any) -> Move:
-    move = Move(0, "MOVER", 3, 10.0)
+def filled(**more: Any) -> LoggedMove:
+    move = LoggedMove(0, "MOVER", 3, 10.0)
     for name, value in more.items():
         setattr(move, name, value)
     return move

@@ -10,11 +10,11 @@ import pytest
 from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel import Controller, WholeTrack
 from motionlang.kernel.controller.queue.action import Action
-from motionlang.kernel.log import Move, Store, stream
+from motionlang.kernel.log import LoggedMove, Store, stream
 from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import moves as moves_module
 from motionlang.kernel.log import profiles as profiles_module
-from motionlang.kernel.log.moves import Moves
+from motionlang.kernel.log.moves import LoggedMoves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import TimeSlices
 from motionlang.kernel.log.time_slices import TimeSliceStream
@@ -208,9 +208,9 @@ FIELDS = (
 )
 
 
-def read_again(move: Move) -> Move:
+def read_again(move: LoggedMove) -> LoggedMove:
     """Return a move that is over, as it is read when it is a row."""
-    moves = Moves(Store())
+    moves = LoggedMoves(Store())
     moves.add(move)
     moves.pack(1)
     assert moves.packed == 1
@@ -242,7 +242,7 @@ def test_a_packed_move_has_all_its_figures(action: Action | None, profile: Profi
 
 
 def test_an_overlaid_move_is_one_when_it_is_read() -> None:
-    class Overlaid(Move):
+    class Overlaid(LoggedMove):
         overlaid = True
 
     again = read_again(Overlaid(0, "OFFSET", 3, 10.0))
@@ -253,7 +253,7 @@ def test_an_overlaid_move_is_one_when_it_is_read() -> None:
 def test_a_move_continues_as_another_entry(index: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Entries are packed as their pieces reach ten, then counted from 0 again."""
     monkeypatch.setattr(moves_module, "MAX_WAITING", 10)
-    moves = Moves(Store())
+    moves = LoggedMoves(Store())
     for k in range(3):
         moves.add(filled(line=k, start_time=1.0, offset=5.0))
     move, done = moves[index], hold(4.0)

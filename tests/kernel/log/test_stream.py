@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.kernel import Rejected
 from motionlang.kernel.log import Changed, Store, Stream, stream
-from motionlang.kernel.log.columns import Numbers, Texts
+from motionlang.kernel.log.columns import ColumnOfTexts, Numbers
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ class Everything(NamedTuple):
 
     time: float
     what: object
-    text: Annotated[str, Texts]
+    text: Annotated[str, ColumnOfTexts]
     numbers: Annotated[tuple[float, ...], Numbers]
 
 

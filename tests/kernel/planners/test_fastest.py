@@ -17,7 +17,7 @@ import pytest
 from ruckig import InputParameter, Result, Ruckig, RuckigError, Trajectory
 
 from motionlang.kernel.planners import plan, plan_stop, plan_velocity
-from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from tests.kernel.planners.many import drawn
 from tests.kernel.planners.times import Law, ends_together, law, lead, move_times, ramp, reverses, rounding
 
@@ -152,7 +152,7 @@ def courses_of_one_pace_take_the_time_of_a_move(seed: int, count: int, shape: st
         if lead(v0, 0.0, 0.0, by)[1] > length * (1.0 - EXACT):
             v0 = 0.0
         shares = sorted(choose.random() for _ in range(choose.randint(0, 3) * (shape == "trapezoid")))
-        pace = Pace(name, each.speed, *each.rates, ratio, *each.jerks)
+        pace = PathPace(name, each.speed, *each.rates, ratio, *each.jerks)
         lengths = [(last - first) * length for first, last in pairwise((0.0, *shares, 1.0))]
         made = plan_course([(each, pace) for each in lengths], 0.0, v0)
         least, most = move_times(v0, 0.0, length, each.speed, by, rounding(length, length))
@@ -167,7 +167,7 @@ def courses_that_speed_up_take_the_time_of_their_ramps(seed: int, count: int, sh
         by, slow, fast = law_of(each, shape), choose.uniform(0.1, 0.9) * each.speed, each.speed
         first, between, last = ramp(0.0, slow, by), ramp(slow, fast, by), ramp(fast, 0.0, by)
         lengths = first[1] + choose.random() * slow, between[1] + last[1] + choose.random() * fast
-        paces = [Pace(name, speed, *each.rates, ratio, *each.jerks) for speed in (slow, fast)]
+        paces = [PathPace(name, speed, *each.rates, ratio, *each.jerks) for speed in (slow, fast)]
         made = plan_course(list(zip(lengths, paces, strict=True)), 0.0, 0.0)
         holds = (lengths[0] - first[1]) / slow + (lengths[1] - between[1] - last[1]) / fast
         time = first[0] + between[0] + last[0] + holds

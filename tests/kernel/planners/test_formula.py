@@ -7,11 +7,11 @@ from math import asin, cos, inf, pi, sin
 
 import pytest
 
-from motionlang.kernel.planners import State, summit
-from motionlang.kernel.planners.formula import Formula
+from motionlang.kernel.planners import MotionState, summit
+from motionlang.kernel.planners.formula import FormulaProfile
 
 
-class Made(Formula):
+class Made(FormulaProfile):
     """A formula given as position, velocity and acceleration."""
 
     __slots__ = ("_knots", "_values")
@@ -23,9 +23,9 @@ class Made(Formula):
         super().__init__("made", values[0](0.0), end, knots[-1], values[1](0.0), end_velocity)
         self._knots, self._values = knots, values
 
-    def state(self, time: float) -> State:
+    def state(self, time: float) -> MotionState:
         position, velocity, acceleration = (each(time) for each in self._values)
-        return State(position, velocity, acceleration, 0.0)
+        return MotionState(position, velocity, acceleration, 0.0)
 
     @property
     def knots(self) -> tuple[float, ...]:

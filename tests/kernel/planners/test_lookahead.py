@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.lookahead import PathPace, plan_course
 
 # Length, speed, acceleration, deceleration.
 Segment = tuple[float, float, float, float]
@@ -19,7 +19,7 @@ EASY = (90.0, 60.0)
 
 def course(segments: list[Segment], v0: float = 0.0, joins: tuple[float, ...] = ()) -> Profile:
     made = plan_course(
-        [(length, Pace("trapezoid", *limits)) for length, *limits in segments], 0.0, v0, joins=joins
+        [(length, PathPace("trapezoid", *limits)) for length, *limits in segments], 0.0, v0, joins=joins
     )
     assert made is not None
     return made
@@ -149,7 +149,7 @@ def test_a_run_that_slowed_down_for_one_stretch_speeds_up_on_the_next() -> None:
     """
     first = 30.0 * 0.04 - 1000.0 * 0.04**3 / 6.0
     limits = {"accel": 100.0, "decel": 100.0, "accel_jerk": 1000.0, "decel_jerk": 1000.0}
-    stretches = [(first, Pace("scurve", 10.0, **limits)), (100.0, Pace("scurve", 30.0, **limits))]
+    stretches = [(first, PathPace("scurve", 10.0, **limits)), (100.0, PathPace("scurve", 30.0, **limits))]
     made = plan_course(stretches, 0.0, 30.0)
     assert made is not None
     fading = 29.2 * 0.04 - 20.0 * 0.04**2 + 1000.0 * 0.04**3 / 6.0
@@ -208,7 +208,7 @@ def test_the_phases_of_a_course(name: str) -> None:
 )
 def test_a_course_that_cannot_stop_at_its_end(start: float, v0: float, time: float | None) -> None:
     """An end 1e-9 of the length of 0.5 farther is rounding."""
-    made = plan_course([(0.25, Pace("trapezoid", 20.0, 100.0, 100.0))] * 2, start, v0)
+    made = plan_course([(0.25, PathPace("trapezoid", 20.0, 100.0, 100.0))] * 2, start, v0)
     assert (None if made is None else made.duration) == (None if time is None else pytest.approx(time))
 
 
@@ -217,8 +217,8 @@ def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> N
 
     The speed only decreases.
     """
-    pace = Pace("trapezoid", 10.0, 100.0, 200.0)
-    other = Pace("trapezoid", 9.0, 100.0, 200.0)
+    pace = PathPace("trapezoid", 10.0, 100.0, 200.0)
+    other = PathPace("trapezoid", 9.0, 100.0, 200.0)
     for k in range(1, 60):
         made = plan_course([(0.1 * k, pace), (20.0, other)], 0.0, 50.0)
         assert made is not None

@@ -10,12 +10,12 @@ import pytest
 
 from motionlang.commands.plan.reach import remedies
 from motionlang.commands.plan.solve import solve_move
-from motionlang.kernel.planners import Profile, State, from_curve, plan, plan_trapezoid, plan_velocity
+from motionlang.kernel.planners import MotionState, Profile, from_curve, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.arc import arc_over, line_over
 from motionlang.kernel.planners.cubics import _fit, cubics
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.limits import LARGEST, SMALLEST
-from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from motionlang.kernel.planners.ramps import MOMENT
 from motionlang.kernel.planners.reparametrised import knot_distances
 from motionlang.kernel.planners.segment_speed import _farthest, between, entry_speed, exit_speed
@@ -56,7 +56,7 @@ def test_what_is_too_fast_brakes_to_the_speed_and_holds_it() -> None:
 
 
 def test_a_course_that_is_over_already_stands() -> None:
-    made = plan_course([(10.0, Pace("trapezoid", *LIMITS))], 10.0, 0.0)
+    made = plan_course([(10.0, PathPace("trapezoid", *LIMITS))], 10.0, 0.0)
     assert made is not None
     assert (made.duration, made.position(5.0), made.end_velocity) == (0.0, 10.0, 0.0)
 
@@ -390,7 +390,7 @@ def test_a_move_that_begins_with_an_acceleration(name: str, sign: float) -> None
 
 def test_a_bend_that_no_cubic_has_is_halved_so_often() -> None:
     """The bend at 0.3 is in the first half, the second quarter, and the third eighth."""
-    bent: Any = SimpleNamespace(at=lambda t: State(abs(t - 0.3), 1.0 if t > 0.3 else -1.0, 0.0, 0.0))
+    bent: Any = SimpleNamespace(at=lambda t: MotionState(abs(t - 0.3), 1.0 if t > 0.3 else -1.0, 0.0, 0.0))
     knots: list[float] = []
     pieces: list[Piece] = []
     _fit(bent, (0.0, 1.0), (bent.at(0.0), bent.at(1.0)), 1e-9, knots, pieces, 3)

@@ -10,7 +10,7 @@ import pytest
 
 from motionlang.kernel.planners import plan, plan_stop, plan_velocity
 from motionlang.kernel.planners.evaluate import evaluate
-from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from motionlang.kernel.planners.ramp_down import stop_in_motion
 from motionlang.kernel.planners.shapes import JerkRamps
 from motionlang.kernel.planners.transition import (
@@ -43,7 +43,7 @@ def coursed(seed: int) -> None:
     random = Random(seed)
     _, accel, decel, jerks = limits(random)
     stretches = [
-        (random.uniform(0.1, 40), Pace("scurve", random.uniform(5, 60), accel, decel, 0.0, *jerks))
+        (random.uniform(0.1, 40), PathPace("scurve", random.uniform(5, 60), accel, decel, 0.0, *jerks))
         for _ in range(random.randint(1, 8))
     ]
     end = sum(length for length, _ in stretches)
@@ -118,7 +118,7 @@ def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
         bend = random.choice([0.0, size(), -size()])
         shape = random.choice(["trapezoid", "scurve", "parabolic", "sinusoidal"])
         stretches = [
-            (size(), Pace(shape, size(), size(), size(), 0.1, size(), size()))
+            (size(), PathPace(shape, size(), size(), size(), 0.1, size(), size()))
             for _ in range(random.randint(1, 4))
         ]
         try:

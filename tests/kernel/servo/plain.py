@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.servo import Drive, Loop, Motor
+from motionlang.kernel.servo import Loop, Motor, VelocityDrive
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class PlainPlant:
     States that the plant does not have stay zero.
     """
 
-    def __init__(self, plant: Motor | Drive, h: float, position: float) -> None:
+    def __init__(self, plant: Motor | VelocityDrive, h: float, position: float) -> None:
         self.plant, self.h = plant, h
         # Numbers of Python, with which arithmetic takes a fifth of the time that NumPy's take.
         self.x = [float(position), 0.0, 0.0, 0.0, 0.0]
@@ -60,7 +60,7 @@ class PlainPlant:
 
     def current(self, u: float) -> float:
         plant = self.plant
-        if isinstance(plant, Drive):
+        if isinstance(plant, VelocityDrive):
             return 0.0
         if plant.amplifier == "current":
             return plant.amplifier_gain * u
@@ -87,7 +87,7 @@ class PlainPlant:
 
     def step(self, u: float) -> None:
         plant = self.plant
-        if isinstance(plant, Drive):
+        if isinstance(plant, VelocityDrive):
             self.x = self.next(1, 1, u)
             return
         half = plant.backlash / 2
@@ -116,7 +116,7 @@ class PlainPlant:
     def continuous(self, side: int, contact: int) -> Array:
         m, plant = np.zeros((7, 7)), self.plant
         m[0, 1] = 1.0
-        if isinstance(plant, Drive):
+        if isinstance(plant, VelocityDrive):
             m[1, 1], m[1, 5] = -1 / plant.time_constant, plant.speed_per_volt / plant.time_constant
             return m
         kappa = plant.counts_per_radian
@@ -243,7 +243,7 @@ def _truncated(value: int, divisor: int) -> int:
     return int(copysign(abs(value) // divisor, value))
 
 
-def run_plain(loop: Loop, plant: Motor | Drive, points: Array, demanded: Array) -> dict[str, Array]:
+def run_plain(loop: Loop, plant: Motor | VelocityDrive, points: Array, demanded: Array) -> dict[str, Array]:
     """Return the columns of a simulation, with a sample for every demanded position.
 
     `points` are those of the trajectory, for the terms that depend on its cycle.

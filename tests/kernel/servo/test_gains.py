@@ -16,12 +16,12 @@ from motionlang.kernel.servo import (
     KEYS,
     PLANT,
     SERVO,
-    Drive,
     Loop,
     Motor,
     Override,
     Servo,
     Track,
+    VelocityDrive,
     gains,
     make_loop,
     make_plant,
@@ -68,7 +68,7 @@ def test_kvelff_alone_makes_a_velocity_drive_follow() -> None:
     """
     full = 120_000.0
     loop = mint_loop({"KVELFF": 2048.0 / (full / 1000.0)})
-    drive = Drive(full / 10.0, 1e-4)
+    drive = VelocityDrive(full / 10.0, 1e-4)
     profile = plan_trapezoid(0.0, 50_000.0, 60_000.0, 600_000.0, 600_000.0)
     trace = simulate(Track([0.0], [profile]), loop, drive, until=0.4)
     assert trace.velocity[-1] == pytest.approx(60_000.0)
@@ -77,7 +77,9 @@ def test_kvelff_alone_makes_a_velocity_drive_follow() -> None:
 def test_kintlimit_is_percent_of_full_scale() -> None:
     loop = mint_loop({"KINT": 1.0, "KINTLIMIT": 5.0, "KINTMODE": 1.0})
     servo = Servo(
-        loop, Drive(1e-3, 1.0), Track([0.0, 0.01], [hold(0.0), plan_trapezoid(0.0, 1e4, 1e6, 1e9, 1e9)])
+        loop,
+        VelocityDrive(1e-3, 1.0),
+        Track([0.0, 0.01], [hold(0.0), plan_trapezoid(0.0, 1e4, 1e6, 1e9, 1e9)]),
     )
     servo.advance(1.0)
     assert servo.integral == pytest.approx(0.5)
@@ -258,7 +260,7 @@ def test_defaults_of_the_machine_file_are_those_of_the_objects() -> None:
         name: key.default for name, key in PLANT.items() if name not in ("speed_per_volt", "time_constant")
     }
     assert make_plant(motor) == Motor()
-    assert make_plant({"kind": "drive"}) == Drive()
+    assert make_plant({"kind": "drive"}) == VelocityDrive()
     override = ("override_steps", "override_hold", "override_speed")
     loop = {name: key.default for name, key in SERVO.items() if name not in (*override, "integral_limit")}
     assert make_loop(loop) == Loop()

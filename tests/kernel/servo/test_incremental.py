@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import hold, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, simulate
+from motionlang.kernel.servo import Loop, Motor, Servo, Track, VelocityDrive, simulate
 from tests.cases import examples
 
 PID = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
@@ -104,7 +104,7 @@ def test_an_open_loop_coasts_and_a_closed_one_holds() -> None:
 
 
 def test_an_open_loop_is_a_constant_voltage() -> None:
-    servo = Servo(PID, Drive(5000.0, 2e-3), Track([0.0], [hold(0.0)]))
+    servo = Servo(PID, VelocityDrive(5000.0, 2e-3), Track([0.0], [hold(0.0)]))
     servo.open(2.0)
     servo.advance(1.0)
     assert servo.velocity == pytest.approx(10_000.0)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.planners import hold, plan, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Override, Track, simulate
+from motionlang.kernel.servo import Loop, Motor, Override, Track, VelocityDrive, simulate
 from tests.kernel.servo.plain import Array, run_plain
 
 PID = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
@@ -32,7 +32,7 @@ LOOPS = {
     "Mint rates": Loop(0.04, 1e-4, 0.3, servo_rate=1000.0),
     "12-bit output": Loop(0.0411, 0.0, 0.9, dac_bits=12),
 }
-PLANTS: dict[str, Motor | Drive] = {
+PLANTS: dict[str, Motor | VelocityDrive] = {
     "motor": Motor(),
     "no inductance": Motor(inductance=0.0),
     "current amplifier": Motor(amplifier="current", amplifier_gain=0.3, viscous=1e-4),
@@ -45,8 +45,8 @@ PLANTS: dict[str, Motor | Drive] = {
     "everything": Motor(
         coulomb=0.003, load_inertia=1e-5, resonance=150.0, backlash=2.0, quantised=True, load_torque=0.002
     ),
-    "drive": Drive(5_000.0, 2e-3),
-    "drive with encoder": Drive(5_000.0, 2e-3, quantised=True),
+    "drive": VelocityDrive(5_000.0, 2e-3),
+    "drive with encoder": VelocityDrive(5_000.0, 2e-3, quantised=True),
 }
 # Of the motor at 10 V, counts/s.
 FULL_SPEED = 10.0 * 2.4 / (0.05 + 1e-5 / 0.05) * 4000.0 / (2.0 * pi)
@@ -93,7 +93,7 @@ def points_of(loop: Loop, track: Track, seconds: float) -> Array:
     return np.array(made)
 
 
-def assert_plain(loop: Loop, plant: Motor | Drive, tolerance: float = 1e-9) -> None:
+def assert_plain(loop: Loop, plant: Motor | VelocityDrive, tolerance: float = 1e-9) -> None:
     """Compare every column of a long move in the package with the plain loop."""
     track = there_and_back()
     trace = simulate(track, loop, plant, until=LONG)

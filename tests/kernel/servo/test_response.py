@@ -13,11 +13,11 @@ import pytest
 
 from motionlang.kernel.planners import hold, plan
 from motionlang.kernel.servo import (
-    Drive,
     Loop,
     LoopFigures,
     Motor,
     Track,
+    VelocityDrive,
     loop_figures,
     simulate,
     step_figures,
@@ -28,11 +28,11 @@ from motionlang.kernel.servo import (
 if TYPE_CHECKING:
     from typing import Any
 
-PAIRS: dict[str, tuple[Loop, Motor | Drive]] = {
+PAIRS: dict[str, tuple[Loop, Motor | VelocityDrive]] = {
     "motor": (Loop(0.04, 2e-5, 0.9), Motor()),
     "no integral": (Loop(0.02, 0.0, 0.5), Motor(load_inertia=2e-5)),
     "current": (Loop(0.03, 2e-4, 1.3), Motor(amplifier="current", amplifier_gain=0.5)),
-    "drive": (Loop(0.02, 2e-5), Drive(5000.0, 2e-3)),
+    "drive": (Loop(0.02, 2e-5), VelocityDrive(5000.0, 2e-3)),
     "velocity feedback": (Loop(0.03, 0.0, 0.0, velocity_feedback=0.8), Motor()),
     "resonance": (Loop(0.01, 1e-6, 0.4), Motor(load_inertia=1e-5, resonance=200.0, resonance_damping=0.05)),
 }
@@ -46,9 +46,9 @@ def control() -> Any:
         return pytest.importorskip("control")
 
 
-def plant_of(plant: Motor | Drive, period: float) -> Any:
+def plant_of(plant: Motor | VelocityDrive, period: float) -> Any:
     """Return the textbook model of a plant, discretised by `control`."""
-    if isinstance(plant, Drive):
+    if isinstance(plant, VelocityDrive):
         a = [[0, 1], [0, -1 / plant.time_constant]]
         b = [[0], [plant.speed_per_volt / plant.time_constant]]
         return control().c2d(control().ss(a, b, [[1, 0]], [[0]]), period, "zoh")
@@ -77,7 +77,7 @@ def plant_of(plant: Motor | Drive, period: float) -> Any:
     )
 
 
-def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
+def closed_by_control(loop: Loop, plant: Motor | VelocityDrive) -> tuple[Any, Any]:
     """Return the open and the closed loop.
 
     Velocity feedback is an inner loop of the position's difference.
@@ -147,12 +147,14 @@ def test_bandwidth_and_margins_are_controls(name: str) -> None:
         Motor(),
         Motor(load_inertia=5e-5),
         Motor(amplifier="current", amplifier_gain=0.5, viscous=0.0),
-        Drive(5000.0, 2e-3),
+        VelocityDrive(5000.0, 2e-3),
     ],
     ids=["motor", "load", "current", "drive"],
 )
 @pytest.mark.parametrize("integral", [True, False])
-def test_a_suggestion_has_the_requested_bandwidth(plant: Motor | Drive, hz: float, integral: bool) -> None:
+def test_a_suggestion_has_the_requested_bandwidth(
+    plant: Motor | VelocityDrive, hz: float, integral: bool
+) -> None:
     made = suggest(plant, hz, integral=integral)
     _, closed = closed_by_control(made.loop, plant)
     gain = abs(control().frequency_response(closed, np.array([hz]) * 2 * pi).complex[0])
@@ -206,7 +208,7 @@ def test_the_margin_of_a_loop_that_only_integrates(degrees: float) -> None:
     its crossover at w = 2a, that is at a / 180 degrees of 4000 Hz, and a phase margin of 90 degrees - a.
     """
     loop = Loop(2.0 * sin(radians(degrees)) / 1.25)
-    figures = loop_figures(loop, Drive(5000.0, 1e-9))
+    figures = loop_figures(loop, VelocityDrive(5000.0, 1e-9))
     assert figures.crossover == pytest.approx(4000.0 * degrees / 180.0, rel=1e-4)
     assert figures.phase_margin == pytest.approx(90.0 - degrees, abs=0.01)
 
@@ -216,5 +218,5 @@ def test_a_loop_that_hardly_acts_has_no_crossover() -> None:
 
     That is below all frequencies that are searched.
     """
-    figures = loop_figures(Loop(1e-6), Drive(5000.0, 1e-6))
+    figures = loop_figures(Loop(1e-6), VelocityDrive(5000.0, 1e-6))
     assert (figures.bandwidth, figures.crossover, figures.phase_margin) == (0.0, 0.0, np.inf)

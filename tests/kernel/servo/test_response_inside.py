@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.servo import (
-    Drive,
     Loop,
+    VelocityDrive,
     loop_figures,
     response,
 )
@@ -45,7 +45,7 @@ def test_a_loop_that_is_there_in_one_sample_has_all_the_frequencies_that_there_a
 
     At 0.8 volts per count, an error is corrected in the next sample.
     """
-    assert bandwidth(Loop(0.8), Drive(5000.0, 1e-6)) == 2000.0
+    assert bandwidth(Loop(0.8), VelocityDrive(5000.0, 1e-6)) == 2000.0
 
 
 @pytest.mark.parametrize("name", PAIRS)

@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import hold, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Track, make_loop, simulate
+from motionlang.kernel.servo import Loop, Motor, Track, VelocityDrive, make_loop, simulate
 from motionlang.kernel.servo.demand import Generator
 from motionlang.kernel.servo.discrete import discretise
 from motionlang.kernel.servo.response import DROP, _crossing, _first_fall
-from motionlang.kernel.servo.samples import SampleBlock, Window, next_other_side, next_side
-from motionlang.kernel.servo.step import COLUMNS, Step, at_rest
+from motionlang.kernel.servo.samples import SampleBlock, SettlingWindow, next_other_side, next_side
+from motionlang.kernel.servo.step import COLUMNS, LoopStep, at_rest
 from motionlang.lab.notes.slip import _slid
 
 
@@ -27,7 +27,7 @@ def test_a_window_is_met_since_the_sample_after_the_last_one_outside(
 ) -> None:
     rows = np.zeros((len(COLUMNS), len(error)))
     rows[COLUMNS.index("demand")] = error
-    window = Window(error=1.0)
+    window = SettlingWindow(error=1.0)
     window.pass_by(SampleBlock(100, rows), 0.0, 100 + len(error))
     assert window.since == since
 
@@ -79,8 +79,8 @@ def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: 
 def test_the_sum_of_errors_of_an_lm628_has_24_bits() -> None:
     """With an upper limit one higher, the sum would exceed the last multiple of 256."""
     loop = Loop(0, 1, 0, integral_limit=32767, arithmetic="lm628", dac_bits=12)
-    still = Drive(1e-6, 1.0)
-    step, (motion, (_, *memory)) = Step(loop, still), at_rest(0.0)
+    still = VelocityDrive(1e-6, 1.0)
+    step, (motion, (_, *memory)) = LoopStep(loop, still), at_rest(0.0)
     state, (*_, first, _) = step((motion, (8_388_600.0, *memory)), 100.0, 0.0, True)  # type: ignore[arg-type]
     _, (*_, second, _) = step(state, -256.0, 0.0, True)
     assert second / first == 32766.0 / 32767.0
@@ -127,7 +127,7 @@ def test_the_profile_in_force_is_found_from_wherever_one_was_found_before(
 
 def test_the_acceleration_of_a_drive_goes_by_its_time_constant() -> None:
     """It is (10 u - v) / 0.5; after a third of 0.5 s exp(-1/3) of a change is left."""
-    regime = discretise(Drive(speed_per_volt=10.0, time_constant=0.5), 0.5 / 3.0).regimes[1, 1]
+    regime = discretise(VelocityDrive(speed_per_volt=10.0, time_constant=0.5), 0.5 / 3.0).regimes[1, 1]
     position, velocity, *others = regime.rows
     assert regime.drive == (0.0, -2.0, 0.0, 0.0, 0.0, 20.0, 0.0)
     left = math.exp(-1.0 / 3.0)

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from motionlang import run
 from motionlang.kernel import Source
 from motionlang.kernel.planners import from_curve, hold, plan, plan_trapezoid
-from motionlang.kernel.servo import Drive, Loop, Motor, Servo, Track, simulate
+from motionlang.kernel.servo import Loop, Motor, Servo, Track, VelocityDrive, simulate
 from tests.cases import examples
 from tests.kernel.servo.test_oracle import LOOPS, PLANTS, WHOLE
 
@@ -68,9 +68,9 @@ def varied() -> Track:
 
 
 def test_the_command_of_a_sample_is_on_the_line_between_two_points() -> None:
-    trace = simulate(along(POINTS), Loop(**RATES), Drive(), until=23 / 400.0)
+    trace = simulate(along(POINTS), Loop(**RATES), VelocityDrive(), until=23 / 400.0)
     assert trace.commanded.tolist() == pytest.approx(DEMAND)
-    slow = simulate(along(POINTS), Loop(servo_rate=100.0, trajectory_rate=100.0), Drive(), until=0.05)
+    slow = simulate(along(POINTS), Loop(servo_rate=100.0, trajectory_rate=100.0), VelocityDrive(), until=0.05)
     assert slow.commanded.tolist() == pytest.approx(POINTS[:6])
 
 
@@ -86,7 +86,9 @@ def test_the_command_of_a_sample_is_on_the_line_between_two_points() -> None:
     ],
 )
 def test_feed_forward_of_each_cycle(gains: dict[str, Any], volts: list[float]) -> None:
-    trace = simulate(along(POINTS), Loop(**gains, output_limit=99.0, **RATES), Drive(), until=23 / 400.0)
+    trace = simulate(
+        along(POINTS), Loop(**gains, output_limit=99.0, **RATES), VelocityDrive(), until=23 / 400.0
+    )
     assert trace.output.tolist() == pytest.approx(np.repeat(volts, 4).tolist(), abs=1e-9)
 
 
@@ -100,14 +102,14 @@ def test_an_axis_that_slows_down_has_the_gain_of_deceleration() -> None:
     points = [0.0, 1.0, 4.0, 6.0, 5.0, 1.0, -1.0]
     by_velocity = [1.0, 3.0, 2.0, -1.0, -4.0, -2.0]
     by_change = [1.0, 2.0, -5.0, -15.0, -3.0, 10.0]
-    trace = simulate(along(points), loop, Drive(), until=23 / 400.0)
+    trace = simulate(along(points), loop, VelocityDrive(), until=23 / 400.0)
     volts = [a + b for a, b in zip(by_velocity, by_change, strict=True)]
     assert trace.output[::4].tolist() == pytest.approx(volts)
 
 
 def test_an_integral_is_cleared_when_motion_begins() -> None:
     loop = Loop(integral=1e-3, integral_limit=9.0, integral_mode="zeroed", **RATES)
-    trace = simulate(along([0.0, 4.0, 4.0, 4.0, 5.0, 6.0, 6.0]), loop, Drive(1e-9), until=27 / 400.0)
+    trace = simulate(along([0.0, 4.0, 4.0, 4.0, 5.0, 6.0, 6.0]), loop, VelocityDrive(1e-9), until=27 / 400.0)
     by_cycle = trace.integral.reshape(-1, 4)
     assert by_cycle[:, -1].tolist() == pytest.approx([0.0, 0.016, 0.032, 0.0, 0.0, 0.024, 0.048])
 
@@ -120,7 +122,7 @@ def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
 
     The position p is the integral of v.
     """
-    made = Servo(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
+    made = Servo(Loop(servo_rate=1000.0), VelocityDrive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
     made.open(2.0)
     trace = made.run(300)
     for k in (0, 1, 17, 100, 299):
@@ -137,7 +139,7 @@ def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
     The gain is 0.01 V per count, so the following error is 100 counts.
     """
     ramp = plan_trapezoid(0.0, 1e6, 5000.0, 1e6, 1e6)
-    trace = simulate(Track([0.0], [ramp]), Loop(0.01), Drive(5000.0, 2e-3), until=2.0)
+    trace = simulate(Track([0.0], [ramp]), Loop(0.01), VelocityDrive(5000.0, 2e-3), until=2.0)
     assert trace.error[-1] == pytest.approx(100.0, abs=1e-9)
     assert trace.velocity[-1] == pytest.approx(5000.0, abs=1e-7)
 
@@ -195,7 +197,7 @@ def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> No
 def test_gains_that_are_set_during_motion_cause_no_kick() -> None:
     """A gain that was 0 until now takes its differences from the sample before."""
     for later in (Loop(0.01, velocity_feedback=0.1), Loop(0.01, derivative=0.1)):
-        made = Servo(Loop(0.01), Drive(), Track([0.0], [hold(0.0)]))
+        made = Servo(Loop(0.01), VelocityDrive(), Track([0.0], [hold(0.0)]))
         made.open(1.0)
         made.run(4000)
         made.close()
@@ -213,7 +215,9 @@ def test_figures_may_be_numbers_of_numpy() -> None:
     plain = simulate(track, Loop(0.04, dac_bits=12), Motor(coulomb=0.003), until=0.1)
     other = simulate(track, Loop(number(0.04), dac_bits=bits), Motor(coulomb=number(0.003)), until=0.1)
     assert plain.measured.tolist() == other.measured.tolist()
-    plain, other = (simulate(track, Loop(0.4), Drive(kind(5e3)), until=0.1) for kind in (float, number))
+    plain, other = (
+        simulate(track, Loop(0.4), VelocityDrive(kind(5e3)), until=0.1) for kind in (float, number)
+    )
     assert plain.measured.tolist() == other.measured.tolist()
 
 
@@ -253,7 +257,7 @@ def test_an_hour_at_rest_costs_nothing(plant: dict[str, object], monkeypatch: py
 def test_a_dac_ends_one_step_below_full_scale() -> None:
     """A DAC of 12 bits has 2047 steps of 10/2048 V above zero, and 2048 below."""
     for volts, steps in ((10.0, 2047), (-10.0, -2048), (0.004, 1), (0.002, 0)):
-        made = Servo(Loop(dac_bits=12), Drive(), Track([0.0], [hold(0.0)]))
+        made = Servo(Loop(dac_bits=12), VelocityDrive(), Track([0.0], [hold(0.0)]))
         made.open(volts)
         assert set(made.run(5).output) == {steps * 10.0 / 2048.0}
 
@@ -261,7 +265,7 @@ def test_a_dac_ends_one_step_below_full_scale() -> None:
 def test_a_loop_that_is_closed_within_a_cycle_follows_from_the_next_one_on() -> None:
     """A cycle has 4 samples; the command moves by 2 counts in each."""
     jog = plan_trapezoid(0.0, 1e6, 2000.0, 1e9, 1e9)
-    made = Servo(Loop(0.01), Drive(), Track([0.0], [jog]))
+    made = Servo(Loop(0.01), VelocityDrive(), Track([0.0], [jog]))
     made.open(1.0)
     made.run(202)
     here = made.position

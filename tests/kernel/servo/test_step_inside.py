@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from motionlang.kernel.servo import Drive, Loop, Servo, servo, simulate
+from motionlang.kernel.servo import Loop, Servo, VelocityDrive, servo, simulate
 from motionlang.kernel.servo.discrete import exponential
 from motionlang.kernel.servo.step import at_rest, truncated
 from tests.kernel.servo.test_oracle import LOOPS, PLANTS
@@ -29,7 +29,7 @@ def test_the_integral_acts_by_the_motion_of_the_command(far: float, mode: str, a
     """
     points = [far, far, far + 1.0, far + 3.0, far + 5.0, far + 5.0, far + 5.0]
     loop = Loop(integral=1e-3, integral_limit=9.0, integral_mode=mode, **RATES)
-    made = Servo(loop, Drive(1e-9), along(points))
+    made = Servo(loop, VelocityDrive(1e-9), along(points))
     made.state = at_rest(far + 100.0)
     integral = made.run(24).integral.reshape(-1, 4)
     assert (np.diff(integral[:, -1], prepend=0.0) != 0.0).tolist() == acting

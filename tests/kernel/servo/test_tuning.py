@@ -7,7 +7,7 @@ from math import pi
 
 import pytest
 
-from motionlang.kernel.servo import Drive, Loop, LoopFigures, Motor, suggest, tuning
+from motionlang.kernel.servo import Loop, LoopFigures, Motor, VelocityDrive, suggest, tuning
 from motionlang.kernel.servo.axis_loop import axis_loop
 from motionlang.kernel.servo.response import bandwidth
 from motionlang.kernel.servo.tuning import BeyondPlant, _least, _shape, _warnings, linearised, suggested_loop
@@ -34,7 +34,7 @@ def test_a_plant_that_no_gains_close_is_given_up_after_few_searches(
     """A bandwidth takes a hundred times as long as a check of stability."""
     calls: list[float] = []
 
-    def counted(loop: Loop, plant: Motor | Drive) -> float:
+    def counted(loop: Loop, plant: Motor | VelocityDrive) -> float:
         calls.append(bandwidth(loop, plant))
         return calls[-1]
 
@@ -61,9 +61,9 @@ def test_an_integral_of_the_machine_file_acts_beside_gains_of_the_program(
 
 SWINGING = Motor(load_inertia=2e-5, resonance=60.0)
 # The plant, the phase margin, the bandwidth, and the beginnings of the warnings.
-WARNINGS: dict[str, tuple[Motor | Drive, float, float, tuple[str, ...]]] = {
+WARNINGS: dict[str, tuple[Motor | VelocityDrive, float, float, tuple[str, ...]]] = {
     "a margin just large enough": (Motor(), 30.0, 20.0, ()),
-    "a margin too small": (Drive(), 29.6, 20.0, ("the phase margin is only 30 degrees",)),
+    "a margin too small": (VelocityDrive(), 29.6, 20.0, ("the phase margin is only 30 degrees",)),
     "friction": (Motor(coulomb=0.01), 60.0, 20.0, ("Coulomb friction",)),
     "a resonance three times as high": (SWINGING, 60.0, 20.0, ()),
     "a resonance less than three times as high": (SWINGING, 60.0, 20.1, ("the resonance at 60 Hz",)),
@@ -98,7 +98,7 @@ POLES: dict[str, tuple[float, bool, tuple[float, float, float]]] = {
 def test_the_gains_put_all_poles_at_one_frequency(name: str) -> None:
     w, integral, (derivative, proportional, sums) = POLES[name]
     base = Loop(servo_rate=2000.0, integral_limit=99.0, output_limit=7.0)
-    loop = _shape(Drive(speed_per_volt=40.0, time_constant=0.01), base, integral)(w)
+    loop = _shape(VelocityDrive(speed_per_volt=40.0, time_constant=0.01), base, integral)(w)
     assert loop.derivative == pytest.approx(derivative / 4000.0 * 2000.0, abs=1e-9)
     assert loop.proportional == pytest.approx(proportional / 4000.0)
     assert loop.integral == pytest.approx(sums / 4000.0 / 2000.0)
@@ -109,7 +109,7 @@ def test_the_gains_put_all_poles_at_one_frequency(name: str) -> None:
 def test_gains_are_found_for_the_plant_without_what_is_not_linear() -> None:
     motor = replace(SWINGING, backlash=4.0, coulomb=0.01, breakaway=0.02, load_torque=0.1, quantised=True)
     assert linearised(motor) == SWINGING
-    assert linearised(Drive(quantised=True)) == Drive()
+    assert linearised(VelocityDrive(quantised=True)) == VelocityDrive()
 
 
 def test_a_suggested_loop_has_the_bandwidth() -> None:

@@ -11,7 +11,7 @@ from motionlang.kernel.planners import hold, plan, plan_trapezoid
 from motionlang.kernel.servo import Track
 from motionlang.kernel.servo.samples import (
     SampleBlock,
-    Window,
+    SettlingWindow,
     crossing,
     next_other_side,
     next_side,
@@ -48,7 +48,7 @@ def test_a_motor_settles_after_its_hold_in_the_window(
 
     An error of 1 is inside.
     """
-    window = Window(error=1.0, hold=0.002, at_target=at_target)
+    window = SettlingWindow(error=1.0, hold=0.002, at_target=at_target)
     samples = block(50, error)
     if at_target:  # the command is elsewhere
         samples.rows[COLUMNS.index("demand")] += 9.0
@@ -58,7 +58,7 @@ def test_a_motor_settles_after_its_hold_in_the_window(
 
 
 def test_a_motor_that_was_inside_before_the_samples_settles_sooner() -> None:
-    window = Window(error=1.0, hold=0.01)
+    window = SettlingWindow(error=1.0, hold=0.01)
     window.since = 45.0
     assert window.onsets(block(50, [0.0] * 4), 100.0, 1000.0) == [(55, 54)]
     assert window.onsets(block(50, [2.0, 0.0]), 100.0, 1000.0) == [(61, 52)]
@@ -66,8 +66,8 @@ def test_a_motor_that_was_inside_before_the_samples_settles_sooner() -> None:
 
 def test_a_window_of_speed() -> None:
     samples = block(0, [0.0] * 4, [5.0, -5.0, 5.1, -5.1])
-    assert Window(error=1.0, speed=5.0).inside(samples, 0.0).tolist() == [True, True, False, False]
-    assert Window(error=1.0).inside(samples, 0.0).tolist() == [True] * 4
+    assert SettlingWindow(error=1.0, speed=5.0).inside(samples, 0.0).tolist() == [True, True, False, False]
+    assert SettlingWindow(error=1.0).inside(samples, 0.0).tolist() == [True] * 4
 
 
 @pytest.mark.parametrize(
@@ -85,18 +85,23 @@ def test_a_window_of_speed() -> None:
     ],
 )
 def test_a_window_passed_by_samples(error: list[float], until: int, before: float, since: float) -> None:
-    window = Window(error=1.0)
+    window = SettlingWindow(error=1.0)
     window.since = before
     window.pass_by(block(50, error), 100.0, until)
     assert window.since == since
 
 
 def test_windows_are_the_same_by_their_bounds() -> None:
-    window = Window(1.0, 2.0, 3.0)
-    assert window.same(Window(1.0, 2.0, 3.0, announced=False))
-    for other in (Window(1.5, 2.0, 3.0), Window(1.0, 2.5, 3.0), Window(1.0, 2.0, 4.0), None):
+    window = SettlingWindow(1.0, 2.0, 3.0)
+    assert window.same(SettlingWindow(1.0, 2.0, 3.0, announced=False))
+    for other in (
+        SettlingWindow(1.5, 2.0, 3.0),
+        SettlingWindow(1.0, 2.5, 3.0),
+        SettlingWindow(1.0, 2.0, 4.0),
+        None,
+    ):
         assert not window.same(other)
-    assert not window.same(Window(1.0, 2.0, 3.0, at_target=True))
+    assert not window.same(SettlingWindow(1.0, 2.0, 3.0, at_target=True))
 
 
 def test_samples_are_kept_and_extended() -> None:

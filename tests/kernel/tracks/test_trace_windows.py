@@ -12,7 +12,7 @@ from motionlang.kernel.log import log as log_module
 from motionlang.kernel.log import stream
 from motionlang.kernel.tracks import history
 from motionlang.kernel.tracks import trace as module
-from motionlang.kernel.tracks.trajectory_points import Points
+from motionlang.kernel.tracks.trajectory_points import TrajectoryPoints
 from tests.kernel.log.test_records import shuttled
 from tests.kernel.tracks.test_figures import machine
 from tests.kernel.tracks.test_history import blocks
@@ -148,7 +148,7 @@ def test_points_of_a_new_zero_and_of_a_jog() -> None:
     controller.clock.advance(0.0505)
     controller.define_position(0, 0.0)
     controller.clock.advance(0.1)
-    points = Points(controller.axes[0], 0.001)
+    points = TrajectoryPoints(controller.axes[0], 0.001)
     times = np.array([-1.0, 0.0, 0.0504, 0.0505 - 1e-9, 0.0505 - 1e-11, 0.0505, 0.06])
     assert points.renamed(times).tolist() == pytest.approx([0.0, 0.0, 0.0, 0.0, 4.55, 4.55, 4.55])
     for first, last in ((8, 60), (50, 53), (51, 51), (52, 52), (0, 1)):

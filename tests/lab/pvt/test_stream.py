@@ -19,7 +19,7 @@ from motionlang.kernel.planners.pvt.velocities import smooth_velocities
 from motionlang.lab.pvt.drive import packet
 from motionlang.lab.pvt.drive.bus import NEWS_TIMEOUT, LockstepBus, RealBus
 from motionlang.lab.pvt.drive.drive import IDLE, Drive
-from motionlang.lab.pvt.drive.master import Master, StreamError
+from motionlang.lab.pvt.drive.master import BusMaster, StreamError
 from motionlang.lab.pvt.drive.node import DriveNode
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.fit import track_error
@@ -50,7 +50,7 @@ def test_two_thousand_points_by_pdo() -> None:
     """The start takes two of the 32 points in the buffer, then each segment takes one."""
     points, drive = winding(2_000), Drive()
     with LockstepBus(drive) as bus:
-        done = Master(bus).stream(points)
+        done = BusMaster(bus).stream(points)
     assert (done.sent, done.resent) == (2_000, 0)
     assert done.lowest == 30
     assert departure(drive, from_wire(points)) < 1e-6
@@ -62,7 +62,7 @@ def test_the_same_stream_is_the_same_run() -> None:
     def run() -> tuple[object, ...]:
         points, drive = winding(200), Drive()
         with LockstepBus(drive) as bus:
-            done = Master(bus).stream(points)
+            done = BusMaster(bus).stream(points)
             return done, bus.frames, drive.starts, [p.end for p in drive.profiles]
 
     assert run() == run()
@@ -72,7 +72,7 @@ def test_the_same_stream_is_the_same_run() -> None:
 def test_cubic_moves_by_sdo(transfer: str) -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points, transfer)
+        BusMaster(bus).stream(points, transfer)
     assert departure(drive, from_wire(points)) < 1e-6
 
 
@@ -80,7 +80,7 @@ def test_cubic_moves_by_sdo(transfer: str) -> None:
 def test_linear_moves(transfer: str) -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points, transfer)
+        BusMaster(bus).stream(points, transfer)
     assert departure(drive, [Point(p.position, None, p.time / 1000) for p in points]) < 1e-6
     assert drive.position == points[-1].position
     assert drive.state == IDLE
@@ -93,7 +93,7 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
     """
     points, drive = winding(300, 10), Drive()
     with LockstepBus(drive, step=10_100) as bus:
-        Master(bus).stream(points, "0")
+        BusMaster(bus).stream(points, "0")
     assert drive.buffer.errors == 0
     assert drive.position == points[-1].position
     spans = {round(p.duration * 1e6) for p in drive.profiles if p.shape == "pvt"}
@@ -114,7 +114,7 @@ def test_a_move_that_ends_where_it_began_is_made_to_its_end(
     ]
     drive = Drive(positions[0])
     with LockstepBus(drive, step=10_000) as bus:
-        Master(bus).stream(points, transfer)
+        BusMaster(bus).stream(points, transfer)
     made = [p for p in drive.profiles if p.shape == "pvt"]
     assert [p.end for p in made[: len(positions) - 1]] == [float(position) for position in positions[1:]]
     assert drive.position == positions[-1]
@@ -130,7 +130,7 @@ def test_relative_linear_and_cubic_points_in_one_stream() -> None:
     points.append(WirePoint(0, 0, 0))
     drive = Drive()
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points)
+        BusMaster(bus).stream(points)
     assert departure(drive, from_wire(points)) < 1e-6
 
 
@@ -138,7 +138,7 @@ def test_positions_beyond_24_bits() -> None:
     points = [WirePoint(p.position + 50_000_000, p.velocity, p.time) for p in winding(100)]
     drive = Drive(50_000_000.0)
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points)
+        BusMaster(bus).stream(points)
     assert departure(drive, from_wire(points)) < 1e-6
 
 
@@ -157,7 +157,7 @@ def test_lost_frames_are_sent_again(lost: set[int]) -> None:
             send(can_id, data, remote)
 
         bus.network.send_message = forget_some  # type: ignore[method-assign]
-        done = Master(bus).stream(points)
+        done = BusMaster(bus).stream(points)
     assert done.resent >= 1
     assert departure(drive, from_wire(points)) < 1e-6
 
@@ -165,7 +165,7 @@ def test_lost_frames_are_sent_again(lost: set[int]) -> None:
 def test_a_master_that_polls_too_rarely_lets_the_buffer_run_dry() -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive, step=100_000) as bus, pytest.raises(StreamError, match="underflow"):
-        Master(bus).stream(points)
+        BusMaster(bus).stream(points)
     assert any("underflow" in what for _, what in drive.log)
 
 
@@ -175,7 +175,7 @@ def test_a_drive_with_old_points_and_errors_is_cleared_first() -> None:
         drive.add(WirePoint(n, 0, 9))
     drive.add(WirePoint(0, 0, 9))
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points)
+        BusMaster(bus).stream(points)
     assert departure(drive, from_wire(points)) < 1e-6
 
 
@@ -201,7 +201,7 @@ def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> Non
             send(can_id, data, remote)
 
         bus.network.send_message = spy  # type: ignore[method-assign]
-        Master(bus).stream(points, transfer)
+        BusMaster(bus).stream(points, transfer)
     assert found == control
 
 
@@ -218,9 +218,9 @@ def test_the_figures_of_a_stream(
     2 + 20 × 5 = 102, and 32 more are in the buffer. The master reads the status twice at the beginning. At the end of a
     stream of packets it reads it again, to see if the last one has arrived.
     """
-    points, drive, counted = winding(100), Drive(), count_calls(monkeypatch, (Master, "refresh"))
+    points, drive, counted = winding(100), Drive(), count_calls(monkeypatch, (BusMaster, "refresh"))
     with LockstepBus(drive, step=10_000) as bus:
-        done = Master(bus).stream(points, transfer)
+        done = BusMaster(bus).stream(points, transfer)
     assert (done.sent, done.resent, done.lowest, counted.calls) == (sent, 0, 25, reads)
 
 
@@ -229,14 +229,14 @@ def test_the_figures_of_a_stream(
 def test_a_buffer_is_low_only_while_points_are_left(transfer: str, count: int, lowest: int) -> None:
     """The drive has room for 32 points; the start takes two of them."""
     with LockstepBus(Drive()) as bus:
-        assert Master(bus).stream(winding(count), transfer).lowest == lowest
+        assert BusMaster(bus).stream(winding(count), transfer).lowest == lowest
 
 
 @pytest.mark.parametrize("node", [1, 5])
 def test_the_first_pdos_carry_points_and_the_status(node: int) -> None:
     """They have 0x2010 of 64 bits, and 0x2012 of 32 bits; type 255 is event-driven."""
     with LockstepBus(Drive(), node) as bus:
-        master = Master(bus, node)
+        master = BusMaster(bus, node)
         master.prepare()
         found = [
             [master.node.sdo[communication][1].raw, master.node.sdo[communication][2].raw]
@@ -305,7 +305,7 @@ def test_a_drive_whose_time_stands_still_ends_the_stream(
         monkeypatch.setattr(bus, "patience", 10)
         monkeypatch.setattr(bus, "wait", wait)
         with pytest.raises(StreamError, match="the drive does not take points any more"):
-            Master(bus).stream(winding(99), transfer)
+            BusMaster(bus).stream(winding(99), transfer)
     assert len(waits) == begun + 11
 
 
@@ -346,7 +346,7 @@ def test_a_second_move_follows_the_first() -> None:
     back = [WirePoint(p.position, -p.velocity if p.velocity else 0, 2) for p in reversed(points[:-1])]
     back[-1] = WirePoint(0, 0, 0)
     with LockstepBus(drive) as bus:
-        master = Master(bus)
+        master = BusMaster(bus)
         master.stream(points)
         master.stream([WirePoint(points[-1].position, 0, 2), *back])
     assert drive.position == 0.0
@@ -365,14 +365,14 @@ def test_what_a_transfer_cannot_carry_is_rejected(
     points: list[WirePoint], transfer: str, message: str
 ) -> None:
     with LockstepBus(Drive()) as bus, pytest.raises(StreamError, match=message):
-        Master(bus).stream(points, transfer)
+        BusMaster(bus).stream(points, transfer)
 
 
 def test_the_node_answers_as_a_canopen_device() -> None:
     """Reads and rejections with their abort codes are those that any master expects."""
     drive = Drive()
     with LockstepBus(drive, node_id=5) as bus:
-        node = Master(bus, 5).node
+        node = BusMaster(bus, 5).node
         assert node.sdo[0x2011].raw == 32
         assert bus.frames == 2  # the request and its answer
         assert node.sdo[0x60C2][1].raw == 1
@@ -399,7 +399,7 @@ def test_the_record_can_come_by_pdo_too() -> None:
     """
     drive = Drive()
     with LockstepBus(drive) as bus:
-        master = Master(bus)
+        master = BusMaster(bus)
         master.prepare()
         master.node.sdo[0x60C0].raw = -3
         for number, entries in ((2, [(1, 32), (2, 8)]), (3, [(3, 32)])):
@@ -418,7 +418,7 @@ def test_the_record_can_come_by_pdo_too() -> None:
 def test_the_status_comes_on_every_event() -> None:
     points, drive, seen = winding(10), Drive(), list[packet.BufferStatus]()
     with LockstepBus(drive) as bus:
-        master = Master(bus)
+        master = BusMaster(bus)
         bus.network.subscribe(
             0x181, lambda _, data, __: seen.append(packet.decode_status(int.from_bytes(data, "little")))
         )
@@ -453,7 +453,7 @@ def test_the_master_of_a_real_bus() -> None:
     far.connect(interface="virtual", channel="real")
     try:
         with FencedBus(1, "virtual", "real") as bus:
-            master = Master(bus)
+            master = BusMaster(bus)
             bus.drive, bus.node = drive, master.node
             done = master.stream(points)
     finally:
@@ -463,9 +463,9 @@ def test_the_master_of_a_real_bus() -> None:
 
 
 def test_a_status_is_read_as_long_as_the_drive_has_sent_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    reads = count_calls(monkeypatch, (Master, "refresh"))
+    reads = count_calls(monkeypatch, (BusMaster, "refresh"))
     with LockstepBus(Drive()) as bus:
-        master = Master(bus)
+        master = BusMaster(bus)
         for expected in 1, 2:
             master._at_rest()
             assert reads.calls == expected

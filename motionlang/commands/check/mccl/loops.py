@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mccl import Command
 

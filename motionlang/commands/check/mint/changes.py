@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.axis_state import IDLE, State
+from motionlang.commands.check.axis_state import IDLE, AllAxes
 from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.mint.conditions import Conditional
 from motionlang.kernel.mint.resolve.folding import binary, unary
@@ -14,14 +14,14 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, meaning, meant, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # Keywords with which an input without a signal is 1.
 _POLARITIES = frozenset(("INPUTACTIVELEVEL",))
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
 
 
-def may_change(facts: MintFacts, function: Function, name: nodes.Name, state: State) -> bool:
+def may_change(facts: MintFacts, function: Function, name: nodes.Name, state: AllAxes) -> bool:
     """True if the value of a name may change while a function waits in a state of the axes."""
     symbol, row = name.symbol, name.row
     if symbol is not None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.commands.check.facts import spelt
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.axis_state import State
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.axis_state import AllAxes
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.mint.resolve.symbols import Function
 
@@ -20,7 +20,7 @@ Conditional = nodes.While | nodes.Repeat
 COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _OPPOSITE = {"=": "<>", "<>": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 _MIRRORED = {"=": "=", "<>": "<>", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
-_LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label, nodes.Run)
+_LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label, nodes.RunTask)
 # The subjects whose settings let something other than the program stop an axis.
 _MAY_STOP = frozenset(("buffer", "homing", "latches", "limits"))
 # A position counts as out of reach if it is further away than this fraction of the distance moved: a motor
@@ -36,7 +36,7 @@ class Awaited(NamedTuple):
 
     condition: nodes.Expr
     truth: bool
-    state: State
+    state: AllAxes
     at: int
     polls: bool
 
@@ -74,7 +74,7 @@ class Unattainable:
         self._facts = facts
         self._stopped = facts.axes.stopped | _limited(facts)
 
-    def why(self, node: nodes.Expr, truth: bool, state: State) -> tuple[str, str] | None:
+    def why(self, node: nodes.Expr, truth: bool, state: AllAxes) -> tuple[str, str] | None:
         """Return why a condition never becomes `truth`, and a hint; None if it may."""
         node = meant(node)
         if type(node) is nodes.Unary and node.op == "Not":
@@ -90,7 +90,7 @@ class Unattainable:
             return self._idle(node, state)
         return None
 
-    def _idle(self, name: nodes.Name, state: State) -> tuple[str, str] | None:
+    def _idle(self, name: nodes.Name, state: AllAxes) -> tuple[str, str] | None:
         key = self._facts.key_of(name)
         if not self._facts.axes.known(state, key).jogs or {key, None} & self._stopped:
             return None
@@ -99,7 +99,7 @@ class Unattainable:
             f"STOP({spelt(key)}) or JOG({spelt(key)}) = 0 first",
         )
 
-    def _compared(self, node: nodes.Binary, truth: bool, state: State) -> tuple[str, str] | None:
+    def _compared(self, node: nodes.Binary, truth: bool, state: AllAxes) -> tuple[str, str] | None:
         left, right, op = meant(node.left), meant(node.right), node.op
         if type(left) is not nodes.Name or left.row is None:
             left, right, op = right, left, _MIRRORED[op]

@@ -10,7 +10,7 @@ from motionlang.kernel.mint.syntax.traversal import meaning, walk
 from motionlang.kernel.tools import nearest
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.mint.resolve.symbols import Symbol
 
 # More findings are not shown.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.facts import Facts, spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import Facts, spelt
 
 
 def check(facts: Facts, warn: Warn) -> None:
@@ -26,13 +26,13 @@ is taken into account. After a search for the home switch only the software limi
 In Mint, a program that sets one software limit puts the other one in force, too, and that is 0 until it is set.
 """,
     fix="move less far, or correct the travel in the machine file",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="MOVEA(0) = 500 : GO(0)\n",
         right="MOVEA(0) = 300 : GO(0)\n",
         machine="[axis.0]\ntravel = [0, 400]\n",
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check,
         wrong="1MN,1MA500,1WS\n",
         right="1MN,1MA300,1WS\n",

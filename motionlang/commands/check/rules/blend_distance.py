@@ -8,11 +8,11 @@ from __future__ import annotations
 from math import hypot
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import Use
 
 # The fraction of a path that a blend into the next one may take.
@@ -55,7 +55,7 @@ Each path begins at BLENDDISTANCE before the end of the path before it, but over
 distance of 6 on a path of 10 acts like 5, and the run records a `clamp` event.
 """,
     fix="set BLENDDISTANCE to at most half of the shorter path",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong=(
             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 6\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\n"

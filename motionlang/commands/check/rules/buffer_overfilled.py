@@ -9,22 +9,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE
-from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mint.buffers import LOADS, triggered
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.lang import HEAD, NEXT
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
 
 DEFAULT_SIZE = 2
 # Statements that leave a loop or may skip a part of its body, and roles of keywords that may empty a buffer.
-_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
+_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.RunTask, nodes.Label)
 _EMPTIES = frozenset(("go", "stop", "act", "course", "path", "call"))
 
 
@@ -105,7 +105,7 @@ finds the buffer full waits for space. If the loaded moves need a GO that comes 
 be space, and the program hangs. The warning also covers a `For` that loads too many moves.
 """,
     fix="write GO sooner, or increase MOVEBUFFERSIZE",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="MOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",
         right="MOVEBUFFERSIZE(0) = 3\nMOVER(0) = 1\nMOVER(0) = 2\nMOVER(0) = 3\nGO(0)\n",

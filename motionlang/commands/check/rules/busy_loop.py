@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.lang import STOP
 from motionlang.kernel.mint.resolve.symbols import TIME
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # Statements that let time pass or start another task.
-_TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
+_TAKES_TIME = (nodes.Pause, nodes.Input, nodes.RunTask)
 _COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 
 
@@ -67,7 +67,7 @@ A loop without an end that only computes or prints: it never waits, reads nothin
 leads out of it. There is no warning if the program has tasks, events or a host, which may use what the loop computes.
 """,
     fix="add a WAIT, a PAUSE or an Exit to the loop",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="Dim n\nLoop\n  n = n + 1\n  PRINT n\nEnd Loop\n",
         right="Dim n\nLoop\n  n = n + 1\n  PRINT n\n  WAIT = 10\nEnd Loop\n",

@@ -7,15 +7,15 @@ from operator import eq, gt, lt, ne
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.conditions import COMPARISONS
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER
 from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.facts import Part
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
+    from motionlang.commands.check.rule_facts import Part
     from motionlang.kernel.mccl import Command
 
 
@@ -123,10 +123,10 @@ intended endless loop.
 In MCCL: IB, IE, IG or IU compares the accumulator after an AL with a number, and nothing between them can change it.
 """,
     fix="compare each value, as in n = 1 Or n = 2",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="Dim n = INX(1)\nIf n = 1 Or 2 Then OUTX(1) = 1\n",
         right="Dim n = INX(1)\nIf n = 1 Or n = 2 Then OUTX(1) = 1\n",
     ),
-    mccl=Case(check_mccl, wrong="AL5,IE6,TR0,NO\n", right="GA1,IE6,TR0,NO\n"),
+    mccl=RuleCase(check_mccl, wrong="AL5,IE6,TR0,NO\n", right="GA1,IE6,TR0,NO\n"),
 )

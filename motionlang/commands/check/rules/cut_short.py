@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
@@ -30,5 +30,5 @@ move: no axis has a queue of moves, and the axis goes to the new target alone. W
 of the first move.
 """,
     fix="wait for the end of the motion before you stop it",
-    mccl=Case(check, wrong="1MN,1MR100,1MF\n", right="1MN,1MR100,1WS,1MF\n"),
+    mccl=RuleCase(check, wrong="1MN,1MR100,1MF\n", right="1MN,1MR100,1WS,1MF\n"),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.rule import Case, Rule
+from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="else-if",
@@ -12,7 +12,7 @@ An `Else If` on one line, with a Then and a statement behind it, is read as an E
 the next branch. It may be meant as an Else whose only statement is that If.
 """,
     fix="write ElseIf, or Else on a line of its own",
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong=(
             "Dim n = INX(1)\n"

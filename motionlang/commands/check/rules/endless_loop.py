@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mccl.loops import endless_cycles
 from motionlang.commands.check.mint.changes import unchanging_loops
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -46,10 +46,10 @@ commands that RP, JP, JR or MJ repeat forever, also through several macros, in w
 tested and nothing leads out.
 """,
     fix="change the condition in the loop, or leave it with Exit",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="Dim n\nWhile n < 5\n  OUTX(1) = 1\nEnd While\n",
         right="Dim n\nWhile n < 5\n  OUTX(1) = 1\n  n = n + 1\nEnd While\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN\nTP,RP\n", right="1MN\nTP,WA0.1,RP\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN\nTP,RP\n", right="1MN\nTP,WA0.1,RP\n"),
 )

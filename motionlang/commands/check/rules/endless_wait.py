@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.mint.changes import at_rest, may_change, unchanging_loops
 from motionlang.commands.check.mint.conditions import MARGIN, Unattainable, awaited
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.axis_state import Axis, State
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.axis_state import AllAxes, AxisFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
 
@@ -53,7 +53,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
                 warn(f"this waits for a condition that cannot change: {found[0]}", each.at, found[1])
 
 
-def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: State, warn: Warn) -> None:
+def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: AllAxes, warn: Warn) -> None:
     """Report a PAUSE if nothing that its condition depends on may change."""
     names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
     if not names or facts.value(node.condition) is not None:
@@ -92,7 +92,7 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
                     _check_position(use, statement.text, axis, warn)
 
 
-def _check_position(use: Use, text: str, axis: Axis, warn: Warn) -> None:
+def _check_position(use: Use, text: str, axis: AxisFacts, warn: Warn) -> None:
     """Report a WR for more than the only move since standstill, and a WP beyond the ends of all moves so far."""
     key, number = use.axes[0], use.number(0)
     assert use.row is not None
@@ -141,10 +141,10 @@ handler of the program, and no machine file. The other is for a position that no
 position that no move leads to.
 """,
     fix="wait for something that changes, or stop the axis first",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="JOG(0) = 5\nPAUSE IDLE(0)\n",
         right="JOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,1MR100,1WR200\n", right="1MN,1MR100,1WR50\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,1MR100,1WR200\n", right="1MN,1MR100,1WR50\n"),
 )

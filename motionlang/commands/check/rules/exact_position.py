@@ -12,17 +12,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE, MOVES
-from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mccl.verbs import REPEATS
 from motionlang.commands.check.mint.conditions import Unattainable, awaited
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.axis_state import Axis, State
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.axis_state import AllAxes, AxisFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
 
 # Verbs of Mint's keywords, names of MCCL's variables, and verbs of the commands that read these and compare.
@@ -45,7 +45,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
                 _equalities(facts, each.condition, each.truth, each.state, warn)
 
 
-def _equalities(facts: MintFacts, node: nodes.Node, truth: bool | None, state: State, warn: Warn) -> None:
+def _equalities(facts: MintFacts, node: nodes.Node, truth: bool | None, state: AllAxes, warn: Warn) -> None:
     """Report comparisons for equality of the position of a moving axis.
 
     `truth` is the value for which a program waits, None if it only branches.
@@ -70,7 +70,7 @@ def _equalities(facts: MintFacts, node: nodes.Node, truth: bool | None, state: S
                 break
 
 
-def _instead(what: str, key: Key, axis: Axis, number: float | None) -> str:
+def _instead(what: str, key: Key, axis: AxisFacts, number: float | None) -> str:
     """Return what to write in place of a comparison with a number."""
     if number is None:
         return "compare it with >= or <="
@@ -118,12 +118,12 @@ A moving axis is at 100 for an instant, and the program reads its position befor
 `<=`, or wait for the end of the move. In MCCL: IE or IU after a reading of `POSITION`, in a line that repeats itself.
 """,
     fix="compare with >= or <=, or wait for the end of the move",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) = 100\nOUT(1) = 1\n",
         right="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) >= 100\nOUT(1) = 1\n",
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check_mccl,
         wrong='1MN\nMD3,LU"POSITION",1RL@0,IE500,BK,NO,RP\n',
         right='1MN\nMD3,LU"POSITION",1RL@0,IG500,BK,NO,RP\n',

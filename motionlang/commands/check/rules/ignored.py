@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER, line_of
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.errors import axis_behind
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # A comment directly behind a command.
 _BEHIND = re.compile(r"(?<=\w);(?=\S)(.*)")
@@ -67,6 +67,6 @@ In Mint, `'` begins a comment, so `PRINT 'done'` prints an empty line. The warni
 quotes where PRINT has no value; `check --fix` writes double quotes.
 """,
     fix="remove the number, separate the commands by a comma, or put the text in double quotes",
-    mint=Case(check_mint, wrong="PRINT 'done'\n", right='PRINT "done"\n'),
-    mccl=Case(check_mccl, wrong="1MN,1PT1,1MR100;1WS0\n", right="1MN,1PT,1MR100,1WS0\n"),
+    mint=RuleCase(check_mint, wrong="PRINT 'done'\n", right='PRINT "done"\n'),
+    mccl=RuleCase(check_mccl, wrong="1MN,1PT1,1MR100;1WS0\n", right="1MN,1PT,1MR100,1WS0\n"),
 )

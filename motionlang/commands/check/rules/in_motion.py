@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.facts import Facts, spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import Facts, spelt
 
 
 def check_mint(facts: Facts, warn: Warn) -> None:
@@ -30,10 +30,10 @@ the start of the move, where it probably needs the end. If a PAUSE, a WAIT or a 
 meant to be read during the move, and there is no warning. In MCCL: a TP or DH directly behind a move, outside a loop.
 """,
     fix="wait for the end of the move with PAUSE IDLE before you use the position",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="MOVER(0) = 5 : GO(0)\nPRINT POS(0)\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,1MR100,1TP\n", right="1MN,1MR100,1WS,1TP\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,1MR100,1TP\n", right="1MN,1MR100,1WS,1TP\n"),
 )

@@ -11,13 +11,13 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.conditions import COMPARISONS
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.resolve.symbols import STRING
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.mint.syntax.tokens import Tokens
 
 _BITS = frozenset("&|")
@@ -175,7 +175,7 @@ RULE = Rule(
 warning for an `&` that joins texts.
 """,
     fix="add brackets",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n",
         right="If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n",

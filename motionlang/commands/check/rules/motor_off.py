@@ -8,10 +8,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mccl.verbs import MOVES
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
@@ -41,7 +41,7 @@ A command moves an axis that no line of the file enables with MN, or that MF or 
 MN may already be on if you load the file into a controller that is in use.
 """,
     fix="switch the motor on with MN",
-    mccl=Case(
+    mccl=RuleCase(
         check,
         wrong="1MR100\n",
         right="1MN,1MR100\n",

@@ -11,17 +11,17 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mint.buffers import LOADS, triggered
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mccl import table
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from motionlang.commands.check.facts import Part
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
+    from motionlang.commands.check.rule_facts import Part
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
@@ -156,10 +156,10 @@ In MCCL, VM selects velocity mode and no GO of the axis follows, or CM joins a c
 follows.
 """,
     fix="write GO after the move",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="MOVER(0) = 5\n",
         right="MOVER(0) = 5\nGO(0)\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,1VM\n", right="1MN,1VM,1GO\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,1VM\n", right="1MN,1VM,1GO\n"),
 )

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
 from motionlang.commands.check.mccl.loops import endless_cycles
 from motionlang.commands.check.mint.buffers import LOADS
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meaning, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Symbol
 
@@ -25,7 +25,7 @@ Loop = nodes.For | nodes.While | nodes.Repeat | nodes.Loop
 _LOOPS: tuple[type[Loop], ...] = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 # With one of these in its body, a loop may skip the statement, end, or take time.
 _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.End, nodes.Label, nodes.Pause,
-           nodes.Input, nodes.Run, *_LOOPS)  # fmt: skip
+           nodes.Input, nodes.RunTask, *_LOOPS)  # fmt: skip
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -88,10 +88,10 @@ a test and an exit. A run also warns if it starts several hundred motions from t
 whatever the loop looks like.
 """,
     fix="wait for each move, or let time pass in the loop",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="Dim k\nFor k = 1 To 50\n  JOG(0) = k\nNext\nJOG(0) = 0\n",
         right="Dim k\nFor k = 1 To 50\n  JOG(0) = k\n  WAIT = 10\nNext\nJOG(0) = 0\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN\n1MR100,RP\n", right="1MN\n1MR100,1WS,RP\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN\n1MR100,RP\n", right="1MN\n1MR100,1WS,RP\n"),
 )

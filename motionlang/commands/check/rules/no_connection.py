@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # The client keywords, and how many registers each accesses.
 _REACHED = {"modbustcp16": 1, "modbustcp32": 2, "modbustcpfloat": 2}
@@ -66,7 +66,7 @@ error 41 or 4. The warning appears only if the file has `[[modbus.server]]` or `
 constants in the program.
 """,
     fix="add the node or server to the machine file, or correct its number",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="PRINT MODBUSTCP16(5, 6)\n",
         right="PRINT MODBUSTCP16(4, 6)\n",

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.variables import Suggestions, variables
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl.resolve.command import REGISTER
 from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of, variable
 from motionlang.kernel.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # Types of variables that have a value without an assignment.
 _WITH_VALUE = frozenset((TIME, SEMAPHORE, CONTROLLER, RECORD))
@@ -63,10 +63,10 @@ In MCCL: a register that no AR stores. There is no warning if a comment has `lin
 at run time.
 """,
     fix="assign a value first, or correct the name",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="Dim part\nPRINT part\n",
         right="Dim part = 1\nPRINT part\n",
     ),
-    mccl=Case(check_mccl, wrong="RA10,TR0\n", right="AL5,AR10\nRA10,TR0\n"),
+    mccl=RuleCase(check_mccl, wrong="RA10,TR0\n", right="AL5,AR10\nRA10,TR0\n"),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.rule import Case, Rule
+from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="not-simulated",
@@ -14,10 +14,10 @@ there. That is the case at a keyword that moves an axis or decides what happens 
 neither the program has written nor the machine file gives in `[mint.values]`. `run` also shows these warnings.
 """,
     fix="remove the keyword for a run, or give its value in [mint.values] of the machine file",
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong="ABSENCODERTURNS(0) = 4\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(None, wrong="1MN,1MR100,1WS\nDW1\n", right="1MN,1MR100,1WS\n"),
+    mccl=RuleCase(None, wrong="1MN,1MR100,1WS\nDW1\n", right="1MN,1MR100,1WS\n"),
 )

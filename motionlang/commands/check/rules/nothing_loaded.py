@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -37,10 +37,10 @@ A GO of axes for which no move is loaded: nothing was loaded, or an earlier GO h
 in position mode; the board answers `?-2`.
 """,
     fix="load a move first, or remove the GO",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="GO(0)\nPAUSE IDLE(0)\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,1GO\n", right="1MN,1VM,1GO\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,1GO\n", right="1MN,1VM,1GO\n"),
 )

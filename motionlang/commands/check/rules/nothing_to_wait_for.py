@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
@@ -31,7 +31,7 @@ WS or WT waits for the end of a move, and no command on any path to it, also in 
 the axis.
 """,
     fix="move the axis before you wait for it",
-    mccl=Case(
+    mccl=RuleCase(
         check,
         wrong="1MN\n1WS\n",
         right="1MN,1MR100\n1WS\n",

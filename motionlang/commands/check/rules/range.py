@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER, codes
 from motionlang.kernel.mccl.axis.axis import nearest_whole
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 # Verbs of the commands after which rates are in units of the user, and not rounded.
 _SCALES = frozenset(("scale", "rate", "time_unit", "constant", "offset", "zero"))
@@ -59,10 +59,10 @@ counts. Or a move by MR is not a whole number of counts, and rounding changes it
 times `1MR.5` end at 6.67. In Mint, a value that lies outside what the keyword accepts is an error.
 """,
     fix="choose a value within the range that the hint names",
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong="SPEED(0) = -5\nMOVER(0) = 5 : GO(0)\n",
         right="SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n",
     ),
-    mccl=Case(check, wrong="1SV2.5\n1MN,1MR100,1WS\n", right="1SV3\n1MN,1MR100,1WS\n"),
+    mccl=RuleCase(check, wrong="1SV2.5\n1MN,1MR100,1WS\n", right="1SV3\n1MN,1MR100,1WS\n"),
 )

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mccl import table
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # The settings that a scale changes, in the order of a message.
 _ORDER = ("speed", "accel", "decel", "minimum", "vector speed", "vector accel", "vector decel")
@@ -54,12 +54,12 @@ In MCCL a US is in force only from the next MN on. Speeds, rates and moves betwe
 and its VV, VA and VD.
 """,
     fix="set the scale first",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="SPEED(0) = 250\nSCALE(0) = 1200\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SCALE(0) = 1200\nSPEED(0) = 250\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check_mccl,
         wrong="1US1200,1SV250,1SA1250,1DS1250,1MN\n1MR200,1WS\n",
         right="1US1200,1MN,1SV250,1SA1250,1DS1250\n1MR200,1WS\n",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
@@ -26,7 +26,7 @@ SCALEFACTOR is changed while a move or jog of the axis is certainly in motion. T
 still ends at the same count, which is a different position in the new unit.
 """,
     fix="change the scale while the axis is at rest",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="MOVER(0) = 5 : GO(0)\nSCALE(0) = 2\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nSCALE(0) = 2\n",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.kernel.lang import AxisKey as Key
 
 # One trajectory update, s, and the ramp that a hint suggests instead.
@@ -41,12 +41,12 @@ rate is compared with the greatest literal SPEED of its axis. `run` also shows t
 reaches the greatest SV of its axis within a millisecond.
 """,
     fix="write the time in milliseconds, or the rate in user units/s²",
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong="SPEED(0) = 50\nACCELTIME(0) = 0.2\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 50\nACCELTIME(0) = 200\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check_mccl,
         wrong="1MN,1SV20000,1SA100000000\n1MR100,1WS\n",
         right="1MN,1SV20000,1SA100000\n1MR100,1WS\n",

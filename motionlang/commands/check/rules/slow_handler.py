@@ -5,13 +5,13 @@ from __future__ import annotations
 from math import fsum
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.mint.resolve.symbols import Function
 
 # Statements with which a path may leave the handler.
@@ -55,7 +55,7 @@ ends, so the program between two events gets no time. Both numbers are constants
 count, since it may be skipped.
 """,
     fix="wait less in the handler, or set a longer TIMEREVENT",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="TIMEREVENT = 20\nWAIT = 500\nEnd\nEvent TIMER\n  WAIT = 50\nEnd Event\n",
         right="TIMEREVENT = 100\nWAIT = 500\nEnd\nEvent TIMER\n  WAIT = 50\nEnd Event\n",

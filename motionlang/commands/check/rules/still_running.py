@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 # The shapes of moves that start at rest.
 _SHAPES = {"PS": "S-curve", "PP": "parabola"}
@@ -35,7 +35,7 @@ An axis runs in velocity mode (VM, GO) and has not been stopped, and then a WS o
 position move needs it at rest. A move with an S-curve or parabolic profile starts from rest and is rejected.
 """,
     fix="stop the axis with ST before you wait for it",
-    mccl=Case(
+    mccl=RuleCase(
         check,
         wrong="1MN,1VM,1GO\n1WS\n",
         right="1MN,1VM,1GO,WA1\n1ST,1WS\n",

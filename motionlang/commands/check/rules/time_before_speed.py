@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.facts import spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import spelt
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
@@ -28,7 +28,7 @@ starts, so here the order makes no difference; a controller that converts the ti
 rate.
 """,
     fix="set SPEED first",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="ACCELTIME(0) = 100\nSPEED(0) = 50\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 50\nACCELTIME(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",

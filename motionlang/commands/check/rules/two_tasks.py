@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import walk
@@ -16,8 +16,8 @@ from motionlang.kernel.mint.syntax.traversal import walk
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
 
@@ -82,7 +82,7 @@ def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
     begin = [
         p
         for p, node in facts.nodes_of(main)
-        if type(node) is nodes.Run and node.name.lower() == task.name.lower()
+        if type(node) is nodes.RunTask and node.name.lower() == task.name.lower()
     ]
     found: set[Key] = set()
     for p in facts.graph.reached_within(*begin):
@@ -140,12 +140,12 @@ In MCCL: a macro that GT runs in the background moves an axis that the foregroun
 is no warning if the file stores a register or ends a task.
 """,
     fix="let one task command the axis, or use a Semaphore",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(0) = 9 : GO(0)\nEnd Task\n"),
         right=("Run Feed\nMOVER(0) = 5 : GO(0)\nTask Feed\n  MOVER(1) = 9 : GO(1)\nEnd Task\n"),
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check_mccl,
         wrong="MD1,1MR100,1WS\n1MN,2MN\nGT1,1MR50,1WS\n",
         right="MD1,1MR100,1WS\n1MN,2MN\nGT1,2MR50,2WS\n",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.rule import Case, Rule
+from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="unknown-word",
@@ -16,10 +16,10 @@ In Mint, a name that is neither a keyword nor declared is an error.
         "TEXT searches keywords by what they do, and [mint.words] of the machine file names those "
         "of an older Mint"
     ),
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong="SPED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(None, wrong="MC5\n", right="MD5,1TP\nMC5\n"),
+    mccl=RuleCase(None, wrong="MC5\n", right="MD5,1TP\nMC5\n"),
 )

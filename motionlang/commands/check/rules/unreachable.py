@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mccl.verbs import LEAVES, REPEATS
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.mccl import Line
 
 # Statements that do nothing themselves, or that are commonly written as a precaution at the end of a block.
@@ -65,10 +65,10 @@ statement of a section is reported; an extra End or Return is not. In MCCL: comm
 `JP`, `MJ` and `BK` if nothing skips these, and the line below one that repeats itself forever.
 """,
     fix="remove the statement, or the one before it that never continues",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="End\nPRINT 1\n",
         right="PRINT 1\nEnd\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,BK,1MR100\n", right="1MN,1MR100,BK\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,BK,1MR100\n", right="1MN,1MR100,BK\n"),
 )

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number, label_event
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
@@ -32,7 +32,7 @@ Nothing jumps to the label, and it is not the name of an event (a handler, in v4
 warning too: only an embedded or a host application can trap that event of Mint v4. MintMT has `Event MBLOW`.
 """,
     fix="remove the label",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="#again\nPRINT 1\n",
         right="PRINT 1\n",

@@ -10,14 +10,14 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import COMMANDS, IDLE
-from motionlang.commands.check.facts import Facts, Part, spelt
 from motionlang.commands.check.reach import LOWER, UPPER
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import Facts, Part, spelt
 from motionlang.kernel.lang import RETURN, Use
 from motionlang.kernel.lang import AxisKey as Key
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 # A bit for each property of each axis.
 Bits = dict[tuple["Key", str], int]
@@ -177,10 +177,10 @@ the settings are SV, SA, DS, MV, VV, VA, VD, HL, LL and the shape of profiles, a
 them.
 """,
     fix="remove the setting, or move it in front of the motion that needs it",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="SPEED(0) = 100\n",
         right="SPEED(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check_mccl, wrong="1MN,1SV1000,1SV2000\n1MR100,1WS\n", right="1MN,1SV2000\n1MR100,1WS\n"),
+    mccl=RuleCase(check_mccl, wrong="1MN,1SV1000,1SV2000\n1MR100,1WS\n", right="1MN,1SV2000\n1MR100,1WS\n"),
 )

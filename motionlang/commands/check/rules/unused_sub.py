@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
@@ -23,7 +23,7 @@ RULE = Rule(
 The sub or function is not called, or is called only by subs that are never called themselves.
 """,
     fix="call the sub, or remove it",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="Sub Feed()\n  OUTX(1) = 1\nEnd Sub\n",
         right="Feed\nSub Feed()\n  OUTX(1) = 1\nEnd Sub\n",

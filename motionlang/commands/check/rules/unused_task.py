@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
-    run = {node.name.lower() for node in facts.of_kind(nodes.Run)}
+    run = {node.name.lower() for node in facts.of_kind(nodes.RunTask)}
     for function in facts.functions:
         if function.kind == "task" and function.name.lower() not in run:
             name = function.name
@@ -26,7 +26,7 @@ RULE = Rule(
 No Run starts the task.
 """,
     fix="start the task with Run, or remove it",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="Task Feed\n  OUTX(1) = 1\nEnd Task\n",
         right="Run Feed\nTask Feed\n  OUTX(1) = 1\nEnd Task\n",

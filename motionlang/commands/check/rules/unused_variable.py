@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.variables import Suggestions, variables
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
@@ -40,7 +40,7 @@ value, as in `n = n + 1`. There is no warning for constants, parameters and the 
 variable, the hint is the variable that you probably meant.
 """,
     fix="remove the variable, or correct the name where it is meant",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="Dim part = 1\n",
         right="Dim part = 1\nPRINT part\n",

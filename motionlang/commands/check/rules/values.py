@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import codes
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
@@ -29,10 +29,10 @@ MR without a number moves by 0, and WA without a number does not wait: `1WS` wai
 number of axes, arguments or values that does not fit the keyword is an error.
 """,
     fix="give as many axes, arguments or values as motionlang help WORD shows",
-    mint=Case(
+    mint=RuleCase(
         None,
         wrong="SPEED(0) = 10, 20\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0, 1) = 10, 20\nMOVER(0, 1) = 5, 5 : GO(0, 1)\n",
     ),
-    mccl=Case(check, wrong="1MN,1MR,1WS\n", right="1MN,1MR100,1WS\n"),
+    mccl=RuleCase(check, wrong="1MN,1MR,1WS\n", right="1MN,1MR100,1WS\n"),
 )

@@ -6,13 +6,13 @@ import re
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.conditions import COMPARISONS
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint import table
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 _WAIT = re.compile(r"(\w+)[ \t]*=?[ \t]*")
 
@@ -69,7 +69,7 @@ one millisecond at most. PAUSE waits until a condition is true; `--fix` writes i
 `PAUSE 100`: a number other than 0 is always true, so the program does not wait. `--fix` writes WAIT.
 """,
     fix="write PAUSE instead of WAIT; check --fix does",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="MOVER(0) = 5 : GO(0)\nWAIT IDLE(0)\n",
         right="MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",

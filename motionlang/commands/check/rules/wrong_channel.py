@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.inputs import driven_inputs
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.lang import BANK
 from motionlang.kernel.mccl import models_with, table
 from motionlang.kernel.mint import table as mint_table
@@ -17,8 +17,8 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
-    from motionlang.commands.check.mccl.facts import MacroFacts
-    from motionlang.commands.check.mint.facts import MintFacts
+    from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
 
 _SWITCHES = frozenset({"channel_on", "channel_off"})
 
@@ -101,12 +101,12 @@ In MCCL, CN or CF names a channel that is an input at power-up, and no CT in the
 rejects the command.
 """,
     fix="write INX or OUTX for one channel; in MCCL, make the channel an output with CT first",
-    mint=Case(
+    mint=RuleCase(
         check_mint,
         wrong="IF IN(3) THEN PRINT 1\n",
         right="IF INX(3) THEN PRINT 1\n",
     ),
-    mccl=Case(
+    mccl=RuleCase(
         check,
         wrong="CN1\n",
         right="CT1,CN1\n",

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.facts import Facts, spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import Facts, spelt
 
 
 def check(facts: Facts, warn: Warn) -> None:
@@ -25,10 +25,10 @@ A move starts while ACCEL or DECEL (in MCCL SA or DS) of its axis is 0. It could
 ends there.
 """,
     fix="set ACCEL and DECEL above zero before GO",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="ACCEL(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="ACCEL(0) = 100\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check, wrong="1MN,1SA0\n1MR100,1WS\n", right="1MN,1SA1000\n1MR100,1WS\n"),
+    mccl=RuleCase(check, wrong="1MN,1SA0\n1MR100,1WS\n", right="1MN,1SA1000\n1MR100,1WS\n"),
 )

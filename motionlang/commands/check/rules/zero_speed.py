@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.commands.check.facts import Facts, spelt
-from motionlang.commands.check.rule import Case, Rule, Warn
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.commands.check.rule_facts import Facts, spelt
 
 
 def check(facts: Facts, warn: Warn) -> None:
@@ -24,10 +24,10 @@ A move starts while the SPEED of its axis is 0. It holds where it is until SPEED
 end. A run warns of it, too, and names the line that set SPEED to 0. In MCCL the board rejects a move at SV0.
 """,
     fix="set SPEED above zero before GO",
-    mint=Case(
+    mint=RuleCase(
         check,
         wrong="SPEED(0) = 0\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 10\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),
-    mccl=Case(check, wrong="1MN,1SV0\n1MR100,1WS\n", right="1MN,1SV1000\n1MR100,1WS\n"),
+    mccl=RuleCase(check, wrong="1MN,1SV0\n1MR100,1WS\n", right="1MN,1SV1000\n1MR100,1WS\n"),
 )

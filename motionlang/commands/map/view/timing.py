@@ -12,7 +12,7 @@ from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel import Axis, Run, WholeTrack
 from motionlang.kernel.tracks import axes_of
 from motionlang.views.figure import COLOURS, Curve, Figure, Lane, Panel
-from motionlang.views.lanes import Lane as Channel
+from motionlang.views.lanes import ChannelLane as Channel
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import cells, styled
 

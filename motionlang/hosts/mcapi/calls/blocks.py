@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import block
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import at_once, commands
 from motionlang.kernel.mccl import Command, line_of
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.interface import Interface
-    from motionlang.hosts.mcapi.session import Session
+    from motionlang.hosts.mcapi.session import HostProcess
 
 
 @at_once("MCBlockBegin")
-def begin(session: Session, call: Call, mode: int, num: int) -> bool | None:
+def begin(session: HostProcess, call: ApiCall, mode: int, num: int) -> bool | None:
     """Begin a block, or act at once, depending on the mode."""
     assert call.handle is not None
     found = block.begin(call.handle.interface, call.handle, mode, num)
@@ -29,7 +29,7 @@ def begin(session: Session, call: Call, mode: int, num: int) -> bool | None:
 
 
 @at_once("MCBlockEnd")
-def end(session: Session, call: Call) -> bool:
+def end(session: HostProcess, call: ApiCall) -> bool:
     assert call.handle is not None
     call.line = block.end(call.handle.interface, call)
     return True
@@ -39,7 +39,7 @@ def end(session: Session, call: Call) -> bool:
 def repeat(interface: Interface, count: int) -> list[Command]:
     """Repeat the block so far; raise Refused outside a block."""
     if interface.block is None:
-        raise Refused(mc.MCERR_BLOCK_MODE)
+        raise CallRefused(mc.MCERR_BLOCK_MODE)
     return [command("RP", value=count)]
 
 
@@ -62,12 +62,12 @@ def breakpoint_at(interface: Interface, axis: int, mode: int, position: float) -
 def contour_path(interface: Interface, axis: int, wMode: int, buffer: str) -> list[Command]:  # noqa: N803
     """Carry out the commands in a text as a contour path."""
     if wMode not in (mc.MC_LINEAR, mc.MC_CIRC_CW, mc.MC_CIRC_CCW):
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     body = line_of(buffer)
     return [command("CP", axis, wMode), *(body.commands if body is not None else ())]
 
 
 def _either(kind: int, absolute: str, relative: str) -> str:
     if kind not in (mc.MC_ABSOLUTE, mc.MC_RELATIVE):
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     return relative if kind == mc.MC_RELATIVE else absolute

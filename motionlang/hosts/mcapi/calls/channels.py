@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import commands, query
 from motionlang.kernel.mccl import Command, is_on, volts
 
@@ -26,7 +26,7 @@ LARGEST = (1 << BITS) - 1
 def configure(interface: Interface, channel: int, mode: int) -> list[Command]:
     """Set direction and logic; a latched input has no command."""
     if mode & mc.MC_DIO_LATCH:
-        raise Refused(mc.MCERR_NOTSUPPORTED)
+        raise CallRefused(mc.MCERR_NOTSUPPORTED)
     chosen = (
         (mc.MC_DIO_INPUT, "CI"),
         (mc.MC_DIO_OUTPUT, "CT"),
@@ -36,7 +36,7 @@ def configure(interface: Interface, channel: int, mode: int) -> list[Command]:
     found = [command(name, value=channel) for bit, name in chosen if mode & bit]
     both = (mc.MC_DIO_INPUT | mc.MC_DIO_OUTPUT, mc.MC_DIO_HIGH | mc.MC_DIO_LOW)
     if not found or any(mode & bits == bits for bits in both):
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     return found
 
 
@@ -53,7 +53,7 @@ def wait(interface: Interface, channel: int, state: int) -> list[Command]:
 @commands("MCSetAnalog", "MCSetAnalogEx")
 def set_analog(interface: Interface, channel: int, value: int) -> list[Command]:
     if not 0 <= value <= LARGEST:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     level = (2.0 * value / LARGEST - 1.0) * FULL_SCALE
     return [command("AL", value=level), command("OA", value=channel)]
 
@@ -79,5 +79,5 @@ def analog(interface: Interface, channel: int) -> int:
 
 def _checked(channel: int) -> int:
     if not 1 <= channel <= MAX_CHANNEL:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     return channel

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.calls.channels import BITS, FULL_SCALE, MAX_CHANNEL
 from motionlang.hosts.mcapi.command import lacks
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import query
 from motionlang.kernel.mccl import Board
 
@@ -97,6 +97,6 @@ def modules(interface: Interface, size: int) -> tuple[int, ...]:
     """Return the module of each site; 15 is an empty site."""
     board = interface.board
     if size <= 0:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     found = [_module(board, axis) for axis in board.numbers]
     return tuple((found + [mc.NO_MODULE] * size)[:size])

@@ -5,50 +5,50 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import at_once
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
-    from motionlang.hosts.mcapi.session import Session
+    from motionlang.hosts.mcapi.call import ApiCall
+    from motionlang.hosts.mcapi.session import HostProcess
 
 # 4.4.1.
 VERSION = 4 << 16 | 4 << 8 | 1
 
 
 @at_once("MCOpen")
-def open_handle(session: Session, call: Call, nID: int, mode: int, name: str | None) -> None:  # noqa: N803
+def open_handle(session: HostProcess, call: ApiCall, nID: int, mode: int, name: str | None) -> None:  # noqa: N803
     if not 0 <= nID <= mc.MC_MAX_ID:
-        raise Refused(mc.MCERR_NO_CONTROLLER)
+        raise CallRefused(mc.MCERR_NO_CONTROLLER)
     call.value = session.open(mode).number
 
 
 @at_once("MCClose")
-def close(session: Session, call: Call) -> None:
+def close(session: HostProcess, call: ApiCall) -> None:
     assert call.handle is not None
     session.close(call.handle)
 
 
 @at_once("MCReopen")
-def reopen(session: Session, call: Call, newmode: int) -> None:
+def reopen(session: HostProcess, call: ApiCall, newmode: int) -> None:
     assert call.handle is not None
     session.reopen(call.handle, newmode)
 
 
 @at_once("MCGetError")
-def last_error(session: Session, call: Call) -> None:
+def last_error(session: HostProcess, call: ApiCall) -> None:
     assert call.handle is not None
     call.value, call.handle.error = call.handle.error, 0
 
 
 @at_once("MCTranslateErrorEx")
-def translate(session: Session, call: Call, nError: int, length: int) -> None:  # noqa: N803
+def translate(session: HostProcess, call: ApiCall, nError: int, length: int) -> None:  # noqa: N803
     """Return the text of an error code.
 
     It is truncated to a buffer that is too short, which is an error itself.
     """
     if length <= 0:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     text = mc.text_of(nError)
     call.outputs = (text[: length - 1],)
     if len(text) >= length:
@@ -56,14 +56,14 @@ def translate(session: Session, call: Call, nError: int, length: int) -> None:  
 
 
 @at_once("MCSetTimeoutEx")
-def set_timeout(session: Session, call: Call, timeout: float) -> None:
+def set_timeout(session: HostProcess, call: ApiCall, timeout: float) -> None:
     assert call.handle is not None
     if timeout < 0.0:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     call.outputs = (call.handle.timeout,)
     call.handle.timeout = timeout
 
 
 @at_once("MCGetVersion")
-def version(session: Session, call: Call) -> None:
+def version(session: HostProcess, call: ApiCall) -> None:
     call.value = VERSION

@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command, line, own
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import at_once, commands, poll, query
 from motionlang.kernel.mccl import Board, Command, CommandTask, table
 from motionlang.kernel.mccl.axis.variables import NAMES
 from motionlang.kernel.mccl.keywords.registers import wrapped
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.calls.motion import Polled
     from motionlang.hosts.mcapi.interface import Interface
-    from motionlang.hosts.mcapi.session import Handle, Session
+    from motionlang.hosts.mcapi.session import Handle, HostProcess
     from motionlang.hosts.mcapi.table import Value
 
 NUMBERS = (mc.MC_TYPE_LONG, mc.MC_TYPE_FLOAT, mc.MC_TYPE_DOUBLE)
@@ -32,7 +32,7 @@ CODES = "mccl.codes."
 def _typed(value: Value, kind: int) -> float | int:
     """Return a value converted to a numeric type; raise Refused for any other type."""
     if kind not in NUMBERS or isinstance(value, str):
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     return wrapped(int(value)) if kind == mc.MC_TYPE_LONG else float(value)
 
 
@@ -46,7 +46,7 @@ def set_register(interface: Interface, reg: int, value: Value, type: int) -> lis
 @query("MCGetRegister")
 def register(interface: Interface, reg: int, type: int) -> float | int:
     if type not in NUMBERS or reg < 0:
-        raise Refused(mc.MCERR_CONSTANT if type not in NUMBERS else mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_CONSTANT if type not in NUMBERS else mc.MCERR_RANGE)
     return _typed(interface.register(reg), type)
 
 
@@ -54,46 +54,46 @@ def register(interface: Interface, reg: int, type: int) -> float | int:
 def variable(interface: Interface, varname: str) -> int:
     address = NAMES.get(varname.upper())
     if address is None:
-        raise Refused(mc.MCERR_NOT_FOUND)
+        raise CallRefused(mc.MCERR_NOT_FOUND)
     return address
 
 
 # ------------------------------------------------------------------------------------------------ characters
 
 
-def _ascii(call: Call) -> Interface:
+def _ascii(call: ApiCall) -> Interface:
     """Return the interface of an ASCII handle; raise Refused for a binary one."""
     assert call.handle is not None
     if not call.handle.is_ascii:
-        raise Refused(mc.MCERR_UNSUPPORTED_MODE)
+        raise CallRefused(mc.MCERR_UNSUPPORTED_MODE)
     return call.handle.interface
 
 
 @at_once("pmcputs")
-def put_text(session: Session, call: Call, buffer: str) -> None:
+def put_text(session: HostProcess, call: ApiCall, buffer: str) -> None:
     call.value = _ascii(call).put(buffer.encode("latin-1", "replace"))
 
 
 @at_once("pmcputc")
-def put_character(session: Session, call: Call, character: int) -> None:
+def put_character(session: HostProcess, call: ApiCall, character: int) -> None:
     call.value = _ascii(call).put(bytes([character & 0xFF]))
 
 
 @at_once("pmcgetc")
-def get_character(session: Session, call: Call) -> None:
+def get_character(session: HostProcess, call: ApiCall) -> None:
     found = _ascii(call).get_one()
     call.value = ord(found) if found else 0
 
 
 @poll("pmcgets")
-def get_text(session: Session, call: Call, size: int) -> Polled:
+def get_text(session: HostProcess, call: ApiCall, size: int) -> Polled:
     """Wait for text up to a CR or prompt.
 
     The buffer needs one character for the terminating zero.
     """
     interface = _ascii(call)
     if size <= 0:
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     assert call.handle is not None
     room = size - 1
 
@@ -105,7 +105,7 @@ def get_text(session: Session, call: Call, size: int) -> Polled:
 
 
 @at_once("pmcrdy")
-def ready(session: Session, call: Call) -> None:
+def ready(session: HostProcess, call: ApiCall) -> None:
     assert call.handle is not None
     call.value = int(not call.handle.interface.occupied)
 
@@ -125,7 +125,7 @@ def _name_of(board: Board, code: int) -> str:
     }
     found = given.get(code, KNOWN_CODES.get(code))
     if found is None or table().get(found) is None:
-        raise Refused(mc.MCERR_NOTSUPPORTED)
+        raise CallRefused(mc.MCERR_NOTSUPPORTED)
     return found
 
 
@@ -139,7 +139,9 @@ def _by_code(interface: Interface, axis: int, code: int, value: Value | None, ki
 
 
 @at_once("pmccmdex")
-def numeric(session: Session, call: Call, axis: int, command: int, argument: Value, type: int) -> bool | None:
+def numeric(
+    session: HostProcess, call: ApiCall, axis: int, command: int, argument: Value, type: int
+) -> bool | None:
     """Carry out a command by its code, or add it to an open block."""
     handle = _handle(call)
     found = _by_code(handle.interface, axis, command, argument, type)
@@ -152,7 +154,7 @@ def numeric(session: Session, call: Call, axis: int, command: int, argument: Val
 
 @at_once("pmccmdrpyex")
 def numeric_with_reply(
-    session: Session, call: Call, axis: int, cmd: int, arg: Value, arg_type: int, rpy_type: int
+    session: HostProcess, call: ApiCall, axis: int, cmd: int, arg: Value, arg_type: int, rpy_type: int
 ) -> bool:
     """Carry out a command by its code, and return its reply."""
     handle = _handle(call)
@@ -167,13 +169,13 @@ def numeric_with_reply(
 
 
 @at_once("pmcrpyex")
-def last_reply(session: Session, call: Call, type: int) -> None:
+def last_reply(session: HostProcess, call: ApiCall, type: int) -> None:
     handle = _handle(call)
     text, handle.reply = handle.reply, ""
     _give(call, text, type)
 
 
-def _handle(call: Call) -> Handle:
+def _handle(call: ApiCall) -> Handle:
     assert call.handle is not None
     return call.handle
 
@@ -182,7 +184,7 @@ def _store(task: CommandTask, handle: Handle) -> None:
     handle.reply = handle.interface.reply_text
 
 
-def _give(call: Call, text: str, kind: int) -> None:
+def _give(call: ApiCall, text: str, kind: int) -> None:
     """Make the last number of a reply the result of the call."""
     words = text.split()
     try:
@@ -200,7 +202,7 @@ def _give(call: Call, text: str, kind: int) -> None:
 
 
 @poll("pmclock")
-def lock(session: Session, call: Call, wait_msec: int) -> Polled:
+def lock(session: HostProcess, call: ApiCall, wait_msec: int) -> Polled:
     """Reserve the interface for this handle; wait while another handle has it."""
     handle = _handle(call)
     interface = handle.interface
@@ -215,7 +217,7 @@ def lock(session: Session, call: Call, wait_msec: int) -> Polled:
 
 
 @at_once("pmcunlock")
-def unlock(session: Session, call: Call) -> None:
+def unlock(session: HostProcess, call: ApiCall) -> None:
     handle = _handle(call)
     if handle.interface.owner is handle:
         handle.interface.owner = None

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import commands, poll
 from motionlang.kernel.mccl import AxisState, Board, Command, at_target_time
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.interface import Interface
-    from motionlang.hosts.mcapi.session import Session
+    from motionlang.hosts.mcapi.session import HostProcess
 
 # Whether it is so, when it may be so next, the time-out, and what to do at the end.
 Polled: TypeAlias = tuple[Callable[[], bool], Callable[[], float], float, Callable[[bool], None]]
@@ -30,7 +30,7 @@ LEARNS = {mc.MC_LRN_POSITION: "LP", mc.MC_LRN_TARGET: "LT"}
 def of(constants: Mapping[int, str], value: int) -> str:
     """Return the command for a constant; raise Refused if there is none."""
     if value not in constants:
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     return constants[value]
 
 
@@ -64,7 +64,7 @@ def enable_gearing(interface: Interface, axis: int, master: int, ratio: float, s
 @commands("MCDirection")
 def direction(interface: Interface, axis: int, dir: int) -> list[Command]:
     if dir not in DIRECTIONS:
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     return [command("DI", axis, DIRECTIONS[dir])]
 
 
@@ -107,10 +107,10 @@ def wait_edge(interface: Interface, axis: int, state: int) -> list[Command]:
 def _condition(
     holds: Callable[[Board, AxisState], bool],
     due: Callable[[Board, AxisState], float] = lambda board, each: inf,
-) -> Callable[[Session, Call, int, float], Polled]:
+) -> Callable[[HostProcess, ApiCall, int, float], Polled]:
     """Return the function that polls a condition for one axis, or for all."""
 
-    def begin(session: Session, call: Call, axis: int, timeout: float) -> Polled:
+    def begin(session: HostProcess, call: ApiCall, axis: int, timeout: float) -> Polled:
         board = session.desk.board
         axes = board.all_axes if axis == 0 else (board.axis(axis),)
 

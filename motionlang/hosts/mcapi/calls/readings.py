@@ -6,16 +6,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import at_once, query
 from motionlang.kernel.controller import AUXILIARY
 from motionlang.kernel.mccl import AxisState, Board, Model, aim
 from motionlang.kernel.mccl.axis import status
 
 if TYPE_CHECKING:
-    from motionlang.hosts.mcapi.call import Call
+    from motionlang.hosts.mcapi.call import ApiCall
     from motionlang.hosts.mcapi.interface import Interface
-    from motionlang.hosts.mcapi.session import Session
+    from motionlang.hosts.mcapi.session import HostProcess
 
 # The word and bit of each flag of MCAPI on a MultiFlex; flags 0 to 30 are bits of word 0.
 FLAGS: dict[int, tuple[int, int]] = {
@@ -87,12 +87,12 @@ def all_words(interface: Interface, axis: int) -> tuple[int, ...]:
 
 
 @at_once("MCDecodeStatus")
-def decode(session: Session, call: Call, status: int, bit: int) -> None:
+def decode(session: HostProcess, call: ApiCall, status: int, bit: int) -> None:
     call.value = _decoded(session.desk.board.model, (status,), bit)
 
 
 @at_once("MCDecodeStatusEx")
-def decode_words(session: Session, call: Call, status: tuple[int, ...], bit: int) -> None:
+def decode_words(session: HostProcess, call: ApiCall, status: tuple[int, ...], bit: int) -> None:
     call.value = _decoded(session.desk.board.model, status, bit)
 
 
@@ -102,7 +102,7 @@ def _decoded(model: Model, words: tuple[int, ...], flag: int) -> int:
     The meaning of bit 2 of word 0 depends on the model.
     """
     if not mc.MC_STAT_BUSY <= flag <= mc.MC_STAT_AUX_IDX_FND:
-        raise Refused(mc.MCERR_CONSTANT)
+        raise CallRefused(mc.MCERR_CONSTANT)
     if flag == mc.MC_STAT_AT_TARGET:
         return words[0] >> 2 & 1 if model.at_target else 0
     if flag == mc.MC_STAT_MODE_VEL and not model.at_target:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.command import command
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import commands, query
 from motionlang.kernel.mccl import (
     RECORD_PERIOD,
@@ -38,7 +38,7 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
     board = interface.board
     times = recorded_times(board, axis)
     if points <= 0 or start < 0 or start + points > len(times):
-        raise Refused(mc.MCERR_RANGE)
+        raise CallRefused(mc.MCERR_RANGE)
     times = times[start : start + points]
     state = board.axis(axis)
     if type in TORQUE:
@@ -51,7 +51,7 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
     if type in ERROR:
         actual = recorded_actual(board, state, times)
         return tuple(state.reported(a - b, "uu") for a, b in zip(optimal, actual, strict=True))
-    raise Refused(mc.MCERR_CONSTANT)
+    raise CallRefused(mc.MCERR_CONSTANT)
 
 
 @query("MCGetCaptureSettings")
@@ -68,4 +68,4 @@ def count(interface: Interface, axis: int, type: int) -> int:
     if type == mc.MC_COUNT_RECORD:
         return len(recorded_times(interface.board, axis))
     known = (mc.MC_COUNT_CAPTURE, mc.MC_COUNT_COMPARE, mc.MC_COUNT_FILTER, mc.MC_COUNT_FILTERMAX)
-    raise Refused(mc.MCERR_NOTSUPPORTED if type in known else mc.MCERR_CONSTANT)
+    raise CallRefused(mc.MCERR_NOTSUPPORTED if type in known else mc.MCERR_CONSTANT)

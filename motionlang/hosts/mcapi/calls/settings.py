@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from motionlang.hosts.mcapi import table as mc
 from motionlang.hosts.mcapi.calls.motion import DIRECTIONS, PROFILES, of
 from motionlang.hosts.mcapi.command import command, lacks
-from motionlang.hosts.mcapi.errors import Refused
+from motionlang.hosts.mcapi.errors import CallRefused
 from motionlang.hosts.mcapi.registry import commands, query
 from motionlang.hosts.mcapi.table import STRUCTURES
 from motionlang.kernel.mccl import AxisState, Board, Command, torque
@@ -240,7 +240,7 @@ def put_limits(axis: int, hard: float, soft: float, low: float, high: float) -> 
     known = mc.MC_LIMIT_BOTH | _ABRUPT_OR_SMOOTH
     for mode, allowed in ((hard, known | mc.MC_LIMIT_INVERT), (soft, known)):
         if mode & ~allowed or mode & _ABRUPT_OR_SMOOTH == _ABRUPT_OR_SMOOTH:
-            raise Refused(mc.MCERR_CONSTANT)
+            raise CallRefused(mc.MCERR_CONSTANT)
     on = 0
     for mode, bit, limit in (
         (hard, mc.MC_LIMIT_PLUS, HARD_PLUS),
@@ -292,7 +292,7 @@ def set_scale(interface: Interface, axis: int, scale: tuple[float, ...]) -> list
     """Set the units; raise Refused on a model that has none."""
     constant, offset, rate, counts, zero, time = scale
     if lacks(interface.board.model, "US"):
-        raise Refused(mc.MCERR_NOTSUPPORTED)
+        raise CallRefused(mc.MCERR_NOTSUPPORTED)
     pairs = (("UK", constant), ("UO", offset), ("UR", rate), ("US", counts), ("UZ", zero))
     return [*(command(name, axis, value) for name, value in pairs), command("UT", value=time)]
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.io.samples import PERIOD, sample, value_at
 from motionlang.kernel.log.records import Sampled
 from motionlang.kernel.log.stream import Stream
@@ -55,7 +55,7 @@ class Sensor:
         self._inputs = a.controller.analogue_inputs
         self.origin, self.value, self.per_unit = origin, value, per_unit
         self.active = False
-        self._event: Event | None = None
+        self._event: TimedCall | None = None
         # What is sampled from the first tick on that is not logged, and the motion there.
         self._sampled: Sampled
         self._profile: Profile

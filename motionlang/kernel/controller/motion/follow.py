@@ -53,7 +53,7 @@ from motionlang.kernel.controller.queue.stop import give_up
 from motionlang.kernel.controller.queue.track import end_move, extend_track, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import rest, with_rest
@@ -67,7 +67,7 @@ _STILL = 1e-9
 MAX_FOLLOWED = 10_000
 
 
-class FollowMove(Move):
+class FollowMove(LoggedMove):
     """The log entry of a slave, whose profile is joined from its history on demand."""
 
     __slots__ = ("segments", "shape", "size")
@@ -121,7 +121,7 @@ class Follow(Action):
         # The offset in progress, from 0 to its distance, and its start time.
         self.offset: Profile | None = None
         self.offset_began = 0.0
-        self.offset_entry: Move | None = None  # its log entry
+        self.offset_entry: LoggedMove | None = None  # its log entry
         # Speed and rates that OFFSETMODE gave it; None for those of the axis.
         self.offset_limits: tuple[float, float, float] | None = None
         move.action = self
@@ -216,7 +216,7 @@ class Follow(Action):
                 rejected.line = rejected.line or move.line
                 raise
 
-    def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
+    def start_offset(self, profile: Profile, entry: LoggedMove | None = None) -> None:
         """Superpose an offset, whose profile begins at 0; it replaces the one in progress."""
         now = self.a.clock.now
         if self.offset is not None:
@@ -232,7 +232,7 @@ class Follow(Action):
             entry.profile = entry.until(self.a.clock.now)
             entry.ended = ended
 
-    def carry(self, profile: Profile, began: float, entry: Move | None) -> None:
+    def carry(self, profile: Profile, began: float, entry: LoggedMove | None) -> None:
         """Superpose an offset that began at the time `began`, and schedule its end."""
         self.offset, self.offset_began, self.offset_entry = profile, began, entry
         self.a.clock.at(began + profile.duration, lambda: self._offset_done(profile))

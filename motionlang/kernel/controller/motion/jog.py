@@ -12,7 +12,7 @@ from motionlang.kernel.controller.queue.life import run_profile
 from motionlang.kernel.controller.queue.plan import rates
 from motionlang.kernel.controller.queue.track import end_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move, keeps_rates
+from motionlang.kernel.log.move import LoggedMove, keeps_rates
 from motionlang.kernel.planners import Profile, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.ramp_down import admitted, onset
@@ -112,7 +112,7 @@ def begin_jog(a: Axis, velocity: float, command: str, line: int, own: Rates | No
         same = present.action.goes_on(a, velocity, own)
         if same:
             return
-    move = Move(a.index, command, line, INFINITY)
+    move = LoggedMove(a.index, command, line, INFINITY)
     move.rates = own
     action = move.action = Jog(velocity, ends)
     move.commanded_speed = abs(velocity)

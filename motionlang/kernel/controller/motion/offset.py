@@ -13,7 +13,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.follow import Follow, tie_of
 from motionlang.kernel.controller.queue.life import move_by, permit_motion
 from motionlang.kernel.controller.queue.plan import plan_distance, rates
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 
 # Bits of the status of the last offset (Mint's _os constants).
@@ -21,7 +21,7 @@ MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bi
 STANDARD, SPEED_LIMIT, ACCEL_MODE, SPEED_MODE = range(4)
 
 
-class OffsetMove(Move):
+class OffsetMove(LoggedMove):
     """The log entry of an offset; positions are relative to the slave without offset."""
 
     __slots__ = ()

@@ -17,7 +17,7 @@ from motionlang.kernel.controller.queue.life import continue_with, empty, run_pr
 from motionlang.kernel.controller.queue.stop import Stopping
 from motionlang.kernel.controller.queue.track import end_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest
@@ -234,7 +234,7 @@ def play(
     With `on_path`, a stop comes to rest on the profile. `step` is the velocity, counts/s, at which a stepper starts and
     stops abruptly; above it the rates of the axis apply.
     """
-    move = Move(a.index, command, line, profile.end)
+    move = LoggedMove(a.index, command, line, profile.end)
     move.action = playback = Playback(on_path, step)
     end_move(a, "retarget")
     profile = playback.waiting(profile) if a.suspended else profile

@@ -9,7 +9,7 @@ from bisect import bisect_right
 from math import ulp
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.kernel.controller.queue import buffer
@@ -19,7 +19,7 @@ from motionlang.kernel.controller.queue.life import go_on
 from motionlang.kernel.controller.queue.stop import decelerate
 from motionlang.kernel.controller.queue.track import extend_track
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import rest
@@ -55,7 +55,7 @@ class CurveFollow(Follow):
         self.curve, self.direction, self.lift = curve, direction, 0.0
         self.ordered: Ordered | None = None
         self.origin, self.datum = master.position(a.clock.now), _datum(master)
-        self._event: Event | None = None
+        self._event: TimedCall | None = None
 
     def over(self, forward: bool) -> bool:
         """Handle the end of the curve, or in reverse its beginning; True to continue."""
@@ -249,7 +249,7 @@ class Fly(Action):
     def __init__(self, master: Axis, distance: float, over: float) -> None:
         self.master, self.distance, self.over = master, distance, over
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         """Tie the axis to its master; a Rejected carries the line of the entry."""
         try:
             check_chain(a, self.master)
@@ -258,7 +258,7 @@ class Fly(Action):
             rejected.line = move.line
             raise
 
-    def follow(self, a: Axis, move: Move, ratio: float) -> Shear:
+    def follow(self, a: Axis, move: LoggedMove, ratio: float) -> Shear:
         """Return the tie of this segment, with `ratio` of slave to master at its start."""
         here = a.position(a.clock.now)
         entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
@@ -301,7 +301,7 @@ class Shear(CurveFollow):
         tie.engage()
         return True
 
-    def _next_entry(self) -> Move | None:
+    def _next_entry(self) -> LoggedMove | None:
         """Return the next entry of the buffer, and execute the outputs before it."""
         buffered = self.a.buffer
         while buffered and buffered[0].released:

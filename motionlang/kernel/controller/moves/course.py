@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import too_late
-from motionlang.kernel.controller.moves.geometry import Segment, corner
+from motionlang.kernel.controller.moves.geometry import PathSegment, corner
 from motionlang.kernel.controller.queue.buffer import motion_at
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.planners import Profile, State, hold
+from motionlang.kernel.planners import MotionState, Profile, hold
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest
-from motionlang.kernel.planners.lookahead import Pace, plan_course
+from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from motionlang.kernel.planners.ramp_down import onset, stop_in_motion
 from motionlang.kernel.planners.reparametrised import travelled
 from motionlang.kernel.tools import total
@@ -49,7 +49,7 @@ class Course:
         self.here, self.axes, self._clock = here, here.axes, here.axes[0].clock
         self.segment = here.lay(starts)
         self.starts, self.begins = list(starts), list(starts)
-        self.ahead: list[tuple[PathMove, Segment]] = []
+        self.ahead: list[tuple[PathMove, PathSegment]] = []
         self.entered: list[PathMove] = [here]
         self.profile: Profile = hold(0.0)
         self.present = self.profile
@@ -283,7 +283,7 @@ class Course:
             too_late(self.axes[0], leader, written, in_force)
 
     def _from_rest(
-        self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
+        self, time: float, stretches: list[tuple[float, PathPace]], goal: PathMove
     ) -> tuple[Profile, PathMove | None] | None:
         """Complete the present ramp to rest, and plan from there.
 
@@ -295,7 +295,7 @@ class Course:
         profile = plan_course(stretches, self.profile.position(still), 0.0)
         return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
 
-    def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
+    def _stretches(self, pace: PathPace) -> tuple[list[tuple[float, PathPace]], PathMove]:
         """Return the (length, pace) of each run of paths of equal pace, and the last path.
 
         They end before a path that may not move now.
@@ -363,7 +363,7 @@ class Course:
         return None
 
 
-def _least_jerk(state: State) -> float:
+def _least_jerk(state: MotionState) -> float:
     """Return the least jerk that ends a deceleration before the velocity is zero.
 
     With a lower one, as set during the stop, the axis would run back along the path: J = A²/(2 V).

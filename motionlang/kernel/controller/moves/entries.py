@@ -19,7 +19,7 @@ from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import run_profile, start_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.table_motion import table_curve
@@ -72,7 +72,7 @@ class CamEntry(Action):
     def __init__(self, master: Axis, table: Table, cyclic: bool, first: int) -> None:
         self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         """Tie the axis to its master on a table read now.
 
         Raises Rejected if the table cannot be followed.
@@ -117,7 +117,7 @@ def load_cam(
     """
     start = _start(a)
     curve = curve_of(a, table(start))
-    move = Move(a.index, command, line, INFINITY if cyclic else start + curve.end)
+    move = LoggedMove(a.index, command, line, INFINITY if cyclic else start + curve.end)
     move.base = None if cyclic else start
     move.action = CamEntry(master, table, cyclic, first)
     buffer.put(a, move)
@@ -141,10 +141,10 @@ class OffsetEntry(Action):
     def __init__(self, distance: float, mode: int, over: float) -> None:
         self.distance, self.mode, self.over = distance, mode, over
 
-    def begin_on_top(self, a: Axis, move: Move) -> None:
+    def begin_on_top(self, a: Axis, move: LoggedMove) -> None:
         offset(a, self.distance, self.mode, self.over, move.command, move.line)
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         move.action = None
         move.target = a.position(a.clock.now) + self.distance
         start_move(a, move)
@@ -178,12 +178,12 @@ class PointsEntry(Action):
     def prolong(self, end: float) -> Profile | None:
         return plan_pvt(*self.make(end)) if self.again is not None else None
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         """Make the profile and play it; with `again` the next entry waits in the buffer."""
         points = self.make(a.position(a.clock.now))
         profile = through(a, points)
         if self.again is not None:
-            following = Move(a.index, move.command, move.line, profile.end)
+            following = LoggedMove(a.index, move.command, move.line, profile.end)
             following.action = PointsEntry(self.again, self.again)
             following.id, following.released = move.id, True
             a.buffer.insert(0, following)
@@ -205,7 +205,7 @@ def through(a: Axis, points: Timed) -> Profile:
 def load_points(a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
     """Load timed points; `make` is called with the position at which they begin."""
     start = _start(a)
-    move = Move(a.index, command, line, through(a, make(start)).end)
+    move = LoggedMove(a.index, command, line, through(a, make(start)).end)
     move.base = start
     move.action = PointsEntry(make, again)
     buffer.put(a, move)

@@ -17,7 +17,7 @@ from motionlang.kernel.tools import total
 _Value = TypeVar("_Value")
 
 
-class Segment:
+class PathSegment:
     """One path laid out: `length` in user units and each axis's curve in counts.
 
     `entry` and `leaving` are the tangents at its ends, in user units per unit of length; `curvature` is the curvature
@@ -52,7 +52,7 @@ class Segment:
         return self.curves[k].peak_speed
 
 
-class Line:
+class StraightLine:
     """A line to `targets`, counts; `length`, if given, replaces the distance in space."""
 
     __slots__ = ("length", "targets")
@@ -60,9 +60,11 @@ class Line:
     def __init__(self, targets: Sequence[float], length: float | None = None) -> None:
         self.targets, self.length = targets, length
 
-    def moved(self, starts: Sequence[float]) -> Line:
+    def moved(self, starts: Sequence[float]) -> StraightLine:
         """Return the geometry with its coordinates counted from `starts`."""
-        return Line([start + target for start, target in zip(starts, self.targets, strict=True)], self.length)
+        return StraightLine(
+            [start + target for start, target in zip(starts, self.targets, strict=True)], self.length
+        )
 
     def shift(self, k: int, by: float) -> None:
         """Add `by` counts to the positions of axis index k."""
@@ -72,15 +74,15 @@ class Line:
         """Return the end positions, counts."""
         return self.targets
 
-    def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
+    def lay(self, starts: Sequence[float], scales: Sequence[float]) -> PathSegment:
         """Return the segment from `starts`."""
         deltas = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
         length = hypot(*deltas) if self.length is None else self.length
         if length == 0.0:
-            return Segment(0.0, (), self.targets, (), ())
+            return PathSegment(0.0, (), self.targets, (), ())
         curves = [line_over(length, a, b) for a, b in zip(starts, self.targets, strict=True)]
         tangent = [x / length for x in deltas]
-        return Segment(length, curves, self.targets, tangent, tangent)
+        return PathSegment(length, curves, self.targets, tangent, tangent)
 
 
 @dataclass(eq=False, slots=True)
@@ -124,7 +126,7 @@ class Arc:
         _, last = self._radii(start, scale)
         return self._joined(self._end(start, last, scale), self.rest)
 
-    def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
+    def lay(self, starts: Sequence[float], scales: Sequence[float]) -> PathSegment:
         """Return the segment from `starts`."""
         (start, others), (scale, along) = self._split(starts), self._split(scales)
         (x, y), (out_x, out_y) = self._radii(start, scale)
@@ -135,9 +137,9 @@ class Arc:
         end = self._end(start, (out_x, out_y), scale)
         ends = self._joined(end, self.rest)
         if length == 0.0:
-            return Segment(0.0, (), ends, (), ())
+            return PathSegment(0.0, (), ends, (), ())
         if round_ == 0.0:
-            return Line(ends, self.length).lay(starts, scales)
+            return StraightLine(ends, self.length).lay(starts, scales)
         angle = direction(x, y)
         curves = self._joined(
             [
@@ -150,7 +152,7 @@ class Arc:
         flat = (round_ / length) * (1.0 if sweep > 0.0 else -1.0)
         entry = self._joined((-y / radius * flat, x / radius * flat), slopes)
         leaving = self._joined((-out_y / radius * flat, out_x / radius * flat), slopes)
-        laid = Segment(length, curves, ends, entry, leaving, abs(sweep) / length)
+        laid = PathSegment(length, curves, ends, entry, leaving, abs(sweep) / length)
         laid.starts = starts if self.arrives is not None else None
         return laid
 
@@ -194,7 +196,7 @@ class Arc:
         return values
 
 
-def corner(before: Segment, after: Segment) -> float:
+def corner(before: PathSegment, after: PathSegment) -> float:
     """Return the angle, degrees, between the directions of two segments."""
     if not before.length or not after.length:
         return 180.0
@@ -206,7 +208,7 @@ def corner(before: Segment, after: Segment) -> float:
 
 
 def limits(
-    segment: Segment, speeds: Sequence[float], accels: Sequence[float], decels: Sequence[float]
+    segment: PathSegment, speeds: Sequence[float], accels: Sequence[float], decels: Sequence[float]
 ) -> tuple[float, float, float]:
     """Return the highest speed and rates along the path that respect every axis limit.
 

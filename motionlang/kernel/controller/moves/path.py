@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment, corner, limits
+from motionlang.kernel.controller.moves.geometry import Arc, PathSegment, StraightLine, corner, limits
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.controller.moves.path_run import PathRun
 from motionlang.kernel.controller.queue import buffer
@@ -18,9 +18,9 @@ from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import permit_motion
 from motionlang.kernel.controller.queue.plan import checked_speed_and_rates
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.lookahead import Pace
+from motionlang.kernel.planners.lookahead import PathPace
 
 
 class PathMove(Action):
@@ -36,8 +36,8 @@ class PathMove(Action):
     def __init__(
         self,
         axes: Sequence[Axis],
-        moves: Sequence[Move],
-        geometry: Line | Arc,
+        moves: Sequence[LoggedMove],
+        geometry: StraightLine | Arc,
         relative: bool,
         policy: PathPolicy | None = None,
     ) -> None:
@@ -56,7 +56,7 @@ class PathMove(Action):
         """True if the path may continue into the next one without a stop."""
         return self.policy is not None or self.axes[0].contour_mode
 
-    def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
+    def joins(self, own: PathSegment, following: PathMove, its: PathSegment) -> bool:
         """True if the path continues into the next one without a stop; both are laid out."""
         if not its.length or self.scales != following.scales:
             return False
@@ -64,12 +64,12 @@ class PathMove(Action):
             return self.policy is following.policy and corner(own, its) <= self.axes[0].contour_angle
         return self.policy.joins(own, following.policy, its)
 
-    def lay(self, starts: Sequence[float]) -> Segment:
+    def lay(self, starts: Sequence[float]) -> PathSegment:
         """Lay out the path from `starts`, the positions of its axes."""
         geometry = self.geometry.moved(starts) if self.relative else self.geometry
         return geometry.lay(starts, self.scales)
 
-    def pace(self, segment: Segment) -> Pace:
+    def pace(self, segment: PathSegment) -> PathPace:
         """Return speed and rates along the path in user units.
 
         They are those of the master, within the limits of each axis.
@@ -82,7 +82,7 @@ class PathMove(Action):
         most = self._limits(segment)
         jerks = master.jerks(speed, accel, decel)
         factor = master.override if move.overridden else 1.0
-        return Pace(
+        return PathPace(
             master.shape,
             min(speed * factor / k, most[0]),
             min(accel / k, most[1]),
@@ -92,11 +92,11 @@ class PathMove(Action):
             jerks[1] / k,
         )
 
-    def max_decel(self, segment: Segment) -> float:
+    def max_decel(self, segment: PathSegment) -> float:
         """Return the highest deceleration along the path within the limits of its axes."""
         return INFINITY if self.policy is not None else self._limits(segment)[2]
 
-    def _limits(self, segment: Segment) -> tuple[float, float, float]:
+    def _limits(self, segment: PathSegment) -> tuple[float, float, float]:
         axes = self.axes
         if not any(a.limited for a in axes):
             return INFINITY, INFINITY, INFINITY
@@ -105,21 +105,21 @@ class PathMove(Action):
 
     # -- as an entry of the buffer
 
-    def release(self, move: Move) -> None:
+    def release(self, move: LoggedMove) -> None:
         if move is self.moves[0]:
             for each in self.moves:
                 each.released = True
 
-    def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
+    def keep_end(self, a: Axis, move: LoggedMove, shift: float) -> bool:
         """True for a line, which keeps its end; an arc keeps its shape and is displaced."""
-        if not isinstance(self.geometry, Line) or move.base is None:
+        if not isinstance(self.geometry, StraightLine) or move.base is None:
             return False
         move.base += shift
         targets = zip(self.axes, self.geometry.targets, strict=True)
-        self.geometry = Line([target - shift if each is a else target for each, target in targets])
+        self.geometry = StraightLine([target - shift if each is a else target for each, target in targets])
         return True
 
-    def purge(self, a: Axis) -> list[Move]:
+    def purge(self, a: Axis) -> list[LoggedMove]:
         """Remove the path from the buffers of its other axes once one has discarded it."""
         dropped = []
         for other, move in zip(self.axes, self.moves, strict=True):
@@ -135,10 +135,10 @@ class PathMove(Action):
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
-    def ready(self, a: Axis, move: Move) -> bool:
+    def ready(self, a: Axis, move: LoggedMove) -> bool:
         return all(each.move is None for each in self.axes) and self.is_next_at(0)
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         """Take the entry out of every axis's buffer and run the path."""
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
@@ -147,7 +147,7 @@ class PathMove(Action):
 
     # -- in motion
 
-    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+    def entries(self, a: Axis, move: LoggedMove) -> tuple[LoggedMove, ...]:
         return (move,) if self.run is None else self.run.entries(a)
 
     def displace(self, by: Sequence[float]) -> None:
@@ -218,7 +218,7 @@ class PathMove(Action):
 def load_line(axes: Sequence[Axis], targets: Sequence[float], command: str, line: int) -> None:
     """Load a straight line to `targets`, counts, into the buffers of its axes."""
     _permit(axes)
-    _put(axes, Line(list(targets)), list(targets), command, line)
+    _put(axes, StraightLine(list(targets)), list(targets), command, line)
 
 
 def load_line_by(axes: Sequence[Axis], distances: Sequence[float], command: str, line: int) -> None:
@@ -226,7 +226,7 @@ def load_line_by(axes: Sequence[Axis], distances: Sequence[float], command: str,
     _permit(axes)
     starts = _starts(axes)
     targets = [start + distance for start, distance in zip(starts, distances, strict=True)]
-    _put(axes, Line(list(distances)), targets, command, line, starts)
+    _put(axes, StraightLine(list(distances)), targets, command, line, starts)
 
 
 def load_arc(
@@ -253,7 +253,7 @@ def load_arc(
 
 
 def load_guided(
-    axes: Sequence[Axis], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
+    axes: Sequence[Axis], geometry: StraightLine | Arc, policy: PathPolicy, command: str, line: int
 ) -> None:
     """Load a path with a policy into the buffers of its axes; geometry in counts."""
     for a in axes:
@@ -276,7 +276,7 @@ def _starts(members: Sequence[Axis]) -> list[float]:
 
 def _put(
     members: Sequence[Axis],
-    geometry: Line | Arc,
+    geometry: StraightLine | Arc,
     targets: Sequence[float],
     command: str,
     line: int,
@@ -292,7 +292,7 @@ def _put(
             raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
         if not abs(target) < 1e300:
             raise Rejected("range", f"axis {a.index} cannot move to {target:.10g}")
-    moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
+    moves = [LoggedMove(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
     action = PathMove(members, moves, geometry, bases is not None, policy)
     for k, (a, move) in enumerate(zip(members, moves, strict=True)):
         move.action = action

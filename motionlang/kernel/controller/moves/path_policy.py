@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from motionlang.kernel.controller.moves.geometry import Segment
-from motionlang.kernel.planners.lookahead import Pace
+from motionlang.kernel.controller.moves.geometry import PathSegment
+from motionlang.kernel.planners.lookahead import PathPace
 
 
 class PathPolicy:
@@ -19,11 +19,11 @@ class PathPolicy:
     def __init__(self, scales: Sequence[float]) -> None:
         self.scales = list(scales)
 
-    def pace(self) -> Pace:
+    def pace(self) -> PathPace:
         """Return speed and rates along the path now, user units."""
         raise NotImplementedError
 
-    def joins(self, own: Segment, following: PathPolicy, its: Segment) -> bool:
+    def joins(self, own: PathSegment, following: PathPolicy, its: PathSegment) -> bool:
         """True if the path continues into the next one without a stop."""
         raise NotImplementedError
 

@@ -50,7 +50,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import INFINITY, Event
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.events import BY_DESIGN, clamped_blend
 from motionlang.kernel.controller.moves.course import SLACK, Course
 from motionlang.kernel.controller.queue.buffer import motions, reach
@@ -58,7 +58,7 @@ from motionlang.kernel.controller.queue.life import empty, start_waiting
 from motionlang.kernel.controller.queue.stop import freeze, release
 from motionlang.kernel.controller.queue.track import amend_log, extend_track, log_dropped, log_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.superposition import added
 
@@ -84,8 +84,8 @@ class PathRun:
         self.ended = ""
         self.hard = False
         self._over = False
-        self._event: Event | None = None
-        self._blend_event: Event | None = None
+        self._event: TimedCall | None = None
+        self._blend_event: TimedCall | None = None
         # The remaining distance of the path when `blend` was called, if the blend has to wait. For the next
         # blend: true if it begins later than its distance requires, and the commanded distance if it will be
         # shorter.
@@ -229,7 +229,7 @@ class PathRun:
         else:
             self._blend()
 
-    def entries(self, a: Axis) -> tuple[Move, ...]:
+    def entries(self, a: Axis) -> tuple[LoggedMove, ...]:
         """Return the log entries of an axis that may still change, oldest first."""
         k = self.axes.index(a)
         return tuple(path.moves[k] for course in self.courses for path in course.entered)

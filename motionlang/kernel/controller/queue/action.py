@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.life import continue_with
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 
 
@@ -27,27 +27,27 @@ class Action:
     # The limits of the axis that act on it at once, if not every setting does (`live`).
     live_limits: tuple[str, ...] = ()
 
-    def release(self, move: Move) -> None:
+    def release(self, move: LoggedMove) -> None:
         """Handle a GO that releases the entry."""
         move.released = True
 
-    def purge(self, a: Axis) -> list[Move]:
+    def purge(self, a: Axis) -> list[LoggedMove]:
         """Handle removal from the buffer of `a`; return the entries removed together."""
         return []
 
-    def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
+    def keep_end(self, a: Axis, move: LoggedMove, shift: float) -> bool:
         """True if the entry keeps its end although it will begin `shift` further on."""
         return False
 
-    def ready(self, a: Axis, move: Move) -> bool:
+    def ready(self, a: Axis, move: LoggedMove) -> bool:
         """True if the entry, first in its buffer and released, may begin."""
         return True
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         """Begin the motion; its entry has left the buffer."""
         raise NotImplementedError
 
-    def begin_on_top(self, a: Axis, move: Move) -> None:
+    def begin_on_top(self, a: Axis, move: LoggedMove) -> None:
         """Begin superposed while the axis follows a master; the entry has left the buffer."""
         raise NotImplementedError
 
@@ -89,7 +89,7 @@ class Action:
         """Continue after `suspend`."""
         self.replan(a)
 
-    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+    def entries(self, a: Axis, move: LoggedMove) -> tuple[LoggedMove, ...]:
         """Return the log entries of the axis that may still change, oldest first.
 
         `move` is the move in progress.

@@ -8,31 +8,31 @@ from itertools import islice
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 
 
-def put(a: Axis, move: Move) -> None:
+def put(a: Axis, move: LoggedMove) -> None:
     """Load an entry, with a copy of the settings that apply to it."""
     if len(a.buffer) >= a.buffer_size:
         raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
     a.buffer.append(stamped(a, move))
 
 
-def counted(a: Axis, distance: float, command: str, line: int) -> Move:
+def counted(a: Axis, distance: float, command: str, line: int) -> LoggedMove:
     """Return an entry that ends `distance` from the end of the one before it."""
     base = end(a)
-    move = Move(a.index, command, line, base + distance)
+    move = LoggedMove(a.index, command, line, base + distance)
     if abs(base) < INFINITY:
         move.base = base
     return move
 
 
-def resolve(a: Axis, move: Move) -> None:
+def resolve(a: Axis, move: LoggedMove) -> None:
     """Compute the end of a relative entry from the axis's position at its start."""
     move.target = _end_from(move, a.target)
 
 
-def _end_from(move: Move, start: float) -> float:
+def _end_from(move: LoggedMove, start: float) -> float:
     return move.target if move.base is None or move.base == start else move.target + (start - move.base)
 
 
@@ -48,7 +48,7 @@ def keep_ends(a: Axis, shift: float) -> None:
             return
 
 
-def stamped(a: Axis, move: Move) -> Move:
+def stamped(a: Axis, move: LoggedMove) -> LoggedMove:
     """Return the move with the axis's settings at the time of loading."""
     move.id = a.move_id
     mode = a.feedrate_mode
@@ -91,17 +91,17 @@ def take(a: Axis, index: int = 0) -> None:
         a.controller.notify("buffer-low", a.index)
 
 
-def motions(a: Axis) -> Iterator[Move]:
+def motions(a: Axis) -> Iterator[LoggedMove]:
     """Return the entries other than outputs, which do not delay a path."""
     return (move for move in a.buffer if move.action is None or not move.action.is_instant)
 
 
-def motion_at(a: Axis, index: int) -> Move | None:
+def motion_at(a: Axis, index: int) -> LoggedMove | None:
     """Return the entry with this index among `motions`; None if there is none."""
     return next(islice(motions(a), index, None), None)
 
 
-def reach(a: Axis, move: Move) -> None:
+def reach(a: Axis, move: LoggedMove) -> None:
     """Remove an entry from the buffer, and execute the outputs before it."""
     while a.buffer[0] is not move:
         head = a.buffer[0]

@@ -6,7 +6,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import run_profile
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners.dwell import rest
 
 
@@ -20,7 +20,7 @@ class Dwell(Action):
             raise Rejected("range", f"an axis cannot dwell for {duration:.10g} seconds")
         self.duration = duration
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         here = a.position(a.clock.now)
         move.target = here
         run_profile(a, move, rest("dwell", here, self.duration))
@@ -35,7 +35,7 @@ class Outputs(Action):
     def __init__(self, values: dict[int, float]) -> None:
         self.values = values
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         for channel, value in self.values.items():
             a.controller.outputs[channel] = value
 
@@ -51,5 +51,5 @@ class Pulse(Action):
             raise Rejected("range", f"a pulse cannot last {duration:.10g} seconds")
         self.channel, self.duration = channel, duration
 
-    def begin(self, a: Axis, move: Move) -> None:
+    def begin(self, a: Axis, move: LoggedMove) -> None:
         a.controller.pulse(self.channel, self.duration)

@@ -14,7 +14,7 @@ from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.plan import plan_move
 from motionlang.kernel.controller.queue.track import amend_log, end_move, extend_track, log_dropped, log_move
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold
 
 # ------------------------------------------------------------------------------------------------------- start
@@ -35,7 +35,7 @@ def go(a: Axis) -> None:
 
 def move_to(a: Axis, position: float, command: str, line: int) -> None:
     """Move to `position` now, from any state of motion."""
-    move = buffer.stamped(a, Move(a.index, command, line, position))
+    move = buffer.stamped(a, LoggedMove(a.index, command, line, position))
     move.released = True
     profile = plan_move(a, move)
     end_move(a, "retarget")
@@ -126,12 +126,12 @@ def start_waiting(a: Axis) -> None:
             a.controller.run_time_fault(rejected)
 
 
-def start_move(a: Axis, move: Move) -> None:
+def start_move(a: Axis, move: LoggedMove) -> None:
     """Plan a move and run it."""
     run_profile(a, move, plan_move(a, move))
 
 
-def run_profile(a: Axis, move: Move, profile: Profile, cause: str = "") -> None:
+def run_profile(a: Axis, move: LoggedMove, profile: Profile, cause: str = "") -> None:
     """Log a move and follow its profile from now on."""
     log_move(a, move, profile)
     append_profile(a, profile, cause)

@@ -6,7 +6,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import clamped
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move, keeps_rates
+from motionlang.kernel.log.move import LoggedMove, keeps_rates
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.dwell import with_rest
 from motionlang.kernel.planners.ramp_down import onset, stop_in_motion
@@ -21,7 +21,7 @@ def rates(a: Axis, speed: float) -> tuple[float, float]:
     return accel, decel
 
 
-def checked_speed_and_rates(a: Axis, move: Move) -> tuple[float, float, float]:
+def checked_speed_and_rates(a: Axis, move: LoggedMove) -> tuple[float, float, float]:
     """Return speed and rates of a move; at speed 0 the axis holds, and the rates in force stay.
 
     Raises Rejected if the axis cannot move.
@@ -37,7 +37,7 @@ def checked_speed_and_rates(a: Axis, move: Move) -> tuple[float, float, float]:
     return 0.0, accel or in_force[0], decel or in_force[1]
 
 
-def plan_move(a: Axis, move: Move, in_force: tuple[float, float] | None = None) -> Profile:
+def plan_move(a: Axis, move: LoggedMove, in_force: tuple[float, float] | None = None) -> Profile:
     """Return the profile of a move from the present state of its axis.
 
     Its rates are those of the settings, or `in_force`.
@@ -85,7 +85,7 @@ def plan_distance(
         raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
 
 
-def stop_rate(a: Axis, move: Move | None) -> float:
+def stop_rate(a: Axis, move: LoggedMove | None) -> float:
     """Return the deceleration of a stop, at the rate of `move` if it has its own.
 
     Raises Rejected unless it is positive.

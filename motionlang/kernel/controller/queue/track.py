@@ -8,11 +8,11 @@ from motionlang.kernel.controller import watch
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.events import BY_DESIGN, check_velocity
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import MAX_PIECES, Move
+from motionlang.kernel.log.move import MAX_PIECES, LoggedMove
 from motionlang.kernel.planners import Profile, hold
 
 
-def extend_track(a: Axis, profile: Profile, cause: str = "", ended: Move | None = None) -> None:
+def extend_track(a: Axis, profile: Profile, cause: str = "", ended: LoggedMove | None = None) -> None:
     """Put `profile` on the track now: solve watches, notify followers, check limits.
 
     A jump of velocity is reported with its `cause`, unless the profile is `BY_DESIGN`. `ended` is the move that a
@@ -42,7 +42,7 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: Move | None 
         limit.check()
 
 
-def log_move(a: Axis, move: Move, profile: Profile, is_stop: bool = False) -> None:
+def log_move(a: Axis, move: LoggedMove, profile: Profile, is_stop: bool = False) -> None:
     """Log the start of a move and make it the move in progress of its axis.
 
     `is_stop` is true if it only completes the stop of the move before it.
@@ -57,7 +57,9 @@ def log_move(a: Axis, move: Move, profile: Profile, is_stop: bool = False) -> No
             limit.forget()
 
 
-def amend_log(log: Log, now: float, entries: Sequence[Move], profiles: Sequence[Profile], ended: str) -> None:
+def amend_log(
+    log: Log, now: float, entries: Sequence[LoggedMove], profiles: Sequence[Profile], ended: str
+) -> None:
     """Replace the rest of a move, or of a path's moves, in the log only.
 
     Entries with many pieces continue as others, those of a path all at once.
@@ -94,7 +96,7 @@ def end_move(a: Axis, ended: str) -> None:
             a.homing.replaced(move)
 
 
-def log_dropped(a: Axis, move: Move) -> None:
+def log_dropped(a: Axis, move: LoggedMove) -> None:
     """Log a move of an axis, or of another one on its path, that will not be executed."""
     a.controller.log.dropped.add(move)
     a.controller.log.note(a.clock.now, "dropped", move.axis, ordered=move.line, text=move.command)

@@ -8,7 +8,7 @@ limit that is met, an event checks the limit again at that time.
 from __future__ import annotations
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.controller.power import fault
 from motionlang.kernel.planners.direction import sets_off
 
@@ -18,7 +18,7 @@ ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
 _NOW = 1e-9
 
 
-class Condition:
+class FaultCondition:
     """A condition that raises the fault `bit` of an axis while it is `met`.
 
     `sign` is the direction that it bars, +1 or -1; it ignores motion the other way, and an axis at rest. With
@@ -32,7 +32,7 @@ class Condition:
         assert action in ACTIONS, action
         self.a, self.sign, self.bit = a, sign, bit
         self._action, self._enabled, self._raised = action, True, False
-        self._event: Event | None = None
+        self._event: TimedCall | None = None
 
     @property
     def met(self) -> bool:
@@ -111,7 +111,7 @@ class Condition:
         return False
 
 
-class Undirected(Condition):
+class Undirected(FaultCondition):
     """An error independent of direction, such as an error input, while it is `active`."""
 
     __slots__ = ("_active",)

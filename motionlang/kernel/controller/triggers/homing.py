@@ -27,7 +27,7 @@ from motionlang.kernel.controller.queue.track import define_position
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.watch import Watch, begin, end, watched_position
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 
 Rates = tuple[float | None, float | None]
 
@@ -80,7 +80,7 @@ class Homing:
         self._ended, self._command, self.line = ended, command, line
         self.provided = provided
         self._watch: Watch | None = None
-        self._move: Move | None = None
+        self._move: LoggedMove | None = None
         self.found = False
         self.before = 0.0
         self.state = "done"
@@ -108,7 +108,7 @@ class Homing:
         if self._ended is not None:
             self._ended(self)
 
-    def replaced(self, move: Move) -> None:
+    def replaced(self, move: LoggedMove) -> None:
         """End the homing if `move`, which another motion has replaced, is its own."""
         if move is self._move:
             self.cancel()

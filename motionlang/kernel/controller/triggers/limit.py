@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.triggers.conditions import Condition
+from motionlang.kernel.controller.triggers.conditions import FaultCondition
 from motionlang.kernel.controller.watch import Watch, begin, end
 
 
-class Limit(Condition):
+class Limit(FaultCondition):
     """One end of an axis's travel: `sign` is +1 or -1, `bit` its fault.
 
     `position` is in counts; a `physical` limit stays at its position on the machine. A limit without a

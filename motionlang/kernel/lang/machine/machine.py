@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, WatchedClock
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+from motionlang.kernel.controller.surroundings import Surroundings
 from motionlang.kernel.controller.verbs import Controller
-from motionlang.kernel.controller.world import World
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
@@ -22,7 +22,7 @@ from motionlang.kernel.lang.machine.stop import stop_of
 from motionlang.kernel.lang.machine.terminal import Terminal, labelled
 from motionlang.kernel.lang.statement_time import StatementTime
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.move import Move
+from motionlang.kernel.log.move import LoggedMove
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Hook, Observer
@@ -124,7 +124,7 @@ class Machine:
         if "input" not in settings and "analogue" not in settings:
             return
         if self.world is None:
-            self.world = World(self.controller, self.settings)
+            self.world = Surroundings(self.controller, self.settings)
         self.world.wire_inputs(settings)
 
     def complain(self, diagnostic: Diagnostic) -> None:
@@ -140,7 +140,7 @@ class Machine:
         else:
             del self._reported[diagnostic.key]
 
-    def _hurried(self, move: Move, count: int, span: float) -> None:
+    def _hurried(self, move: LoggedMove, count: int, span: float) -> None:
         """Warn about a line that starts one move after another without waiting."""
         message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
         hint = "wait for each to end, or let time pass between them"
@@ -159,9 +159,9 @@ class Machine:
         """The axes that are not idle."""
         return self.controller.moving()
 
-    def never_started(self) -> list[tuple[Move, Sequence[Axis]]]:
+    def never_started(self) -> list[tuple[LoggedMove, Sequence[Axis]]]:
         """Return the buffered moves that no motion in progress will start, with the axes that each moves."""
-        found: list[tuple[Move, Sequence[Axis]]] = []
+        found: list[tuple[LoggedMove, Sequence[Axis]]] = []
         for a in self.controller.axes.values():
             for move in a.buffer:
                 axes = (a,) if move.action is None else move.action.together_with(a)
@@ -263,12 +263,12 @@ def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> N
         raise ProgramError(wrong)
 
 
-def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
+def _world(controller: Controller, settings: Mapping[str, object]) -> Surroundings | None:
     """Return the world of a machine file, or None if it describes only the controller."""
     if _is_plain(settings):
         return None
 
-    return World(controller, settings)
+    return Surroundings(controller, settings)
 
 
 def _is_plain(settings: Mapping[str, object]) -> bool:

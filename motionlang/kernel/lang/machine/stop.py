@@ -14,7 +14,7 @@ from motionlang.kernel.log.stream import Stream
 ASKS = "input"
 
 
-class Stop:
+class StopCondition:
     """One condition, which holds once it has occurred so many `times`.
 
     It is the kind of an `event`, a text that a printed line contains, or a `line` of the program whose moves, waits,
@@ -69,7 +69,9 @@ def _nothing() -> None:
     """End nothing, before the run begins."""
 
 
-def stop_of(settings: Mapping[str, object], clock: Clock, log: Log) -> Stop | None:
+def stop_of(settings: Mapping[str, object], clock: Clock, log: Log) -> StopCondition | None:
     """Return the condition of the settings, None if there is none."""
     names = ("event", "prints", "line")
-    return Stop(settings, clock, log) if any(f"run.stop.{name}" in settings for name in names) else None
+    return (
+        StopCondition(settings, clock, log) if any(f"run.stop.{name}" in settings for name in names) else None
+    )

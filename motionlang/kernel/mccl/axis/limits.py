@@ -48,7 +48,7 @@ _FAULT_BITS = {
 }
 
 
-class Limits:
+class AxisLimits:
     """The four limits of one axis, and its amplifier-fault input.
 
     The board's reset of the axis, which follows, disables them.
@@ -138,7 +138,7 @@ class Limits:
         return controller.add_limit(number, sign, bit, "off", physical)
 
 
-class Inputs:
+class LimitInputs:
     """Updates the limits of an axis when one of its channels changes."""
 
     def __init__(self, board: Board) -> None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.steps import CALL, DO, ENTER, JUMP, Values
 from motionlang.kernel.mccl import codes
-from motionlang.kernel.mccl.codes import Abandoned, Fault
+from motionlang.kernel.mccl.codes import Fault, LineAbandoned
 from motionlang.kernel.mccl.keywords.row import Group, pure, written
 from motionlang.kernel.mccl.models import no_macro_number
 
@@ -72,7 +72,7 @@ def end_task(task: CommandTask, command: Command) -> None:
             "range",
         )
     if task.done:
-        raise Abandoned
+        raise LineAbandoned
 
 
 def tell_macro(task: CommandTask, command: Command) -> None:

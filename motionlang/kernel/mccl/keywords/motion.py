@@ -19,7 +19,7 @@ from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis import motor
 from motionlang.kernel.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY, AxisState
 from motionlang.kernel.mccl.axis.launch import aim, check_unslaved, launch
-from motionlang.kernel.mccl.codes import Abandoned, Fault
+from motionlang.kernel.mccl.codes import Fault, LineAbandoned
 from motionlang.kernel.mccl.keywords.row import Group, written
 
 if TYPE_CHECKING:
@@ -184,7 +184,7 @@ def reset(task: CommandTask, command: Command) -> None:
     board.reset()
     for levels in (board.controller.outputs, board.controller.analogue_outputs):
         levels.clear()
-    raise Abandoned
+    raise LineAbandoned
 
 
 def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:

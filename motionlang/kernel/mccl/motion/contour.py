@@ -10,18 +10,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.moves.geometry import Arc, Line, Segment
+from motionlang.kernel.controller.moves.geometry import Arc, PathSegment, StraightLine
 from motionlang.kernel.controller.moves.path_policy import PathPolicy
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.codes import Fault
-from motionlang.kernel.planners.lookahead import Pace
+from motionlang.kernel.planners.lookahead import PathPace
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.runtime.board import Board
 
 # The axes of a path, its geometry, its policy, its command and its line number.
-Described = tuple[tuple[int, ...], "Line | Arc", "Vector", str, int]
+Described = tuple[tuple[int, ...], "StraightLine | Arc", "Vector", str, int]
 
 # The largest number of paths in the queue.
 MAX_QUEUE = 1000
@@ -38,17 +38,17 @@ class Vector(PathPolicy):
     """
 
     def __init__(
-        self, contour: Contour, scales: Sequence[float], pace: Pace, length: float, is_arc: bool
+        self, contour: Contour, scales: Sequence[float], pace: PathPace, length: float, is_arc: bool
     ) -> None:
         super().__init__(scales)
         self.contour, self.length, self.is_arc = contour, length, is_arc
         self.shape, self.ramp, self.speed = pace.shape, pace.ramp, pace.speed
         self.accel, self.decel = pace.accel, pace.decel
 
-    def pace(self) -> Pace:
-        return Pace(self.shape, self.speed * self.contour.override, self.accel, self.decel, self.ramp)
+    def pace(self) -> PathPace:
+        return PathPace(self.shape, self.speed * self.contour.override, self.accel, self.decel, self.ramp)
 
-    def joins(self, own: Segment, following: PathPolicy, its: Segment) -> bool:
+    def joins(self, own: PathSegment, following: PathPolicy, its: PathSegment) -> bool:
         if not isinstance(following, Vector) or following.contour is not self.contour:
             return False
         is_equal = following.scales == self.scales and following.pace().key() == self.pace().key()

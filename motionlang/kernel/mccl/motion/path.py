@@ -9,7 +9,7 @@ from math import hypot, radians
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.moves.geometry import Arc, Line
+from motionlang.kernel.controller.moves.geometry import Arc, StraightLine
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import CONTOUR, AxisState
 from motionlang.kernel.mccl.axis.motor import check_on
@@ -24,7 +24,7 @@ from motionlang.kernel.mccl.motion.arcs import (
     radius_of,
 )
 from motionlang.kernel.mccl.motion.contour import Contour, Vector
-from motionlang.kernel.planners.lookahead import Pace
+from motionlang.kernel.planners.lookahead import PathPace
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.runtime.task import CommandTask
@@ -123,7 +123,7 @@ class Path:
         where = dict(zip(numbers, geometry.ends(start, scales), strict=True))
         self._contour.add((numbers, geometry, vector, self._word, self._line), where)
 
-    def _pace(self, task: CommandTask) -> Pace:
+    def _pace(self, task: CommandTask) -> PathPace:
         """Return the vector settings of the controlling axis, in its user units."""
         axis, controller = self._axis, task.board.controller
         counts, vector = abs(axis.scale.counts), axis.vector
@@ -138,9 +138,11 @@ class Path:
                 raise Fault(codes.PARAMETER, words, kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)
-        return Pace(shape, vector.velocity / counts, vector.accel / counts, vector.decel / counts, ramp)
+        return PathPace(shape, vector.velocity / counts, vector.accel / counts, vector.decel / counts, ramp)
 
-    def _laid(self, axes: list[AxisState], start: list[float], ends: list[float]) -> tuple[Line | Arc, float]:
+    def _laid(
+        self, axes: list[AxisState], start: list[float], ends: list[float]
+    ) -> tuple[StraightLine | Arc, float]:
         """Return the path, counts, and its length, user units.
 
         Raises ValueError if it is invalid.
@@ -155,7 +157,7 @@ class Path:
                 if length and not self.distance:
                     raise ValueError("it has a distance, but a length of 0")
                 length = self.distance
-            return Line(ends, length), length
+            return StraightLine(ends, length), length
         sense = -1 if self._kind == CLOCKWISE else 1
         i, j = plane = self._plane([axis.number for axis in axes])
         first, last = (here[i], here[j]), (there[i], there[j])

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from motionlang.kernel.lang.chosen_rates import remark, unset
-from motionlang.kernel.lang.facts import AxisKey, Use
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.structure import AxisKey, Use
 from motionlang.kernel.mccl.keywords import trajectory
 from motionlang.kernel.mccl.models import Model
 

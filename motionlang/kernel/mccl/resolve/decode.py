@@ -25,7 +25,7 @@ _DIGITS = "0123456789"
 _MAX_NUMBER = 1e15
 
 
-class Word:
+class DecodedWord:
     """A mnemonic with its axis, looked up: row, action and accepted numbers.
 
     If there is no such command, `row` is None and `fault` is the reason.
@@ -83,7 +83,7 @@ def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
     """Return the command of a node and its text; an invalid one raises its fault when it runs."""
     if isinstance(node, tree.Wrong):
         return _no_command(node, text)
-    word = Word(node.axis, node.word)
+    word = DecodedWord(node.axis, node.word)
     fault = word.fault
     kind: int
     value: float | int | str
@@ -106,7 +106,7 @@ def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
     return _wrong(text, word, fault)
 
 
-def _wrong(text: str, word: Word, fault: Fault) -> Command:
+def _wrong(text: str, word: DecodedWord, fault: Fault) -> Command:
     """Return a command without parameter that raises a fault."""
     return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
 
@@ -132,7 +132,7 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
         return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
-    word = Word(node.axis, node.word)
+    word = DecodedWord(node.axis, node.word)
     letters = text[end - 2 :].rstrip("0123456789.+-")
     fault = (
         _unknown(letters) if word.row is None else _no_parameter(text[:end], text[end:], word.row, letters)
@@ -170,7 +170,7 @@ def _no_parameter(command: str, rest: str, row: Keyword, letters: str) -> Fault:
     return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
 
 
-def _misfit(word: Word, value: float) -> Fault:
+def _misfit(word: DecodedWord, value: float) -> Fault:
     """Return the fault of a number that the command does not accept."""
     assert word.row is not None
     return _wants_text(word.row) if word.takes_text else out_of_range(value, word.row)
@@ -180,7 +180,7 @@ def _wants_text(row: Keyword) -> Fault:
     return Fault(codes.FORMAT, f'{row.name} needs a text in quotes, such as {row.name}"STATUS"', "", "values")
 
 
-def _no_text(word: Word) -> Fault:
+def _no_text(word: DecodedWord) -> Fault:
     assert word.row is not None
     return Fault(codes.FORMAT, f"{word.name} takes no text", as_hint(word.row.help), "values")
 

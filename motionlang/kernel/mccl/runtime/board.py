@@ -20,7 +20,7 @@ from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis import motor
 from motionlang.kernel.mccl.axis.axis import AxisState
-from motionlang.kernel.mccl.axis.limits import ALL, Inputs, Limits
+from motionlang.kernel.mccl.axis.limits import ALL, AxisLimits, LimitInputs
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import of_families
 from motionlang.kernel.mccl.keywords.switchable import SWITCHED
@@ -88,8 +88,8 @@ class Board:
         self.low_true: set[int] = set()
         self.outputs: set[int] = set()
         self.joysticks = Joysticks(self)
-        self.limits = {axis.number: Limits(self, axis) for axis in self.all_axes}
-        self.inputs = Inputs(self)
+        self.limits = {axis.number: AxisLimits(self, axis) for axis in self.all_axes}
+        self.inputs = LimitInputs(self)
         self.controller.listeners.append(self._happened, "idle", "fault", "home")
         self.reset()
 

@@ -29,8 +29,8 @@ from motionlang.kernel.mccl.syntax.parser import parse
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.kernel.lang.facts import Structure
     from motionlang.kernel.lang.step_graph import StepGraph
+    from motionlang.kernel.lang.structure import Structure
 
 
 class Text:

@@ -18,7 +18,7 @@ from motionlang.kernel.mccl.runtime.writer import LineSteps
 from motionlang.kernel.source import Source
 
 
-class Session(Interactive):
+class BoardSession(Interactive):
     """One board for the whole session: macros, registers and units outlive a line."""
 
     keeps_columns = True

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from motionlang.kernel.lang.facts import (
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.machine.machine import Machine
+from motionlang.kernel.lang.step_graph import StepGraph
+from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
+from motionlang.kernel.lang.structure import (
     READ,
     SET_UP,
     WRITE,
@@ -16,10 +20,6 @@ from motionlang.kernel.lang.facts import (
     Written,
     role_of,
 )
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.step_graph import StepGraph
-from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.kernel.mccl.resolve.line import Line

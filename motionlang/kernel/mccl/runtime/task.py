@@ -13,7 +13,7 @@ from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import AxisState
 from motionlang.kernel.mccl.axis.variables import changes_by_event, crossing_time, levels
-from motionlang.kernel.mccl.codes import Abandoned, Fault
+from motionlang.kernel.mccl.codes import Fault, LineAbandoned
 from motionlang.kernel.mccl.motion.path import Path
 from motionlang.kernel.mccl.resolve.command import NONE, REGISTER, TEXT, Command
 from motionlang.kernel.mccl.resolve.decode import checked
@@ -47,7 +47,7 @@ class CommandTask(StepTask):
     `registers` 0 to 9 are the task's own.
     """
 
-    recovers = (Fault, Rejected, Abandoned)
+    recovers = (Fault, Rejected, LineAbandoned)
     max_depth = MAX_DEPTH
 
     def __init__(self, name: str, board: Board, registers: list[float | int] | None = None) -> None:
@@ -98,7 +98,7 @@ class CommandTask(StepTask):
         """Answer a refused command; go on with the next one, or leave the line and its macros."""
         if self.done:
             return False  # it has ended itself
-        if isinstance(error, Abandoned) or self.refused(error):  # type: ignore[arg-type]
+        if isinstance(error, LineAbandoned) or self.refused(error):  # type: ignore[arg-type]
             if not self.calls:
                 self.pc += 1
             self.abandon()

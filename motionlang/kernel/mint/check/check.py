@@ -10,8 +10,9 @@ Idea. After name resolution (`resolve/names.py`) each function is walked once, i
 `STATEMENTS` map each class of node to the function that checks it. A wrong expression is reported where it is found,
 and has a harmless value from then on.
 
-Data. `Program` is what the functions of a program share, `Body` is the function that is being checked. A `Value` is the
-type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and `const`.
+Data. `CheckContext` is what the functions of a program share, `Body` is the function that is being checked. A
+`KnownValue` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and
+`const`.
 
 Invariants.
 - An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a
@@ -27,7 +28,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.kernel.mint.check.body import Body, Program
+from motionlang.kernel.mint.check.body import Body, CheckContext
 from motionlang.kernel.mint.check.expressions import VALUES
 from motionlang.kernel.mint.check.line_triggers import mark
 from motionlang.kernel.mint.check.misspellings import warn_of_misspellings
@@ -35,25 +36,25 @@ from motionlang.kernel.mint.check.statements import STATEMENTS
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.aliases import rename_old_words
-from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.symbols import Function, Session
+from motionlang.kernel.mint.resolve.symbols import Function, PromptSymbols
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.tools import StackSpace
 
 DEFAULT_AXES = 8
 
 
-class Checked:
+class CheckedModule:
     """The names and the problems of a module that has been checked."""
 
     __slots__ = ("names", "problems")
 
-    def __init__(self, names: Names, problems: Problems) -> None:
+    def __init__(self, names: Symbols, problems: Problems) -> None:
         self.names, self.problems = names, problems
 
 
-def declared(module: Module, settings: Mapping[str, object]) -> Program:
+def declared(module: Module, settings: Mapping[str, object]) -> CheckContext:
     """Declare the names of a module, the first half of a check; its mistakes are in `problems`."""
     rename_old_words(module, settings)
     problems = Problems(module)
@@ -61,17 +62,17 @@ def declared(module: Module, settings: Mapping[str, object]) -> Program:
     return _declared(module, settings, problems, None)
 
 
-def examined(module: Module, program: Program) -> Checked:
+def examined(module: Module, program: CheckContext) -> CheckedModule:
     """Check the functions of a module whose names are declared; its mistakes are in `problems`."""
     for function in program.names.functions:
         _check_function(program, function)
     warn_of_misspellings(program)
-    return Checked(program.names, program.problems)
+    return CheckedModule(program.names, program.problems)
 
 
 def check_line(
-    module: Module, settings: Mapping[str, object] | None, session: Session, of_program: bool = False
-) -> Checked:
+    module: Module, settings: Mapping[str, object] | None, session: PromptSymbols, of_program: bool = False
+) -> CheckedModule:
     """Check a line typed at a prompt with what earlier ones have declared, and declare its names for later ones.
 
     With `of_program` it is a whole program, whose lines may trigger faults of the machine file. Raises ProgramError
@@ -88,17 +89,17 @@ def check_line(
     problems.raise_errors()
     session.scope.names |= program.names.module.names
     session.types = program.names.types
-    return Checked(program.names, problems)
+    return CheckedModule(program.names, problems)
 
 
 def _declared(
-    module: Module, settings: Mapping[str, object], problems: Problems, session: Session | None
-) -> Program:
+    module: Module, settings: Mapping[str, object], problems: Problems, session: PromptSymbols | None
+) -> CheckContext:
     """Declare the names of a module and return the data that its functions share."""
-    names = Names(table(), problems, session)
+    names = Symbols(table(), problems, session)
     names.declare_module(module)
     axes = settings.get("controller.axes", DEFAULT_AXES)
-    return Program(
+    return CheckContext(
         table(),
         names,
         problems,
@@ -109,5 +110,5 @@ def _declared(
     )
 
 
-def _check_function(program: Program, function: Function) -> None:
+def _check_function(program: CheckContext, function: Function) -> None:
     Body(program, function).statements(function.body)

@@ -9,13 +9,13 @@ from motionlang.kernel.mint.check import keywords, operators
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.calls import call
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import INT_HIGH, NOTHING, Value, literal, read_from
+from motionlang.kernel.mint.check.values import INT_HIGH, NOTHING, KnownValue, literal, read_from
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Symbol
 from motionlang.kernel.mint.syntax import nodes
 
 
-def _number(b: Body, node: nodes.Number) -> Value:
+def _number(b: Body, node: nodes.Number) -> KnownValue:
     known = node.value
     if known in (inf, -inf):
         b.problem("overflow", "the number is too large", node)
@@ -25,30 +25,30 @@ def _number(b: Body, node: nodes.Number) -> Value:
     return literal(known)
 
 
-def _string(b: Body, node: nodes.String) -> Value:
+def _string(b: Body, node: nodes.String) -> KnownValue:
     return literal(node.value)
 
 
-def _given(b: Body, node: nodes.Given) -> Value:
-    return Value(STRING if node.is_text else FLOAT)
+def _given(b: Body, node: nodes.Given) -> KnownValue:
+    return KnownValue(STRING if node.is_text else FLOAT)
 
 
-def _cast(b: Body, node: nodes.Cast) -> Value:
+def _cast(b: Body, node: nodes.Cast) -> KnownValue:
     b.convert(b.value(node.value), node.to, node)
-    return Value(node.to.name)
+    return KnownValue(node.to.name)
 
 
-def _omitted(b: Body, node: nodes.Omitted) -> Value:
+def _omitted(b: Body, node: nodes.Omitted) -> KnownValue:
     hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
     b.problem("values", "a value is missing here", node, hint)
     return NOTHING
 
 
-def _wrong(b: Body, node: nodes.Wrong) -> Value:
+def _wrong(b: Body, node: nodes.Wrong) -> KnownValue:
     return NOTHING  # the parser has reported it
 
 
-def _name(b: Body, node: nodes.Name) -> Value:
+def _name(b: Body, node: nodes.Name) -> KnownValue:
     symbol, result = node.symbol, b.function.result_named(node)
     if result is not None:
         return read_from(result.type)
@@ -67,25 +67,25 @@ def _name(b: Body, node: nodes.Name) -> Value:
     return NOTHING
 
 
-def _keyword(b: Body, node: nodes.Name) -> Value:
+def _keyword(b: Body, node: nodes.Name) -> KnownValue:
     if node.row is not None:
         return keywords.read(b, node, node.row)
     unknown_name(b, node)
     return NOTHING
 
 
-def _variable(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
+def _variable(b: Body, node: nodes.Name, symbol: Symbol) -> KnownValue:
     if symbol.is_array and node.args is None:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
         return NOTHING
     return read_from(location(b, node))
 
 
-def _member(b: Body, node: nodes.Member) -> Value:
+def _member(b: Body, node: nodes.Member) -> KnownValue:
     return read_from(location(b, node))
 
 
-VALUES: dict[type, Callable[..., Value]] = {
+VALUES: dict[type, Callable[..., KnownValue]] = {
     nodes.Number: _number,
     nodes.String: _string,
     nodes.Given: _given,

@@ -5,12 +5,12 @@ from __future__ import annotations
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import many
-from motionlang.kernel.mint.check.values import NOTHING, Value, type_of
+from motionlang.kernel.mint.check.values import NOTHING, KnownValue, type_of
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.kernel.mint.syntax import nodes
 
 
-def call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
+def call_function(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
     """Return the result of a function; the row's index lists its arguments."""
     kinds = row.index.split(", ") if row.index else []
     args = node.args or []
@@ -24,11 +24,11 @@ def call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return _immediate_if(b, node, args)
     found = [_argument(b, arg, kind, row) for arg, kind in zip(args, kinds, strict=True)]
     if row.unit != "same":
-        return Value(FLOAT if row.verb == "random" else type_of(row))
-    return Value(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
+        return KnownValue(FLOAT if row.verb == "random" else type_of(row))
+    return KnownValue(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
 
 
-def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
+def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> KnownValue:
     if kind != "text":
         return b.number(node)
     found = b.value(node)
@@ -37,7 +37,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     return found
 
 
-def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
+def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> KnownValue:
     b.condition(args[0])
     yes, no = b.value(args[1]), b.value(args[2])
     if yes is NOTHING or no is NOTHING:
@@ -45,4 +45,4 @@ def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
     if (yes.type == STRING) is not (no.type == STRING):
         b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
         return NOTHING
-    return Value(yes.type if yes.type == no.type else FLOAT)
+    return KnownValue(yes.type if yes.type == no.type else FLOAT)

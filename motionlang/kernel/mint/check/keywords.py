@@ -14,13 +14,13 @@ from motionlang.kernel.mint.check.functions import call_function
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
 from motionlang.kernel.mint.check.paths import write_path
 from motionlang.kernel.mint.check.terminal import line
-from motionlang.kernel.mint.check.values import NOTHING, Value, literal, type_of
+from motionlang.kernel.mint.check.values import NOTHING, KnownValue, literal, type_of
 from motionlang.kernel.mint.check.writes import check_values, written_value
 from motionlang.kernel.mint.resolve.folding import constant
 from motionlang.kernel.mint.syntax import nodes
 
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
     """Return the value of a keyword in an expression."""
     if not row.simulated:
         return unsimulated.read(b, node, row)
@@ -37,7 +37,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return NOTHING
     if not axes_by_default(b, node, row):
         check_indices(b, node, row, single=not row.every)  # IDLE[0, 1] is true if both axes are idle
-    return Value(type_of(row))
+    return KnownValue(type_of(row))
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:

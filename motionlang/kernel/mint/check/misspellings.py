@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.kernel.mint.check.body import Program
+from motionlang.kernel.mint.check.body import CheckContext
 from motionlang.kernel.mint.resolve.problems import bracketed
 from motionlang.kernel.mint.resolve.symbols import Symbol
 from motionlang.kernel.tools import Spellings
@@ -11,7 +11,7 @@ from motionlang.kernel.tools import Spellings
 MIN_LENGTH = 3
 
 
-def warn_of_misspellings(program: Program) -> None:
+def warn_of_misspellings(program: CheckContext) -> None:
     """Warn of names that are only assigned to and resemble a keyword.
 
     Such a name may be a typing error, or a variable that an old program no longer uses. A keyword with a number and
@@ -35,7 +35,7 @@ def warn_of_misspellings(program: Program) -> None:
             problems.add("unused-variable", message, symbol.at, hint, "warning", candidates=(near,))
 
 
-def _only_assigned(program: Program) -> list[Symbol]:
+def _only_assigned(program: CheckContext) -> list[Symbol]:
     """Return the undeclared variables that are never read, without the shortest names."""
     symbols = (symbol for each in program.names.functions for symbol in each.scope.names.values())
     return [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.kernel.mint.check.body import Body
-from motionlang.kernel.mint.check.values import NOTHING, Value, article, literal
+from motionlang.kernel.mint.check.values import NOTHING, KnownValue, article, literal
 from motionlang.kernel.mint.resolve.folding import binary as fold_binary
 from motionlang.kernel.mint.resolve.folding import unary as fold_unary
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
@@ -15,62 +15,64 @@ _ARITHMETIC = frozenset(("+", "-", "*"))
 _FRACTIONS = frozenset(("/", "^"))
 
 
-def unary(b: Body, node: nodes.Unary) -> Value:
+def unary(b: Body, node: nodes.Unary) -> KnownValue:
     """Check `Not x`, `-x`, `+x` and `~x`."""
     if node.op == "Not":
         b.condition(node.operand)
-        return Value(INTEGER)
+        return KnownValue(INTEGER)
     found = b.number(node.operand)
     known = None if found.const is None else fold_unary(node.op, found.const)
     if known is not None:
         return literal(known)
     if node.op == "+":
         return found
-    return Value(INTEGER if node.op == "~" else _sum(found, found))
+    return KnownValue(INTEGER if node.op == "~" else _sum(found, found))
 
 
-def binary(b: Body, node: nodes.Binary) -> Value:
+def binary(b: Body, node: nodes.Binary) -> KnownValue:
     """Check an operation on two sides."""
     if node.op in _LOGIC:
         b.condition(node.left)
         b.condition(node.right)
-        return Value(INTEGER)
+        return KnownValue(INTEGER)
     left, right = b.value(node.left), b.value(node.right)
     return _operated(b, node.op, (node.left, left), (node.right, right))
 
 
-def chain(b: Body, node: nodes.Chain) -> Value:
+def chain(b: Body, node: nodes.Chain) -> KnownValue:
     """Check a long run of operations, and annotate each `Link` with the result up to it."""
     found = b.value(node.first)
     for link in node.links:
         if link.op in _LOGIC:
             b.as_number(found, node, "a condition")
             b.condition(link.value)
-            found = Value(INTEGER)
+            found = KnownValue(INTEGER)
         else:
             found = _operated(b, link.op, (node, found), (link.value, b.value(link.value)))
         link.type, link.const = found.type, found.const
     return found
 
 
-def _operated(b: Body, op: str, left: tuple[nodes.Node, Value], right: tuple[nodes.Node, Value]) -> Value:
+def _operated(
+    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
+) -> KnownValue:
     """Return the result of an operation; each side is a node with its value."""
     at, one = left
     _, other = right
     if not (one.is_number and other.is_number):
         return _other_than_numbers(b, op, left, right)
     if one.const is None or other.const is None:
-        return Value(_result(op, one, other))
+        return KnownValue(_result(op, one, other))
     known = fold_binary(op, one.const, other.const)
     if known is not None:
         return literal(known)
     if op in ("/", "\\", "Mod") and other.const == 0:
         b.problem("division-by-zero", "division by zero", at, "the divisor is 0 whatever the program does")
         return NOTHING
-    return Value(_result(op, one, other))
+    return KnownValue(_result(op, one, other))
 
 
-def _result(op: str, left: Value, right: Value) -> str:
+def _result(op: str, left: KnownValue, right: KnownValue) -> str:
     """Return the type of an operation on numbers."""
     if op in _ARITHMETIC:
         return _sum(left, right)
@@ -79,13 +81,13 @@ def _result(op: str, left: Value, right: Value) -> str:
     return INTEGER
 
 
-def _sum(left: Value, right: Value) -> str:
+def _sum(left: KnownValue, right: KnownValue) -> str:
     return INTEGER if left.type == right.type == INTEGER else FLOAT
 
 
 def _other_than_numbers(
-    b: Body, op: str, left: tuple[nodes.Node, Value], right: tuple[nodes.Node, Value]
-) -> Value:
+    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
+) -> KnownValue:
     if STRING in (left[1].type, right[1].type):
         return _texts(b, op, left[0], left[1], right[1])
     side, found = right if left[1].is_number else left
@@ -93,7 +95,7 @@ def _other_than_numbers(
     return NOTHING
 
 
-def _texts(b: Body, op: str, at: nodes.Node, left: Value, right: Value) -> Value:
+def _texts(b: Body, op: str, at: nodes.Node, left: KnownValue, right: KnownValue) -> KnownValue:
     """Return the result of an operation on two strings; report an error if one is no string."""
     if left is NOTHING or right is NOTHING:
         return NOTHING
@@ -103,8 +105,8 @@ def _texts(b: Body, op: str, at: nodes.Node, left: Value, right: Value) -> Value
         return NOTHING
     if op in ("+", "&"):
         known = isinstance(left.const, str) and isinstance(right.const, str)
-        return literal(left.const + right.const) if known else Value(STRING)  # type: ignore[operator]
+        return literal(left.const + right.const) if known else KnownValue(STRING)  # type: ignore[operator]
     if op in _COMPARISONS:
-        return Value(INTEGER)
+        return KnownValue(INTEGER)
     b.problem("type", f"{op} needs numbers, not texts", at)
     return NOTHING

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.mint.resolve.handlers import handled
-from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import FLOAT, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -28,7 +28,7 @@ _WHOLE = " USING 1, 0"
 _KEEPS_WHOLE = frozenset(("+", "-", "*", "\\", "mod", "%"))
 
 
-def port_differences(module: Module, names: Names, graph: StepGraph) -> list[Diagnostic]:
+def port_differences(module: Module, names: Symbols, graph: StepGraph) -> list[Diagnostic]:
     """Return a warning for each difference of a checked program, with its fix if that is certain."""
     problems = Problems(module)
     everything = list(walk(statement for each in names.functions for statement in each.body))
@@ -141,7 +141,7 @@ def _words(
             problems.add("model", message, node.start, f"write {fix}", "warning", fix, end=node.end)
 
 
-def _of_error_handlers(names: Names, graph: StepGraph) -> Iterator[nodes.Node]:
+def _of_error_handlers(names: Symbols, graph: StepGraph) -> Iterator[nodes.Node]:
     """Yield the nodes that run after a statement has failed."""
     for each in names.functions:
         if each.kind == "event" and each.name.lower() == "onerror":

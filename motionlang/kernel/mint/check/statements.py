@@ -9,7 +9,7 @@ from motionlang.kernel.mint.check import keywords, labels, loops, terminal
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.calls import call
 from motionlang.kernel.mint.check.unknown_words import task_named, unknown_command, unknown_name
-from motionlang.kernel.mint.check.values import NOTHING, Value, article
+from motionlang.kernel.mint.check.values import NOTHING, KnownValue, article
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
@@ -107,7 +107,7 @@ def _call(b: Body, node: nodes.Call) -> None:
         keywords.command(b, node, target.row)
 
 
-def _run(b: Body, node: nodes.Run) -> None:
+def _run(b: Body, node: nodes.RunTask) -> None:
     task_named(b, node, node.name)
 
 
@@ -174,7 +174,7 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.loops.pop()
 
 
-def _case_test(b: Body, test: nodes.CaseTest, subject: Value) -> None:
+def _case_test(b: Body, test: nodes.CaseTest, subject: KnownValue) -> None:
     for side in [b.value(side) for side in (test.value, test.high) if side is not None]:
         is_known = side is not NOTHING and subject is not NOTHING
         if is_known and (side.type == STRING) is not (subject.type == STRING):
@@ -191,7 +191,7 @@ STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Call: _call,
     nodes.Print: terminal.print_,
     nodes.Input: terminal.input_,
-    nodes.Run: _run,
+    nodes.RunTask: _run,
     nodes.End: _end,
     nodes.Pause: _pause,
     nodes.If: _if,

@@ -10,7 +10,7 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.access import can_be_read, not_a_command, refuse
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
-from motionlang.kernel.mint.check.values import NOTHING, Value, type_of
+from motionlang.kernel.mint.check.values import NOTHING, KnownValue, type_of
 from motionlang.kernel.mint.check.writes import check_values
 from motionlang.kernel.mint.keywords import unsimulated
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
@@ -25,13 +25,13 @@ _WHEN_WRITTEN = {
 }
 
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
     """Return the value of an unsimulated keyword."""
     if not can_be_read(b, node, row):
         return NOTHING
     _warn(b, node, row)
     _indices(b, node, row, single=True)
-    return Value(type_of(row))
+    return KnownValue(type_of(row))
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:

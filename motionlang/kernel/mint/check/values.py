@@ -14,7 +14,7 @@ EXACT = 2**53
 
 
 @dataclass(eq=False, slots=True)
-class Value:
+class KnownValue:
     """The type of an expression, and its value if that is known before the program runs."""
 
     type: str
@@ -26,25 +26,25 @@ class Value:
 
 
 # Replaces a wrong value, which has been reported, so that other errors are found. Its type is no error.
-NOTHING = Value(FLOAT)
+NOTHING = KnownValue(FLOAT)
 
 
-def literal(known: float | str) -> Value:
+def literal(known: float | str) -> KnownValue:
     """Return a known value; an integer of more than 32 bits is a Float."""
     if isinstance(known, str):
-        return Value(STRING, known)
+        return KnownValue(STRING, known)
     if isnan(known) or known in (inf, -inf):
-        return Value(FLOAT)
+        return KnownValue(FLOAT)
     if type(known) is not int:
-        return Value(FLOAT, known)
+        return KnownValue(FLOAT, known)
     if INT_LOW <= known <= INT_HIGH:
-        return Value(INTEGER, known)
-    return Value(FLOAT, known if abs(known) <= EXACT else float(known))
+        return KnownValue(INTEGER, known)
+    return KnownValue(FLOAT, known if abs(known) <= EXACT else float(known))
 
 
-def read_from(kind: Type) -> Value:
+def read_from(kind: Type) -> KnownValue:
     """Return the value of a variable of a type: a Time or a Semaphore is read as an Integer."""
-    return Value(INTEGER if kind.name in (TIME, SEMAPHORE) else str(kind))
+    return KnownValue(INTEGER if kind.name in (TIME, SEMAPHORE) else str(kind))
 
 
 def type_of(row: Keyword) -> str:

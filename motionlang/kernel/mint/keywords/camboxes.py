@@ -29,7 +29,7 @@ LAST_BOX = 31
 AXIS, ENCODER, AUX_ENCODER = 0, 1, 2
 
 
-class Source:
+class CamSource:
     """The source of a cam box: a track, and the conversion of positions to counts."""
 
     def __init__(
@@ -42,7 +42,7 @@ class Source:
         return (position - self.zero) * self.per_unit
 
 
-def source_of(environment: Environment, kind: int, channel: int) -> Source:
+def source_of(environment: Environment, kind: int, channel: int) -> CamSource:
     """Return the track that a cam box watches, with its conversion to user units.
 
     Raises Rejected if there is no such source.
@@ -50,7 +50,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
     controller = environment.controller
     if kind == AXIS:
         scale = scale_of(environment, channel)
-        return Source(controller.axes[channel], 0.0, scale.counts, scale.wrap)
+        return CamSource(controller.axes[channel], 0.0, scale.counts, scale.wrap)
     encoders = environment.component(Encoders if kind == ENCODER else AuxEncoders)
     shown = (
         encoders.setting("zero", channel),
@@ -58,10 +58,10 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
         encoders.setting("ENCODERWRAP", channel),
     )
     if kind == AUX_ENCODER:
-        return Source(controller.encoder(AUXILIARY + channel), *shown)
+        return CamSource(controller.encoder(AUXILIARY + channel), *shown)
     if channel in controller.encoders:
-        return Source(controller.encoders[channel], *shown)
-    return Source(controller.axes[channel], *shown, physical=True)
+        return CamSource(controller.encoders[channel], *shown)
+    return CamSource(controller.axes[channel], *shown, physical=True)
 
 
 class CamBox:
@@ -111,7 +111,7 @@ class CamBox:
             state = states[index - 1] if index else 0
         self._environment.controller.set_output(self.output, state)
 
-    def _edges(self, source: Source) -> tuple[list[float], list[int]]:
+    def _edges(self, source: CamSource) -> tuple[list[float], list[int]]:
         """Return the positions at which the output changes, and the state after each.
 
         The positions are in ascending order. The states are those of forward motion.

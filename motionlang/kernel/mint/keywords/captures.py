@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from math import ceil
 
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, value
 from motionlang.kernel.mint.keywords import captures_quantities as quantities
@@ -28,7 +28,7 @@ NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
 
 @dataclass(eq=False, slots=True)
-class Channel:
+class CaptureChannel:
     """The quantity that one capture channel records.
 
     `axis` applies to quantities of axes; for any other quantity `parameter` is the channel.
@@ -55,7 +55,7 @@ class Capture:
 
     def __init__(self, environment: Environment) -> None:
         self._environment, self._clock = environment, environment.clock
-        self.channels = [Channel() for _ in range(LAST_CHANNEL + 1)]
+        self.channels = [CaptureChannel() for _ in range(LAST_CHANNEL + 1)]
         self.triggers = [Trigger() for _ in range(LAST_TRIGGER + 1)]
         self.points, self.before = POINTS, 0
         # The setting that gives the period: the one that was written last, and its value.
@@ -65,14 +65,14 @@ class Capture:
         # The recording: when it began to wait, the time of its first point, its period, the number of points,
         # and how many of these come before the trigger.
         self._begun, self._first, self._period, self._count, self._ahead = 0.0, 0.0, 1e-3, 0, 0
-        self._recorded: list[Channel] = []
+        self._recorded: list[CaptureChannel] = []
         self._columns: dict[int, list[float]] = {}
         # The zeros, by time, of axes whose encoders are recorded, and the callbacks that stop recording zeros
         # and watching triggers.
         self._datums: dict[int, list[tuple[float, float]]] = {}
         self._notes: list[Callable[[], None]] = []
         self._ends: list[Callable[[], None]] = []
-        self._events: list[Event] = []
+        self._events: list[TimedCall] = []
 
     # ---------------------------------------------------------------------------------------------- settings
 
@@ -115,7 +115,7 @@ class Capture:
         self.refuse_running()
         if self.points * self.period <= 0.0:
             raise Rejected("capture-points", "all points of the capture would have the same time")
-        recorded = [Channel(each.mode, each.axis, each.parameter) for each in self.channels]
+        recorded = [CaptureChannel(each.mode, each.axis, each.parameter) for each in self.channels]
         for channel in recorded:
             quantities.check(self._environment, channel.mode, channel.where)
         waits = waits and any(each.mode for each in self.triggers)
@@ -281,7 +281,7 @@ class Capture:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def _channel_or_trigger(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
+def _channel_or_trigger(capture: Capture, row: Keyword, number: int) -> CaptureChannel | Trigger:
     if row.index == "trigger":
         return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
     return capture.channels[checked(number, LAST_CHANNEL, "capture channel")]

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from motionlang.kernel.controller.triggers.position_zones import Cells
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mint.keywords import captures_quantities as quantities
-from motionlang.kernel.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, Source, source_of
+from motionlang.kernel.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, CamSource, source_of
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.kernel.mint.keywords.io_outputs import Analogue
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -76,7 +76,7 @@ def _as_it_is(profile: Profile) -> Profile:
 
 def _watch_motion(
     environment: Environment,
-    source: Source,
+    source: CamSource,
     counts: Callable[[float], float],
     view: View | None,
     level: tuple[float, bool],

@@ -8,7 +8,7 @@ from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
-from motionlang.kernel.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, Switches
+from motionlang.kernel.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, SwitchInputs
 from motionlang.kernel.mint.runtime.binding import of, scale_of, unchecked
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -106,7 +106,7 @@ class Homes(Settings):
         if machine.settings.get(f"axis.{axis}.home_switch") is not None:
             return True
 
-        channel = self.environment.component(Switches).channel("HOMEINPUT", axis)
+        channel = self.environment.component(SwitchInputs).channel("HOMEINPUT", axis)
         return channel != NONE and machine.world is not None and channel in machine.world.driven
 
 

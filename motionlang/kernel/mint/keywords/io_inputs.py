@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import ceil
 
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
@@ -44,9 +44,9 @@ class Inputs:
         levels = self._controller.inputs
         self._levels = {channel: levels[channel] != 0 for channel in levels.touched}
         # Levels of debounced channels that changed since their last sample: the sampled level, and the next sample.
-        self._sampled: dict[int, tuple[bool, int, Event]] = {}
+        self._sampled: dict[int, tuple[bool, int, TimedCall]] = {}
         # Channels whose new level has too few samples: the level that they still show, and the event of its change.
-        self._debouncing: dict[int, tuple[bool, Event]] = {}
+        self._debouncing: dict[int, tuple[bool, TimedCall]] = {}
         self._edges: set[int] = set()
         self.listeners: list[Callable[[int, bool], None]] = []
         self._controller.inputs.listeners.append(self._level_changed)

@@ -11,7 +11,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 NONE = -1
 
 
-class Signals(Settings):
+class SignalOutputs(Settings):
     """The outputs assigned to states: DRIVEENABLEOUTPUT by axis, GLOBALERROROUTPUT.
 
     An output shows the state as soon as it is assigned.
@@ -54,13 +54,15 @@ class Signals(Settings):
 # ------------------------------------------------------------------------------------------------- keywords
 
 _ERROR_OUTPUT = Actions(
-    read=of(Signals, lambda signals: signals.errors), write=repeatable(of(Signals, Signals.assign_errors))
+    read=of(SignalOutputs, lambda signals: signals.errors),
+    write=repeatable(of(SignalOutputs, SignalOutputs.assign_errors)),
 )
 
 
 ROWS = (
     Keyword("DRIVEENABLEOUTPUT", "deo", "setting", "RW", "axis", "integer",
-            Actions("enable_output", read=setting_reader(Signals), write=repeatable(setting_writer(Signals))),
+            Actions("enable_output", read=setting_reader(SignalOutputs),
+                    write=repeatable(setting_writer(SignalOutputs))),
             "The output that is on while the drive of the axis is enabled; -1 for none.",
             "DRIVEENABLEOUTPUT(0) = 4\nPRINT OUTX(4)", default=-1.0, low=-1, high=999, group="io", selects="output"),
     Keyword("GLOBALERROROUTPUT", "geo", "setting", "RW", "none", "integer", _ERROR_OUTPUT,

@@ -5,7 +5,7 @@ The commands are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
 
 from __future__ import annotations
 
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -35,7 +35,7 @@ class Jogs(Settings):
         self.commands: dict[int, int] = {}
         # The start time of a commanded jog, and the end event of one with limited time.
         self._began: dict[int, float] = {}
-        self._ends: dict[int, Event] = {}
+        self._ends: dict[int, TimedCall] = {}
 
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; a new JOGSPEED also changes a JOGCOMMAND jog in progress."""

@@ -17,7 +17,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 AT, BETWEEN = 0, 1
 
 
-class Compare:
+class PositionCompare:
     """The position compare of one axis.
 
     `positions` are in counts. `output` is the output that it drives, -1 for none.
@@ -96,12 +96,12 @@ class Compares:
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
-        self._compares = ByNumber(lambda axis: Compare(environment, axis))
+        self._compares = ByNumber(lambda axis: PositionCompare(environment, axis))
 
-    def compare(self, axis: int) -> Compare:
+    def compare(self, axis: int) -> PositionCompare:
         return self._compares[axis]
 
-    def of_output(self, output: int) -> list[Compare]:
+    def of_output(self, output: int) -> list[PositionCompare]:
         """Return the position compares that drive an output."""
         checked(output, LAST_CHANNEL, "output")
         return [each for each in self._compares.values() if each.output == output]

@@ -21,7 +21,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 NONE = -1
 
 
-class Switches(Settings):
+class SwitchInputs(Settings):
     """The inputs assigned to axes, by keyword and axis."""
 
     otherwise = NONE
@@ -89,14 +89,14 @@ class Switches(Settings):
             self.controller.set_home_switch(axis, on)
 
 
-_MEANINGS: dict[str, Callable[[Switches, int, bool], None]] = {
-    "LIMITFORWARDINPUT": Switches._forward,
-    "LIMITREVERSEINPUT": Switches._reverse,
-    "ERRORINPUT": Switches._error,
-    "STOPINPUT": Switches._stop,
-    "SUSPENDINPUT": Switches._suspend,
-    "RESETINPUT": Switches._reset,
-    "HOMEINPUT": Switches._home,
+_MEANINGS: dict[str, Callable[[SwitchInputs, int, bool], None]] = {
+    "LIMITFORWARDINPUT": SwitchInputs._forward,
+    "LIMITREVERSEINPUT": SwitchInputs._reverse,
+    "ERRORINPUT": SwitchInputs._error,
+    "STOPINPUT": SwitchInputs._stop,
+    "SUSPENDINPUT": SwitchInputs._suspend,
+    "RESETINPUT": SwitchInputs._reset,
+    "HOMEINPUT": SwitchInputs._home,
 }
 # The assignment whose input each of these keywords shows.
 SHOWN = {"ERRORSWITCH": "ERRORINPUT", "STOPSWITCH": "STOPINPUT", "SUSPENDSWITCH": "SUSPENDINPUT"}
@@ -104,9 +104,9 @@ SHOWN = {"ERRORSWITCH": "ERRORINPUT", "STOPSWITCH": "STOPINPUT", "SUSPENDSWITCH"
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-SWITCH_INPUT = Actions(read=setting_reader(Switches), write=setting_writer(Switches))
+SWITCH_INPUT = Actions(read=setting_reader(SwitchInputs), write=setting_writer(SwitchInputs))
 _SWITCH = Actions(
-    read=of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
+    read=of_word(SwitchInputs, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
 )
 HOME_SWITCH = Actions(read=of(Environment, lambda e, axis: int(e.controller.is_on_home_switch(axis))))
 
@@ -129,4 +129,4 @@ ROWS = (
     _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
 )  # fmt: skip
 # The event sources of each kind, created for programs that handle these events.
-SOURCES = {"stop": Switches}
+SOURCES = {"stop": SwitchInputs}

@@ -25,7 +25,7 @@ LAST = 65535
 _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
 
 
-class Server:
+class RegisterServer:
     """One server: its registers `first` to `last`, and the times when it answers."""
 
     def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = inf) -> None:
@@ -40,7 +40,7 @@ class Servers:
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
         self._stimuli = environment.controller.stimuli
-        self._servers: dict[int, Server] = {}
+        self._servers: dict[int, RegisterServer] = {}
         for entry in self._entries("modbus.server"):
             self._declare(entry)
         for entry in self._entries("modbus.register"):
@@ -57,7 +57,7 @@ class Servers:
         end: float = begin + entry.get("for", inf)  # type: ignore[operator]
         first: int = entry.get("first", 0)  # type: ignore[assignment]
         last: int = entry.get("last", LAST)  # type: ignore[assignment]
-        server = self._servers[entry["id"]] = Server(first, last, begin, end)  # type: ignore[index]
+        server = self._servers[entry["id"]] = RegisterServer(first, last, begin, end)  # type: ignore[index]
         given: Mapping[str, int] = entry.get("registers", {})  # type: ignore[assignment]
         server.words.update((int(register), word & LAST) for register, word in given.items())
         for time in (begin, end):
@@ -69,7 +69,7 @@ class Servers:
 
         It is not made by a client, so it may also change registers that clients cannot write.
         """
-        server = self._servers.setdefault(entry["server"], Server())  # type: ignore[arg-type]
+        server = self._servers.setdefault(entry["server"], RegisterServer())  # type: ignore[arg-type]
         value: float = entry["value"]  # type: ignore[assignment]
         width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
         register: int = entry["register"]  # type: ignore[assignment]
@@ -88,14 +88,14 @@ class Servers:
         server.written.update(range(register, register + len(words)))
         _put(server, register, words)
 
-    def _reached(self, number: int, register: int, count: int) -> Server:
+    def _reached(self, number: int, register: int, count: int) -> RegisterServer:
         server = self._servers.get(number)
         if server is None and not self._named:
             self._machine.notes.setdefault(
                 f"Modbus server {number}: no [[modbus.server]] of the machine file says what it holds, so its "
                 "registers are 0 until the program writes them"
             )
-            server = self._servers[number] = Server()
+            server = self._servers[number] = RegisterServer()
         if server is None or not server.begin <= self._clock.now < server.end:
             known = ", ".join(map(str, self._servers))
             hint = (
@@ -117,7 +117,7 @@ class Servers:
         ]
 
 
-def _put(server: Server, register: int, words: Sequence[int]) -> None:
+def _put(server: RegisterServer, register: int, words: Sequence[int]) -> None:
     for k, word in enumerate(words):
         server.words[register + k] = word
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from motionlang.kernel.controller.clock import Event
+from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, value
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, bits_of, checked
 from motionlang.kernel.mint.keywords.io_outputs import LAST_ANALOGUE
@@ -84,7 +84,7 @@ class Brake:
         self.mode, self.output = BY_HAND, NONE
         self.delays = [0, 0]
         self.engaged = False
-        self._scheduled: Event | None = None
+        self._scheduled: TimedCall | None = None
 
     def choose(self, mode: int) -> None:
         """Select control by the drive, which sets the brake at once, or by the program."""

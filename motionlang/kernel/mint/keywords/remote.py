@@ -40,7 +40,7 @@ NODE_CODES = {"dead": 5, "live": 6, "emergency": 11}
 ERROR_REGISTER = 0x1001
 
 
-class Bus:
+class RemoteBus:
     """One bus: its `state`, its unread events, and its last process data.
 
     `taken` is the last event read: its code and its info.
@@ -70,7 +70,7 @@ class Bus:
         self.add_event(OPERATIONAL)
 
 
-class Node:
+class BusNode:
     """The data of one node except its channels.
 
     `written` holds the values that the program has written to it, by kind and number.
@@ -100,8 +100,8 @@ class Nodes:
         self.environment, self._clock = environment, environment.clock
         self._happened = environment.events.raise_
         self._channels: dict[tuple[int, int, str], Channels] = {}
-        self._nodes: dict[tuple[int, int], Node] = {}
-        self._buses: dict[int, Bus] = {}
+        self._nodes: dict[tuple[int, int], BusNode] = {}
+        self._buses: dict[int, RemoteBus] = {}
         self.named: set[tuple[int, int]] = set()
         settings = environment.machine.settings
         entries: Sequence[Entry] = settings.get("remote", ())  # type: ignore[assignment]
@@ -116,14 +116,14 @@ class Nodes:
             self._at(entry, partial(put, item, signed(int(entry["value"]))))
         environment.machine.written.append(self.written)
 
-    def bus(self, bus: int) -> Bus:
+    def bus(self, bus: int) -> RemoteBus:
         """Return a bus; raise Rejected if it does not exist."""
         found = self._buses.get(bus)
         if found is None:
-            found = self._buses[bus] = Bus(checked_bus(bus), self._happened)
+            found = self._buses[bus] = RemoteBus(checked_bus(bus), self._happened)
         return found
 
-    def node(self, bus: int, node: int, silent: bool = False) -> Node:
+    def node(self, bus: int, node: int, silent: bool = False) -> BusNode:
         """Return a node; raise Rejected if it does not answer, unless `silent`."""
         if not (silent or self.answers(bus, node)):
             raise Rejected(
@@ -134,7 +134,7 @@ class Nodes:
         key = checked_bus(bus), checked(node, LAST_NODE, "node")
         found = self._nodes.get(key)
         if found is None:
-            found = self._nodes[key] = Node()
+            found = self._nodes[key] = BusNode()
         return found
 
     def answers(self, bus: int, node: int) -> bool:
@@ -185,7 +185,7 @@ class Nodes:
         for entry in sorted(entries, key=lambda each: each.get("at", 0.0)):
             key = entry.get("bus", 1), entry["node"]
             self.named.add(key)
-            self._nodes[key] = self._nodes.get(key) or Node()
+            self._nodes[key] = self._nodes.get(key) or BusNode()
             if entry.get("event") in ("live", "dead"):
                 first.setdefault(key, entry)
         for key, entry in first.items():

@@ -19,7 +19,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 _PERCENT = 0.1
 
 
-class Loops:
+class LoopSettings:
     """The following-error limits in counts and the torques in percent, by axis."""
 
     def __init__(self, environment: Environment) -> None:
@@ -54,7 +54,7 @@ def read_gain(environment: Environment, row: Keyword, axis: int) -> float:
     return int(value) if row.unit == "integer" else value
 
 
-def write_gain(loops: Loops, row: Keyword, axis: int, value: float) -> None:
+def write_gain(loops: LoopSettings, row: Keyword, axis: int, value: float) -> None:
     """Set a gain of the axis's servo loop.
 
     Without a motor it has no effect, which the report states.
@@ -76,13 +76,13 @@ def write_loop_time(environment: Environment, row: Keyword, value: int) -> None:
     _report_no_effect(environment, row, tuple(controller.axes))
 
 
-def read_fatal_error(loops: Loops, axis: int) -> float:
+def read_fatal_error(loops: LoopSettings, axis: int) -> float:
     """FOLERRORFATAL: return the limit in user units."""
     scale, fatal = loops.environment.controller.axes[axis].scale, loops.fatal
     return scale.to_user(fatal[axis], "uu") if axis in fatal else FATAL_ERROR
 
 
-def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> None:
+def write_fatal_error(loops: LoopSettings, row: Keyword, axis: int, value: float) -> None:
     """FOLERRORFATAL: set the limit in user units.
 
     Without a motor it has no effect, which the report states.
@@ -93,7 +93,7 @@ def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> No
     _report_no_effect(loops.environment, row, (axis,))
 
 
-def read_torque(loops: Loops, axis: int) -> float:
+def read_torque(loops: LoopSettings, axis: int) -> float:
     """TORQUE: return the output in percent of full scale.
 
     The value is 0 while the loop is closed or TORQUEREF controls the output.
@@ -102,7 +102,7 @@ def read_torque(loops: Loops, axis: int) -> float:
     return loops.torque.get(axis, 0.0) if in_force else 0.0
 
 
-def write_torque(loops: Loops, axis: int, value: float) -> None:
+def write_torque(loops: LoopSettings, axis: int, value: float) -> None:
     """TORQUE: open the loop and output a percentage of full scale."""
     loops.references.end(axis)
     loops.environment.controller.open_loop(axis, value * _PERCENT)
@@ -111,9 +111,11 @@ def write_torque(loops: Loops, axis: int, value: float) -> None:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_GAIN = Actions(read=of_word(Environment, read_gain), write=repeatable(of_word(Loops, write_gain)))
+_GAIN = Actions(read=of_word(Environment, read_gain), write=repeatable(of_word(LoopSettings, write_gain)))
 _LOOP_TIME = Actions(read=of(Environment, read_loop_time), write=of_word(Environment, write_loop_time))
-_FATAL_ERROR = Actions(read=of(Loops, read_fatal_error), write=repeatable(of_word(Loops, write_fatal_error)))
+_FATAL_ERROR = Actions(
+    read=of(LoopSettings, read_fatal_error), write=repeatable(of_word(LoopSettings, write_fatal_error))
+)
 
 
 def _gain(name: str, short: str, tunes: str, help: str, high: float, unit: str = "number") -> Keyword:
@@ -150,7 +152,7 @@ ROWS = (
             "FOLERRORFATAL(0) = 2\nPRINT FOLERRORFATAL(0)", default=FATAL_ERROR, low=0.0, high=8388607.0,
             group="servo"),
     Keyword("TORQUE", "", "setting", "RW", "axis", "%",
-            Actions(read=of(Loops, read_torque), write=of(Loops, write_torque)),
+            Actions(read=of(LoopSettings, read_torque), write=of(LoopSettings, write_torque)),
             "Give the motor a constant output, percent of full scale, in place of its servo loop, until CANCEL, STOP, "
             "RESET or a move closes the loop again. It needs a simulated motor.",
             "PRINT TORQUE(0)", default=0.0, low=-100.0, high=100.0, group="servo", effect="act"),

@@ -26,7 +26,7 @@ DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP"
 SYNONYMS = frozenset({"FEEDRATE"})
 
 
-class Switches(Mapping[str, Switch]):
+class AssumptionSwitches(Mapping[str, Switch]):
     """The assumptions that can be set; a lookup imports only the file of its keyword."""
 
     def __getitem__(self, name: str) -> Switch:
@@ -45,7 +45,7 @@ class Switches(Mapping[str, Switch]):
 
 def switches() -> Mapping[str, Switch]:
     """Return every assumption that can be set, by name."""
-    return Switches()
+    return AssumptionSwitches()
 
 
 def with_default() -> list[Keyword]:

@@ -59,7 +59,7 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
     return int(first) - 1, end
 
 
-class Phase:
+class CamPhase:
     """CAMPHASE: extra travel `delta` of the master over some segments in one cycle."""
 
     def __init__(self, first: int, last: int, delta: float) -> None:
@@ -73,7 +73,7 @@ class Cams:
     def __init__(self, environment: Environment) -> None:
         self.environment, self.masters = environment, environment.component(Masters)
         self.arrays: dict[int, tuple[Array, Array | None]] = {}
-        self.phases: dict[int, Phase] = {}
+        self.phases: dict[int, CamPhase] = {}
         self.cycles: dict[int, int] = {}
         self.modes: dict[int, int] = {}
         # The points of the last cycle of each axis, and the data they were computed from.
@@ -201,7 +201,7 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
     if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
         raise Rejected("range", f"CAMPHASE cannot take {-delta:.10g} from segments {index} to {end}",
                       "the master must still advance in each of them")  # fmt: skip
-    cams.phases[axis] = Phase(index, end, counts)
+    cams.phases[axis] = CamPhase(index, end, counts)
 
 
 def bind_index(environment: Environment, row: Keyword) -> Operation:

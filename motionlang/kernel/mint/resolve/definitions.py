@@ -12,7 +12,7 @@ from motionlang.kernel.lang.names import Definition, Names
 from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.event_kinds import kind_and_number
-from motionlang.kernel.mint.resolve.names import Names as Resolver
+from motionlang.kernel.mint.resolve.names import Symbols as Resolver
 from motionlang.kernel.mint.resolve.symbols import FLOAT, RECORD, STRING, Function, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS
@@ -28,7 +28,7 @@ _SLOTS = {
     **dict.fromkeys(
         (
             nodes.Const, nodes.Define, nodes.End, nodes.Event, nodes.Jump, nodes.Label, nodes.Name, nodes.Parameter,
-            nodes.Run, nodes.Sub, nodes.Task, nodes.TypeName, nodes.UserType, nodes.Variable,
+            nodes.RunTask, nodes.Sub, nodes.Task, nodes.TypeName, nodes.UserType, nodes.Variable,
         ),
         "name",
     ),

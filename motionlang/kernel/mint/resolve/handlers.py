@@ -16,7 +16,7 @@ from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.step_graph import StepGraph
-    from motionlang.kernel.mint.resolve.names import Names
+    from motionlang.kernel.mint.resolve.names import Symbols
 
 
 def label_handlers(function: Function) -> list[str]:
@@ -47,7 +47,7 @@ def _executed(node: nodes.Node) -> nodes.Node | None:
     return node if isinstance(node, nodes.Stmt) else None
 
 
-def raised_by(names: Names, event: str) -> list[tuple[str, int]]:
+def raised_by(names: Symbols, event: str) -> list[tuple[str, int]]:
     """Return the channels whose change raises an event: kind and number, -1 for any.
 
     A stop event has the inputs that the program assigns to STOPINPUT.
@@ -68,7 +68,7 @@ def raised_by(names: Names, event: str) -> list[tuple[str, int]]:
     return [(row.selects, number) for number in numbers]
 
 
-def handles(names: Names, event: str) -> bool:
+def handles(names: Symbols, event: str) -> bool:
     """True if the program handles an event without a number, such as onerror."""
     blocks = (each.name.lower() for each in names.functions if each.kind == "event")
     return event in blocks or event in label_handlers(names.main)

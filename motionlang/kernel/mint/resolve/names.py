@@ -60,9 +60,9 @@ from motionlang.kernel.mint.resolve.symbols import (
     STRING,
     TYPES,
     Function,
+    PromptSymbols,
     Record,
     Scope,
-    Session,
     Symbol,
     Type,
 )
@@ -77,13 +77,13 @@ MAX_ELEMENTS = 10_000_000
 MAX_DEFINED_DEPTH = 1000
 
 
-class Names:
+class Symbols:
     """All symbols of a module.
 
     If the program is typed line by line, `session` has the names and types from earlier lines.
     """
 
-    def __init__(self, table: Vocabulary, problems: Problems, session: Session | None = None) -> None:
+    def __init__(self, table: Vocabulary, problems: Problems, session: PromptSymbols | None = None) -> None:
         self.table, self.problems = table, problems
         self.types: dict[str, Symbol] = {} if session is None else dict(session.types)
         self.functions: list[Function] = []
@@ -417,7 +417,7 @@ class Names:
                 node.resolve(_member(node))  # type: ignore[attr-defined, arg-type]
             elif kind is nodes.Jump:
                 node.resolve(_target(function, node))  # type: ignore[attr-defined, arg-type]
-            elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
+            elif (kind is nodes.RunTask or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
                 symbol = function.scope.find(node.word)  # type: ignore[attr-defined]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from motionlang.kernel.lang.facts import AxisKey, Statement
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.structure import AxisKey, Statement
 from motionlang.kernel.mint.keywords import units
 from motionlang.kernel.mint.resolve.problems import Problems
 

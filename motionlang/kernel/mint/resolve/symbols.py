@@ -133,7 +133,7 @@ class Function:
         return result if named else None
 
 
-class Session:
+class PromptSymbols:
     """What the lines typed at a prompt have declared so far: names and user types."""
 
     def __init__(self) -> None:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mint.runtime.events import Events
     from motionlang.kernel.mint.runtime.power_up import PowerUp
     from motionlang.kernel.mint.steps.places import Places
-    from motionlang.kernel.mint.steps.program import ProgramWriter, Unit
+    from motionlang.kernel.mint.steps.program import FunctionSteps, ProgramWriter
 
 Component = TypeVar("Component")
 
@@ -69,7 +69,7 @@ class Environment(Waits):
         self.answers: list[str] | None = None
         # Returns the line of a source offset, if the text is available.
         self.line_of: Callable[[int], int] | None = None
-        self.blocks: dict[str, Unit] = {}
+        self.blocks: dict[str, FunctionSteps] = {}
         # The tasks by name, and the handlers that run.
         self.by_name: dict[str, MintTask] = {}
         # Priorities set for tasks, including tasks that do not run yet.
@@ -347,7 +347,7 @@ class Environment(Waits):
 
     # --------------------------------------------------------------------------------------------- tasks
 
-    def start_task(self, name: str, unit: Unit) -> None:
+    def start_task(self, name: str, unit: FunctionSteps) -> None:
         """`Run`: start a task; no-op if it is running."""
         task = self.by_name.get(name)
         if task is not None and not task.done:

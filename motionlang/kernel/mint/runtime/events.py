@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import Event as ClockEvent
+from motionlang.kernel.controller.clock import TimedCall as ClockEvent
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.keywords import table
@@ -18,7 +18,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import MintTask
 
 if TYPE_CHECKING:
-    from motionlang.kernel.mint.steps.program import Unit
+    from motionlang.kernel.mint.steps.program import FunctionSteps
 
 
 # The maximum number of handlers in a row, each raised by a statement of a handler before it, until a task
@@ -49,9 +49,9 @@ class Events:
         self._raised_here: set[tuple[int, int]] = set()
         self._rounds = self._in_row = 0
         self._row_began = 0.0
-        self._handlers: dict[tuple[str, int], Unit] = {}
+        self._handlers: dict[tuple[str, int], FunctionSteps] = {}
 
-    def handle(self, kind: str, number: int, unit: Unit) -> None:
+    def handle(self, kind: str, number: int, unit: FunctionSteps) -> None:
         """Register `unit` as the handler of an event; number -1 means all of its kind."""
         self._handlers[kind, number] = unit
 
@@ -59,7 +59,7 @@ class Events:
         """True if the program has a handler for an event."""
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
 
-    def handler(self, kind: str, number: int = 0) -> Unit:
+    def handler(self, kind: str, number: int = 0) -> FunctionSteps:
         """Return the handler of an event; there must be one."""
         return self._handlers.get((kind, number)) or self._handlers[kind, -1]
 
@@ -191,7 +191,7 @@ def _never_ends(entry: tuple[int, int]) -> Rejected:
 class EventTask(MintTask):
     """A task that runs an active handler."""
 
-    def __init__(self, name: str, unit: Unit, environment: Environment) -> None:
+    def __init__(self, name: str, unit: FunctionSteps, environment: Environment) -> None:
         super().__init__(name, unit, environment)
         self.timer = environment.timer
 

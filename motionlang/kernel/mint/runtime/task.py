@@ -16,7 +16,7 @@ from motionlang.kernel.mint.syntax.unparse import shown
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.runtime.environment import Environment
-    from motionlang.kernel.mint.steps.program import Unit
+    from motionlang.kernel.mint.steps.program import FunctionSteps
 
 # Nested calls of subs, functions and Gosubs, in one task or handler: a language's own maximum, so that a recursion ends
 # at the same call and the same time in any environment.
@@ -32,7 +32,7 @@ class MintTask(StepTask):
 
     max_depth = MAX_DEPTH - 1
 
-    def __init__(self, name: str, unit: Unit, environment: Environment) -> None:
+    def __init__(self, name: str, unit: FunctionSteps, environment: Environment) -> None:
         values = environment.places.new_values(unit.function)
         loops: Loops = environment.loops
         super().__init__(name, unit.steps, values, loops)

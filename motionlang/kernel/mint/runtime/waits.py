@@ -66,11 +66,11 @@ class Waits:
                 self.task = running
 
         if axes and self.settled is None and not self.has_errors:
-            return Rest(self, since, self.controller.end_of_moves(axes), test, why)
+            return UntilRest(self, since, self.controller.end_of_moves(axes), test, why)
         return Condition(self.dependencies, test, since, why, ignores_data)
 
 
-class Rest(Wait):
+class UntilRest(Wait):
     """A wait until axes are at rest, which events report.
 
     If the program also requires settled axes, the condition is tested instead.

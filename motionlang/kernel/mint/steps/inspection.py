@@ -15,7 +15,7 @@ from motionlang.kernel.mint.runtime.task import PARENT, MintTask
 from motionlang.kernel.mint.steps.places import is_shared, variables_of
 
 if TYPE_CHECKING:
-    from motionlang.kernel.mint.resolve.names import Names
+    from motionlang.kernel.mint.resolve.names import Symbols
 
 # The range of an Integer.
 _LOW, _HIGH = -(2**31), 2**31 - 1
@@ -24,7 +24,7 @@ _LOW, _HIGH = -(2**31), 2**31 - 1
 class Inspection:
     """The variables of a program, and the calls of its tasks."""
 
-    def __init__(self, environment: Environment, names: Names) -> None:
+    def __init__(self, environment: Environment, names: Symbols) -> None:
         self._environment, self._names = environment, names
         self._functions = {id(environment.steps_of(each)): each for each in names.functions}
 

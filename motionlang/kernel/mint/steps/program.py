@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from motionlang.kernel.lang.steps import CALL, DO, END, NOW, RETURN, Steps
 from motionlang.kernel.mint.resolve.handlers import handles, label_handlers
-from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.printing import shows_float
@@ -18,7 +18,7 @@ from motionlang.kernel.mint.syntax.traversal import is_stop, walk
 
 
 @dataclass(slots=True, eq=False)
-class Unit:
+class FunctionSteps:
     """A function of a program: its steps, and the index of the first one."""
 
     function: Function
@@ -26,7 +26,7 @@ class Unit:
     entry: int = 0
 
 
-def stops(names: Names) -> list[int]:
+def stops(names: Symbols) -> list[int]:
     """Return the offsets of the statements at which a debugger can stop."""
     return sorted(
         {each.start for function in names.functions for each in walk(function.body) if is_stop(each)}
@@ -42,7 +42,7 @@ class ProgramWriter:
 
     def __init__(
         self,
-        names: Names,
+        names: Symbols,
         environment: Environment,
         line: Callable[[int], int],
         given: Mapping[str, float | str],
@@ -62,7 +62,7 @@ class ProgramWriter:
             steps.origin, steps.name = names, function.qualified_name
             steps.title = "program" if function.kind == "main" else f"{function.kind} {function.name}"
         # The tasks and handlers, by names such as "task blink" and "event timer".
-        self.blocks: dict[str, Unit] = {}
+        self.blocks: dict[str, FunctionSteps] = {}
         for function in names.functions:
             self._write(function)
         observer = environment.machine.observer
@@ -70,9 +70,9 @@ class ProgramWriter:
             for steps in self.steps.values():
                 observer.written(steps)
 
-    def unit(self, function: Function) -> Unit:
+    def unit(self, function: Function) -> FunctionSteps:
         """Return a function as a unit that can be started."""
-        return Unit(function, self.environment.steps_of(function))
+        return FunctionSteps(function, self.environment.steps_of(function))
 
     def _write(self, function: Function) -> None:
         for symbol in variables_of(function):
@@ -91,7 +91,7 @@ class ProgramWriter:
             self.blocks[f"{function.kind} {function.name.lower()}"] = self.unit(function)
         if function.jumps:
             for name in label_handlers(function):
-                self.blocks[f"event {name}"] = Unit(function, w.steps, w.labels[name])
+                self.blocks[f"event {name}"] = FunctionSteps(function, w.steps, w.labels[name])
 
     def _reset(self, w: UnitWriter) -> None:
         """Give the variables of a task or a handler their first values, each time that it begins."""

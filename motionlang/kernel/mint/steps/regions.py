@@ -10,7 +10,7 @@ from motionlang.kernel.mint.syntax.traversal import walk
 
 
 @dataclass(slots=True)
-class Region:
+class GotoLoop:
     """A loop of Gotos: its first and last step, and the statement at whose end it ends."""
 
     statement: nodes.Stmt
@@ -18,19 +18,19 @@ class Region:
     last: int = -1
 
 
-def regions(function: Function) -> dict[str, Region]:
+def regions(function: Function) -> dict[str, GotoLoop]:
     """Return the loops formed by the Gotos of a function, by their labels."""
     if not function.jumps:
         return {}
     parts = sorted(walk(function.body), key=lambda each: each.start)
     labels = {each.name.lower(): each for each in parts if isinstance(each, nodes.Label)}
-    found: dict[str, Region] = {}
+    found: dict[str, GotoLoop] = {}
     for each in parts:
         label = (
             labels.get(each.name.lower()) if isinstance(each, nodes.Jump) and each.kind == "goto" else None
         )
         if label is not None and label.start < each.start:
-            found[label.name.lower()] = Region(_end(function.body, label, each))
+            found[label.name.lower()] = GotoLoop(_end(function.body, label, each))
     return found
 
 

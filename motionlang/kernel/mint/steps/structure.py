@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from motionlang.kernel.lang.facts import READ, ChannelUse, Structure, Unit
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import CALL, Steps
+from motionlang.kernel.lang.structure import READ, ChannelUse, Structure, Unit
 from motionlang.kernel.lang.wait_causes import KINDS
 from motionlang.kernel.mint.keywords.event_kinds import is_timed
-from motionlang.kernel.mint.resolve.facts import FactsReader
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
-from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.names import Symbols
+from motionlang.kernel.mint.resolve.statements import FactsReader
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
@@ -21,7 +21,7 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.source import Source
 
 
-def written(source: Source, names: Names, settings: Mapping[str, object]) -> dict[Function, Steps]:
+def written(source: Source, names: Symbols, settings: Mapping[str, object]) -> dict[Function, Steps]:
     """Return the steps of the functions of a checked program on a machine with these settings."""
     environment = Environment(Machine(dict(settings)), Places())
     environment.prepare()
@@ -33,7 +33,7 @@ def written(source: Source, names: Names, settings: Mapping[str, object]) -> dic
     return ProgramWriter(names, environment, line_of, {}).steps
 
 
-def graph_of(names: Names, steps: Mapping[Function, Steps]) -> StepGraph:
+def graph_of(names: Symbols, steps: Mapping[Function, Steps]) -> StepGraph:
     """Return the graph of the steps of the functions."""
     graph = StepGraph(list(steps.values()))
     last = graph.ranges[names.main.qualified_name][-1]

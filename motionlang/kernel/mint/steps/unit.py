@@ -8,7 +8,7 @@ from motionlang.kernel.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, U
 from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
-from motionlang.kernel.mint.steps.regions import Region, regions
+from motionlang.kernel.mint.steps.regions import GotoLoop, regions
 from motionlang.kernel.mint.steps.values import Get
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
@@ -38,7 +38,7 @@ class UnitWriter:
         self.labels: dict[str, int] = {}
         self.jumps: list[tuple[int, str]] = []
         self.label = ""
-        self.regions: dict[str, Region] = regions(function)
+        self.regions: dict[str, GotoLoop] = regions(function)
         # The sub that was called last.
         self.callee: Function | None = None
         self.forget_uses()

@@ -42,7 +42,7 @@ WRONG = "WRONG"  # the kind of token that is put in place of a text that does no
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Block:
+class OpenBlock:
     """An open block: its kind, its opening token, True if it is a one-line If, and the name behind it."""
 
     kind: str
@@ -70,7 +70,7 @@ def closers(kind: str) -> dict[str, tuple[str, ...]]:
     return {" ".join(SPELLINGS[each] for each in words): words for words in kinds}
 
 
-def opened_blocks(stack: Stack) -> Iterator[Block]:
+def opened_blocks(stack: Stack) -> Iterator[OpenBlock]:
     """Iterate over the blocks that are open on a stack, innermost first."""
     above, name = "", ""  # the symbol above and its first token
     after_then = ""  # the symbol above the last Then
@@ -80,7 +80,7 @@ def opened_blocks(stack: Stack) -> Iterator[Block]:
             after_then = "_NL" if kind == "DO" else above
         elif kind in OPENERS:
             variable = tokens[1] if symbol == "for_head" else name
-            yield Block(kind, tokens[0], symbol == "IF" and after_then != "_NL", variable)
+            yield OpenBlock(kind, tokens[0], symbol == "IF" and after_then != "_NL", variable)
         above, name = symbol, tokens[0] if tokens else ""
 
 

@@ -25,7 +25,7 @@ from motionlang.kernel.mint.syntax.blocks import (
     DECLARATIONS,
     OPENERS,
     WRONG,
-    Block,
+    OpenBlock,
     block_words,
     closers,
     closing,
@@ -182,7 +182,7 @@ class _Reader:
         if meant:
             self.spent.setdefault(meant.token.start_pos, blocks[0].token)
 
-    def _under(self, block: Block) -> bool:
+    def _under(self, block: OpenBlock) -> bool:
         """True if the statement is in the same column as the opener of a block."""
         return self._column(self.tokens[self.start]) == self._column(block.token)
 
@@ -213,11 +213,11 @@ class _Reader:
             return self.kinds[last]
         return CLOSERS.get(self.kinds[first], "")
 
-    def _inline(self, first: int, blocks: list[Block]) -> bool:
+    def _inline(self, first: int, blocks: list[OpenBlock]) -> bool:
         """True if the statement at `first` belongs to a one-line If."""
         return self.kinds[first - 1] in ("THEN", "ELSE") or any(block.inline for block in blocks)
 
-    def _closes(self, closer: str, at: int, blocks: list[Block]) -> int:
+    def _closes(self, closer: str, at: int, blocks: list[OpenBlock]) -> int:
         """Report a closer that does not fit, and return the token after it.
 
         Either inner blocks are still open, which are reported, too, or no block of that kind is open.
@@ -359,7 +359,7 @@ class _Reader:
         named = self.kinds[self.start + 1 : self.start + 2] in (["NAME"], ["_NL"])
         return self.kinds[self.start] in DECLARATIONS and named and at <= self.start + 1
 
-    def _declared_inside(self, blocks: list[Block]) -> int:
+    def _declared_inside(self, blocks: list[OpenBlock]) -> int:
         """Report and close the blocks still open before a `Sub` or another declared block."""
         while blocks and self.mark.after(self.tokens[self.start : self.start + 2]) is None:
             self._missing(blocks[0])
@@ -368,7 +368,7 @@ class _Reader:
             blocks = blocks[1:]
         return self.start
 
-    def _missing(self, block: Block) -> None:
+    def _missing(self, block: OpenBlock) -> None:
         if _is_do(block):
             return
         token = block.token
@@ -444,7 +444,7 @@ class _Reader:
             self._replace(self._written(("_NL",), end), end + 1)
         return self.start
 
-    def _close(self, blocks: list[Block]) -> bool:
+    def _close(self, blocks: list[OpenBlock]) -> bool:
         """Close blocks, innermost first, as if their closers preceded the statement.
 
         Returns False if a closer does not fit.
@@ -498,7 +498,7 @@ def _as(kind: str, token: Token) -> Token:
     return Token.new_borrow_pos(kind, token, token)
 
 
-def _is_do(block: Block) -> bool:
+def _is_do(block: OpenBlock) -> bool:
     """True if a block was opened in place of a `Do`, which is reported, so its `Loop` ends it."""
     return block.kind == "LOOP" and not block.token
 

@@ -343,7 +343,7 @@ class Pause(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class Run(Resolved):
+class RunTask(Resolved):
     """`Run task`."""
 
     name: Word
@@ -397,7 +397,7 @@ Stmt = (
     | Loop
     | Exit
     | Pause
-    | Run
+    | RunTask
     | End
     | Label
     | Jump

@@ -13,7 +13,7 @@ SIZE = 32
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class BufferedPoint:
     """One point in the buffer.
 
     `position` is in counts, `velocity` in 0.1 counts/s (None for a linear segment). The time is in
@@ -32,7 +32,7 @@ class Buffer:
     """The queued entries, the number of the next segment, and the latched errors."""
 
     def __init__(self) -> None:
-        self.entries: deque[Entry] = deque()
+        self.entries: deque[BufferedPoint] = deque()
         self.next_number = 0
         self.errors = 0
 
@@ -46,7 +46,7 @@ class Buffer:
         """The value of object 0x2012."""
         return BufferStatus(self.next_number, self.free, self.errors, not self.entries)
 
-    def add(self, entry: Entry) -> bool:
+    def add(self, entry: BufferedPoint) -> bool:
         """Append a point; if full, drop it, latch an overflow and return False."""
         if not self.free:
             self.errors |= OVERFLOW
@@ -55,7 +55,7 @@ class Buffer:
         self.next_number = self.next_number + 1 & 0xFFFF
         return True
 
-    def take(self) -> Entry | None:
+    def take(self) -> BufferedPoint | None:
         """Remove and return the oldest point; return None if the buffer is empty."""
         return self.entries.popleft() if self.entries else None
 
@@ -69,6 +69,6 @@ class Buffer:
             self.entries.pop()
 
 
-def entry_of(point: WirePoint) -> Entry:
+def entry_of(point: WirePoint) -> BufferedPoint:
     """Return the entry of a point whose time is in milliseconds."""
-    return Entry(point.position, point.velocity, point.time * 1000, point.relative)
+    return BufferedPoint(point.position, point.velocity, point.time * 1000, point.relative)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from math import ceil, inf
 
 from motionlang.kernel.planners import Profile, from_curve, hold, plan_stop, pvt_piece
-from motionlang.lab.pvt.drive.buffer import Buffer, Entry, entry_of
+from motionlang.lab.pvt.drive.buffer import Buffer, BufferedPoint, entry_of
 from motionlang.lab.pvt.drive.packet import UNDERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint
 
@@ -55,7 +55,7 @@ class Drive:
         self._boundary: int | None = None
         self._reference = position
         self._velocity = 0.0
-        self._entry = Entry(0, None, 0)
+        self._entry = BufferedPoint(0, None, 0)
 
     # --------------------------------------------------------------------------------------------- state
 
@@ -85,7 +85,7 @@ class Drive:
         """Put a point into the buffer; return False if it was full."""
         return self.add_entry(entry_of(point))
 
-    def add_entry(self, entry: Entry) -> bool:
+    def add_entry(self, entry: BufferedPoint) -> bool:
         """Put an entry into the buffer.
 
         In sub-mode 0 the third entry starts a waiting move.
@@ -219,7 +219,7 @@ class Drive:
             return
         self._run(following)
 
-    def _run(self, target: Entry) -> None:
+    def _run(self, target: BufferedPoint) -> None:
         span = self._steered(self._entry.microseconds)
         begin = self._reference
         position = self._position_of(target)
@@ -243,12 +243,12 @@ class Drive:
         step = self.servo_period if surplus < 0 else -self.servo_period if surplus > 0 else 0
         return max(span + step, self.servo_period)
 
-    def _position_of(self, entry: Entry) -> float:
+    def _position_of(self, entry: BufferedPoint) -> float:
         """Return the absolute position of a point, the reference for the next one."""
         self._reference = self._reference + entry.position if entry.relative else float(entry.position)
         return self._reference
 
-    def _take(self) -> Entry | None:
+    def _take(self) -> BufferedPoint | None:
         entry = self.buffer.take()
         if entry is not None:
             self._event()

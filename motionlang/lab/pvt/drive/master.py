@@ -63,7 +63,7 @@ class Streamed:
     lowest: int = SIZE
 
 
-class Master:
+class BusMaster:
     """A master for one drive on a bus."""
 
     def __init__(self, bus: Bus, node_id: int = 1) -> None:

@@ -29,7 +29,7 @@ from motionlang.lab.pvt.drive.pdo import (
     SENT,
     STATUS_PERIOD,
     Address,
-    Sent,
+    SentPdo,
     entry,
     sent_pdo,
 )
@@ -112,7 +112,7 @@ class DriveNode(LocalNode):
         drive.listener = self.send_status
         self.error_register = 0
         self._status_maps: list[tuple[int, list[Address]]] = []
-        self._sent: list[Sent] = []
+        self._sent: list[SentPdo] = []
         self._receive_ids: list[int] = []
         # The time at which the next heartbeat is due.
         self._heartbeat_at = INFINITY
@@ -372,7 +372,7 @@ class DriveNode(LocalNode):
         self._receive_ids.append(can_id)
         self.network.subscribe(can_id, receive)
 
-    def _map_transmit(self, communication: int, mapping: int, before: dict[int, Sent]) -> None:
+    def _map_transmit(self, communication: int, mapping: int, before: dict[int, SentPdo]) -> None:
         can_id, addresses = self._can_id(communication), self._mapped(mapping)
         kind = int.from_bytes(self.get_data(communication, 2), "little")
         if can_id is None or not addresses:
@@ -395,10 +395,10 @@ class DriveNode(LocalNode):
                 if each.on_sync(content):
                     self._transmit(each, content)
 
-    def _data_of(self, pdo: Sent) -> bytes:
+    def _data_of(self, pdo: SentPdo) -> bytes:
         return b"".join(self.get_data(index, sub) for index, sub in pdo.addresses)
 
-    def _transmit(self, pdo: Sent, data: bytes) -> None:
+    def _transmit(self, pdo: SentPdo, data: bytes) -> None:
         pdo.data, pdo.at = data, self.now
         self.network.send_message(pdo.can_id, data)
 

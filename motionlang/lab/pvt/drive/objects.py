@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.buffer import Entry, entry_of
+from motionlang.lab.pvt.drive.buffer import BufferedPoint, entry_of
 from motionlang.lab.pvt.drive.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 from motionlang.lab.pvt.drive.modes import (
     HALT,
@@ -294,7 +294,7 @@ class ObjectServer:
             why = f"a segment numbered {segment.number} came where {buffer.next_number & 7} was due: sequence error"
             self.drive.latch(packet.SEQUENCE, why)
         elif segment.initial is not None:
-            self.drive.add_entry(Entry(segment.initial, None, 0, initial=True))
+            self.drive.add_entry(BufferedPoint(segment.initial, None, 0, initial=True))
         else:
             assert segment.point is not None
             self.drive.add_entry(entry_of(segment.point))
@@ -315,11 +315,11 @@ class ObjectServer:
         if sub == TRIGGERS[self.sub_mode] and not self.drive.add_entry(self._entry()):
             raise Abort(DEVICE_STATE, "the trajectory buffer is full")
 
-    def _entry(self) -> Entry:
+    def _entry(self) -> BufferedPoint:
         fixed = self.sub_mode in FIXED_TIME
         velocity = self.values[0x60C1, 3] if self.sub_mode == -3 else None
         span = self.period() if fixed else self.values[0x60C1, 2] * 1000
-        return Entry(self.values[0x60C1, 1], velocity, span)
+        return BufferedPoint(self.values[0x60C1, 1], velocity, span)
 
     def period(self) -> int:
         """The fixed time of sub-modes 0 and -1, in microseconds."""

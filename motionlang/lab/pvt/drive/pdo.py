@@ -45,7 +45,7 @@ def entry(index: int, bits: int) -> int:
 
 
 @dataclass(slots=True)
-class Sent:
+class SentPdo:
     """A transmit PDO: identifier, type, times in seconds, and its last transmission."""
 
     can_id: int
@@ -84,6 +84,6 @@ class Sent:
         return True
 
 
-def sent_pdo(read: Callable[[int], int], can_id: int, addresses: list[Address]) -> Sent:
+def sent_pdo(read: Callable[[int], int], can_id: int, addresses: list[Address]) -> SentPdo:
     """Return a transmit PDO; `read` returns a sub-index of its communication record."""
-    return Sent(can_id, read(2), read(3) * 1e-4, read(5) * 1e-3, addresses)
+    return SentPdo(can_id, read(2), read(3) * 1e-4, read(5) * 1e-3, addresses)

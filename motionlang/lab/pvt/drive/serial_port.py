@@ -11,7 +11,7 @@ from motionlang.lab.pvt.drive import serial
 from motionlang.lab.pvt.drive.drive import Drive
 
 
-class Refused(Exception):
+class PortRefused(Exception):
     """The drive's serial port has rejected a request."""
 
 
@@ -23,18 +23,18 @@ class SerialPort:
         self.configuration = 0
 
     def write(self, parameter: int, message: Sequence[int]) -> None:
-        """Write a parameter; raise `Refused` if it is rejected.
+        """Write a parameter; raise `PortRefused` if it is rejected.
 
         Writing a point to a full buffer is an overflow.
         """
         if parameter == serial.TRAJECTORY_PARAMETER:
             if list(message) not in ([0], [serial.PVT_CONFIGURATION]):
-                raise Refused(f"trajectory configuration {list(message)} is not simulated: 3 is PVT")
+                raise PortRefused(f"trajectory configuration {list(message)} is not simulated: 3 is PVT")
             self.configuration = message[0]
         elif parameter == serial.PARAMETER:
             self._fill(message)
         else:
-            raise Refused(f"parameter {parameter:#x} is not simulated")
+            raise PortRefused(f"parameter {parameter:#x} is not simulated")
 
     def read(self, parameter: int) -> tuple[int, ...]:
         """Read a parameter."""
@@ -42,21 +42,21 @@ class SerialPort:
             return (self.configuration,)
         if parameter == serial.PARAMETER:
             return serial.status_words(self.drive.buffer.free)
-        raise Refused(f"parameter {parameter:#x} is not simulated")
+        raise PortRefused(f"parameter {parameter:#x} is not simulated")
 
     def command(self, opcode: int) -> None:
         """Execute an op-code: 17 starts the move in the buffer."""
         if opcode != serial.START_OPCODE:
-            raise Refused(f"op-code {opcode} is not simulated: {serial.START_OPCODE} starts a move")
+            raise PortRefused(f"op-code {opcode} is not simulated: {serial.START_OPCODE} starts a move")
         if self.configuration != serial.PVT_CONFIGURATION:
-            raise Refused("parameter 0xC8 must be 3 (PVT interpolation) before a PVT move starts")
+            raise PortRefused("parameter 0xC8 must be 3 (PVT interpolation) before a PVT move starts")
         self.drive.start()
 
     def _fill(self, message: Sequence[int]) -> None:
         try:
             content = serial.decode(message)
         except serial.BadWord as problem:
-            raise Refused(str(problem)) from None
+            raise PortRefused(str(problem)) from None
         if not isinstance(content, serial.BufferCommand):
             self.drive.add(content)
         elif content.code == serial.CLEAR:

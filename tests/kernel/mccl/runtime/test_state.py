@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from motionlang.kernel import Machine, Scheduler, Source, Steps
-from motionlang.kernel.lang.step_task import Call
+from motionlang.kernel.lang.step_task import Caller
 from motionlang.kernel.mccl import FileTask, LineSteps, MacroFile
 
 # A macro that calls another one in a loop that counts, and a line that repeats.
@@ -60,7 +60,7 @@ def restore(task: FileTask, state: bytes) -> None:
         return written[name]
 
     task.steps, task.values = steps_of(name), [task.registers, repeats]
-    task.calls[:] = [Call(steps_of(each), pc, [task.registers, left]) for each, pc, left in calls]
+    task.calls[:] = [Caller(steps_of(each), pc, [task.registers, left]) for each, pc, left in calls]
 
 
 @pytest.mark.parametrize("until", [0.0, 0.0103, 0.02, 0.02995, 0.0305, 0.0309, 0.04])

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import hold
-from motionlang.lab.pvt.drive.buffer import SIZE, Entry
+from motionlang.lab.pvt.drive.buffer import SIZE, BufferedPoint
 from motionlang.lab.pvt.drive.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW, UNDERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire
@@ -227,7 +227,7 @@ def test_a_second_start_in_mid_move_changes_nothing() -> None:
 
 def test_an_initial_position_takes_an_entry_but_no_time() -> None:
     drive = Drive(9_000_000.0)
-    drive.add_entry(Entry(9_000_000, None, 0, initial=True))
+    drive.add_entry(BufferedPoint(9_000_000, None, 0, initial=True))
     drive.add(WirePoint(0, 0, 10, relative=True))
     drive.add(WirePoint(7, 0, 0, relative=True))
     drive.start()
@@ -244,11 +244,11 @@ class TestSubMode0:
 
     def test_it_forgets_earlier_points_and_waits_for_three(self) -> None:
         drive = self.steering()
-        drive.add_entry(Entry(99, None, 10_000))
+        drive.add_entry(BufferedPoint(99, None, 10_000))
         drive.start()
         assert (drive.state, drive.buffer.free) == (WAITING, SIZE)
         for position, state in ((0, WAITING), (10, WAITING), (20, MOVING)):
-            drive.add_entry(Entry(position, None, 10_000))
+            drive.add_entry(BufferedPoint(position, None, 10_000))
             assert drive.state == state
         assert drive.position == 0.0
 
@@ -258,14 +258,14 @@ class TestSubMode0:
         drive.stop()
         assert drive.state == IDLE
         for position in (0, 10, 20, 30):
-            drive.add_entry(Entry(position, None, 10_000))
+            drive.add_entry(BufferedPoint(position, None, 10_000))
         assert (drive.state, drive.position) == (IDLE, 0.0)
 
     @pytest.mark.parametrize(("waiting", "span"), [(2, 10_250), (3, 10_000), (4, 9_750), (20, 9_750)])
     def test_a_segment_is_steered_by_the_points_left(self, waiting: int, span: int) -> None:
         drive = self.steering()
         for position in range(waiting + 2):
-            drive.buffer.add(Entry(position, None, 10_000))
+            drive.buffer.add(BufferedPoint(position, None, 10_000))
         drive._begin()
         assert drive.next_boundary == span
 
@@ -275,7 +275,7 @@ class TestSubMode0:
             drive.start()
             levels = []
             for n in range(400):
-                drive.add_entry(Entry(n * 10, None, 10_000))
+                drive.add_entry(BufferedPoint(n * 10, None, 10_000))
                 drive.run_until((n + 1) * period)
                 levels.append(len(drive.buffer.entries))
             assert drive.buffer.errors == 0
@@ -284,9 +284,9 @@ class TestSubMode0:
     def test_without_steering_the_same_clocks_run_dry(self) -> None:
         drive = Drive()
         for n in range(4):
-            drive.add_entry(Entry(n * 10, None, 10_000))
+            drive.add_entry(BufferedPoint(n * 10, None, 10_000))
         drive.start()
         for n in range(4, 600):
             drive.run_until((n - 3) * 10_100)
-            drive.add_entry(Entry(n * 10, None, 10_000))
+            drive.add_entry(BufferedPoint(n * 10, None, 10_000))
         assert drive.buffer.errors & UNDERFLOW

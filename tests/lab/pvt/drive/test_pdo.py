@@ -9,7 +9,7 @@ import pytest
 from motionlang.kernel.planners import plan_trapezoid
 from motionlang.lab.pvt.drive.drive import Drive
 from motionlang.lab.pvt.drive.node import DriveNode
-from motionlang.lab.pvt.drive.pdo import Sent, sent_pdo
+from motionlang.lab.pvt.drive.pdo import SentPdo, sent_pdo
 
 
 def test_times_are_in_the_units_of_cia_301() -> None:
@@ -43,7 +43,7 @@ def test_a_pdo_is_due_between_its_inhibit_time_and_its_timer(
     kind: int, inhibit: float, timer: float, data: bytes, now: float, due: bool
 ) -> None:
     """Its last transmission was at 2 s."""
-    pdo = Sent(0x182, kind, inhibit, timer, [], data=b"old", at=2.0)
+    pdo = SentPdo(0x182, kind, inhibit, timer, [], data=b"old", at=2.0)
     assert pdo.is_due(data, now) is due
 
 
@@ -59,7 +59,7 @@ def test_a_pdo_is_due_between_its_inhibit_time_and_its_timer(
 )
 def test_a_pdo_is_checked_again_when_its_timer_ends(kind: int, timer: float, at: float, time: float) -> None:
     """`at` is its last transmission; without one or a timer, only data send it."""
-    assert Sent(0x182, kind, 0.0, timer, [], at=at).next_time() == time
+    assert SentPdo(0x182, kind, 0.0, timer, [], at=at).next_time() == time
 
 
 def test_a_drive_in_motion_is_updated_at_its_end() -> None:
@@ -78,16 +78,16 @@ def test_a_drive_in_motion_is_updated_at_its_end() -> None:
     ("kind", "sent"), [(1, [1, 2, 3, 4, 5, 6, 7]), (2, [2, 4, 6]), (3, [3, 6]), (240, []), (255, [])]
 )
 def test_a_pdo_of_type_n_is_sent_on_every_nth_sync(kind: int, sent: list[int]) -> None:
-    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    pdo = SentPdo(0x182, kind, 0.0, 0.0, [])
     assert [sync for sync in range(1, 8) if pdo.on_sync(b"data")] == sent
 
 
 @pytest.mark.parametrize(("kind", "sent"), [(240, 2), (241, 0), (253, 0)])
 def test_the_slowest_pdo_is_sent_on_every_240th_sync(kind: int, sent: int) -> None:
-    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    pdo = SentPdo(0x182, kind, 0.0, 0.0, [])
     assert [pdo.on_sync(b"data") for _ in range(500)].count(True) == sent
 
 
 def test_a_pdo_of_type_0_is_sent_on_a_sync_if_its_data_have_changed() -> None:
-    pdo = Sent(0x182, 0, 0.0, 0.0, [], data=b"old")
+    pdo = SentPdo(0x182, 0, 0.0, 0.0, [], data=b"old")
     assert [pdo.on_sync(data) for data in (b"old", b"new", b"old")] == [False, True, False]

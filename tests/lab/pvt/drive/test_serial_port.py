@@ -9,7 +9,7 @@ from motionlang.lab.pvt.drive.drive import IDLE, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.drive.serial import BufferCommand
-from motionlang.lab.pvt.drive.serial_port import Refused, SerialPort
+from motionlang.lab.pvt.drive.serial_port import PortRefused, SerialPort
 from motionlang.lab.pvt.export import export
 from motionlang.lab.pvt.fit import track_error
 from motionlang.lab.pvt.points import plan_points
@@ -75,7 +75,7 @@ def test_without_its_configuration_the_drive_does_not_start() -> None:
     line = SerialPort(Drive())
     assert line.read(0xC8) == (0,)
     line.write(0x115, serial.encode_point(WirePoint(0, 0, 0)))
-    with pytest.raises(Refused, match="0xC8 must be 3"):
+    with pytest.raises(PortRefused, match="0xC8 must be 3"):
         line.command(17)
     line.write(0xC8, [3])
     assert line.read(0xC8) == (3,)
@@ -92,12 +92,12 @@ def test_without_its_configuration_the_drive_does_not_start() -> None:
     ],
 )
 def test_other_messages_are_refused(parameter: int, message: list[int], reason: str) -> None:
-    with pytest.raises(Refused, match=reason):
+    with pytest.raises(PortRefused, match=reason):
         port().write(parameter, message)
 
 
 def test_other_parameters_and_op_codes_are_refused() -> None:
-    with pytest.raises(Refused, match="not simulated"):
+    with pytest.raises(PortRefused, match="not simulated"):
         port().read(0x24)
-    with pytest.raises(Refused, match="op-code 1 is not simulated"):
+    with pytest.raises(PortRefused, match="op-code 1 is not simulated"):
         port().command(1)

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
-from motionlang.commands.check.axis_state import IDLE, MOVES, Axis, State
-from motionlang.commands.check.facts import Facts, Part
+from motionlang.commands.check.axis_state import IDLE, MOVES, AllAxes, AxisFacts
+from motionlang.commands.check.rule_facts import Facts, Part
 from motionlang.commands.check.silence import has_host
 from motionlang.kernel.lang import AxisKey as Key
 from motionlang.kernel.lang import Use
 from motionlang.kernel.mint import MintProgram
-from motionlang.kernel.mint.resolve.facts import axes_of
 from motionlang.kernel.mint.resolve.folding import Known, binary, fold
 from motionlang.kernel.mint.resolve.handlers import handled, label_handlers
+from motionlang.kernel.mint.resolve.statements import axes_of
 from motionlang.kernel.mint.resolve.symbols import Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import by_kind, changed, meaning, meant, walk
@@ -148,7 +148,7 @@ class MintFacts(Facts):
             self._apart.update(each for each in part.parameters if each.name in keys)
         return super().resolved(part, found)
 
-    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+    def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
         return frozenset() if self._may_pass("SOFTLIMITMODE", key) else super().limits_in_force(key, axis)
 
     def passes_switches(self, key: Key) -> bool:
@@ -160,12 +160,12 @@ class MintFacts(Facts):
         found = [given[each] for each in (key, None) if each in given]
         return any(values is None or not _STOPPING.issuperset(values) for values in found)
 
-    def refined(self, p: int, truth: bool, state: State) -> State:
+    def refined(self, p: int, truth: bool, state: AllAxes) -> AllAxes:
         node = self.nodes_at[p]
         condition = node.condition if isinstance(node, nodes.Pause) else node
         return self._refined(condition, truth, state) if isinstance(condition, nodes.Expr) else state
 
-    def _at_level(self, node: nodes.Expr, results: list[object], truth: bool, state: State) -> State:
+    def _at_level(self, node: nodes.Expr, results: list[object], truth: bool, state: AllAxes) -> AllAxes:
         """Return the state after a comparison with a number was `truth`.
 
         `results` are those of the comparison if `node` is 0 and if it is 1.
@@ -174,7 +174,7 @@ class MintFacts(Facts):
             return state
         return self._refined(node, results[1] == truth, state)
 
-    def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
+    def _refined(self, node: nodes.Expr, truth: bool, state: AllAxes) -> AllAxes:
         if type(node) is nodes.Unary and node.op == "Not":
             return self._refined(node.operand, not truth, state)
         if type(node) is nodes.Binary:

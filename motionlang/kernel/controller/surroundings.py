@@ -44,7 +44,7 @@ FAULTS: dict[str, tuple[int, str]] = {
 CONTROLLER = "controller"
 
 
-class World:
+class Surroundings:
     """All events that reach a controller from outside.
 
     `driven` are the digital inputs with an external source: a wait for any other input can never end. `actions`

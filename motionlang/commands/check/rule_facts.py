@@ -11,14 +11,14 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Protocol
 
-from motionlang.commands.check.axis_state import AT_POWER_UP, Axis, Follower, State
+from motionlang.commands.check.axis_state import AT_POWER_UP, AllAxes, AxisFacts, Follower
 from motionlang.commands.check.reach import LOWER, UPPER
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Statement, Structure, Use
 from motionlang.kernel.lang import AxisKey as Key
 
 
-class Named(Protocol):
+class NamedParameter(Protocol):
     """A parameter of a part."""
 
     @property
@@ -37,7 +37,7 @@ class Part(Protocol):
     @property
     def calls(self) -> Collection[Part]: ...
     @property
-    def parameters(self) -> Sequence[Named]: ...
+    def parameters(self) -> Sequence[NamedParameter]: ...
 
 
 class Facts:
@@ -176,7 +176,7 @@ class Facts:
             return found
         return {p: [_without_parameters(use) for use in uses] for p, uses in found.items()}
 
-    def may_fail(self, act: Use, axis: Axis) -> tuple[bool, bool]:
+    def may_fail(self, act: Use, axis: AxisFacts) -> tuple[bool, bool]:
         """Return if an act may be rejected in the state of its axis (its line ends there), and if it certainly is."""
         return False, False
 
@@ -193,7 +193,7 @@ class Facts:
         side = next((each for each in (UPPER, LOWER) if act.row is not None and act.row.does(each)), None)
         return sides | {side} if side is not None and act.number(number) else sides
 
-    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+    def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
         """Return the sides on which the software limit of an axis acts if it is set."""
         return frozenset((UPPER, LOWER))
 
@@ -201,7 +201,7 @@ class Facts:
         """True if the axis may go on at a limit switch."""
         return False
 
-    def refined(self, p: int, truth: bool, state: State) -> State:
+    def refined(self, p: int, truth: bool, state: AllAxes) -> AllAxes:
         """Return the state of the axes after the condition that is tested, or waited for, at a point was `truth`."""
         return state
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 
-from motionlang.kernel.lang.facts import (
+from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.lang.structure import (
     READ,
     SET_UP,
     WRITE,
@@ -15,10 +16,9 @@ from motionlang.kernel.lang.facts import (
     Written,
     role_of,
 )
-from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.folding import fold
-from motionlang.kernel.mint.resolve.names import Names
+from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, children, is_stop, meaning, meant, walk
@@ -37,7 +37,7 @@ _FIRST_KEY, _LAST_KEY = 32, 126
 class FactsReader:
     """Reads the statements of the functions of a program whose names are resolved."""
 
-    def __init__(self, source: Source, names: Names) -> None:
+    def __init__(self, source: Source, names: Symbols) -> None:
         self.source, self.names = source, names
         self.statements: dict[int, Statement] = {}
         # The offsets of labels.
@@ -140,7 +140,7 @@ class FactsReader:
                 answer = ChannelUse("answer", prompt or "INPUT", READ, made.at, value=self._text(node.target))
                 made.channels.append(answer)
                 self._target(made, node.target)
-            case nodes.Run():
+            case nodes.RunTask():
                 made.starts.append(f"task {node.name}")
             case nodes.End() if node.name is not None:
                 made.ends.append(f"task {node.name}")
@@ -272,7 +272,7 @@ class FactsReader:
 
 
 def axes_of(
-    name: nodes.Name, row: Keyword, names: Names, changed: Container[Symbol | None]
+    name: nodes.Name, row: Keyword, names: Symbols, changed: Container[Symbol | None]
 ) -> tuple[AxisKey, ...]:
     """Return the axes that a keyword names; `changed` are the variables that the program assigns to."""
     if row.does("all"):

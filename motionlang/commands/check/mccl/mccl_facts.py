@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from motionlang.commands.check.axis_state import AT_POWER_UP, ENDLESS, IDLE, TARGETS, Axis
-from motionlang.commands.check.facts import Facts, Part
+from motionlang.commands.check.axis_state import AT_POWER_UP, ENDLESS, IDLE, TARGETS, AxisFacts
 from motionlang.commands.check.reach import LOWER, UPPER
+from motionlang.commands.check.rule_facts import Facts, Part
 from motionlang.commands.check.silence import has_host
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import CALL, ENTER, Use
@@ -89,7 +89,7 @@ class MacroFacts(Facts):
         goes_on = point.next == (self.graph.ranges[point.key[0]][-1],)
         return point.calls < 0 and (point.kind == CALL or (point.kind == ENTER and goes_on))
 
-    def may_fail(self, act: Use, axis: Axis) -> tuple[bool, bool]:
+    def may_fail(self, act: Use, axis: AxisFacts) -> tuple[bool, bool]:
         if axis.off and act.role in ("run", "start"):
             return True, True
         if act.role == "run":
@@ -112,6 +112,6 @@ class MacroFacts(Facts):
         meant = frozenset(side for side, bit in ((UPPER, HIGH), (LOWER, LOW)) if bits & bit)
         return sides | meant if act.row.verb == "limits_on" else sides - meant
 
-    def limits_in_force(self, key: Key, axis: Axis) -> frozenset[str]:
+    def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
         """Return the sides that LN has enabled, without those whose limit is in an old unit, or set elsewhere."""
         return frozenset(side for side in axis.limited if f"{side} limit" in axis.set)

@@ -16,7 +16,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.step_graph import Point, StepGraph
+from motionlang.kernel.lang.step_graph import GraphPoint, StepGraph
 from motionlang.kernel.lang.wait_analysis import WaitAnalysis
 from motionlang.kernel.source import Source
 
@@ -193,7 +193,7 @@ class Structure:
         return WaitAnalysis(self)
 
     @property
-    def points(self) -> Sequence[Point]:
+    def points(self) -> Sequence[GraphPoint]:
         """The points of the graph."""
         return self.graph.points
 
