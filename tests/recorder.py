@@ -10,16 +10,16 @@ from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.settings import SETTINGS
 from motionlang.kernel.controller.triggers.limit import Limit
-from tests.verbs import VERBS
+from tests.operations import OPERATIONS
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.readers import Reader, Subscriber, Writer
 
 
 class Recorder:
-    """A controller without physics, which records every verb.
+    """A controller without physics, which records every operation.
 
-    Readings return values from `answers`. `calls` is a list of `(verb, argument, …)` tuples. It has a clock and
+    Readings return values from `answers`. `calls` is a list of `(operation, argument, …)` tuples. It has a clock and
     axes with a scale, so that a language can run on it; nothing ever moves.
     """
 
@@ -63,12 +63,12 @@ class Recorder:
         scale = self.axes[axis].scale
         return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
 
-    def __getattr__(self, verb: str) -> Any:
-        if verb not in VERBS:
-            raise AttributeError(verb)
+    def __getattr__(self, operation: str) -> Any:
+        if operation not in OPERATIONS:
+            raise AttributeError(operation)
 
         def record(*arguments: Any) -> Any:
-            self.calls.append((verb, *arguments))
-            return self.answers.get(verb, 0.0)
+            self.calls.append((operation, *arguments))
+            return self.answers.get(operation, 0.0)
 
         return record

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
@@ -50,6 +51,12 @@ WHOLE_SUMS = {
     "commands/check/rules/never_started.py",
     "kernel/mint/runtime/environment.py",
     "views/table.py",
+}
+# Classes of one name. Nodes of a tree have the names of their statements, and private classes are seen in one file.
+SAME_NAMES = {
+    "Text": "the text of a program, in both languages",
+    "Inspection": "the variables of a debug build: what it must offer, and both languages",
+    "Command": "what a user types, and what MCCL calls a statement",
 }
 FILES = sorted(PACKAGE.rglob("*.py"))
 
@@ -153,7 +160,7 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
 
 
 def test_no_dialect_reaches_into_the_controller() -> None:
-    """A language changes an axis only through verbs (`tests/verbs.py`).
+    """A language changes an axis only through verbs (`tests/operations.py`).
 
     It reads an axis only through bound readers.
     """
@@ -294,3 +301,14 @@ def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
 )
 def test_a_sum_of_floats_is_seen(text: str, lines: list[int]) -> None:
     assert sorted(float_sums([*ast.walk(ast.parse(text))])) == lines
+
+
+def test_each_class_has_a_name_of_its_own() -> None:
+    found = Counter(
+        node.name
+        for path in FILES
+        if "syntax" not in path.parts
+        for node in nodes_of(path)
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
+    )
+    assert {name for name, count in found.items() if count > 1} == set(SAME_NAMES)

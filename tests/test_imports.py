@@ -144,7 +144,7 @@ def brought_in(path: Path) -> set[str]:
     Modules that load a heavy library are left out.
     """
     components = path.relative_to(PACKAGE).with_suffix("").parts
-    # A house holds packages.
+    # A package holds subpackages.
     package = ".".join(
         ("motionlang", *components[: 2 if components[0] in ("kernel", "commands", "lab", "ide") else 1], "")
     )

@@ -1,6 +1,6 @@
-"""Writer of the names in docs/contributing/kernel.md, which houses import from the kernel.
+"""Writer of the names in docs/contributing/kernel.md, which other packages import from the kernel.
 
-`PUBLIC` of the kernel and of each of its rooms lists the names. The text of a name is the first sentence of its
+`PUBLIC` of the kernel and of each of its subpackages lists the names. The text of a name is the first sentence of its
 docstring, or for a constant that of the comment above or beside it. Only the section of the page between
 `<!-- names -->` and `<!-- end -->` is generated.
 """
@@ -23,7 +23,7 @@ _SECTION = re.compile(r"(<!-- names -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def packages() -> list[str]:
-    """Return the packages that have a list: the kernel, then its rooms."""
+    """Return the packages that have a list: the kernel, then its subpackages."""
     kernel = motionlang.kernel.__name__
     below = [f"{kernel}.{each.name}" for each in iter_modules(motionlang.kernel.__path__) if each.ispkg]
     return [kernel, *(each for each in below if hasattr(import_module(each), "PUBLIC"))]

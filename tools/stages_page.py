@@ -76,14 +76,14 @@ waits and is done again. It pays for the statement when it is done.
 {code}
 ```
 
-## Verbs
+## Operations of the controller
 
 At run time `kernel/lang/step_task.py` does one step after another. The function of this one was bound to the row of its
-keyword when the steps were written (`kernel/mint/runtime/binding.py`). It checks the value and calls verbs of the
-controller (`tests/verbs.py`) in counts and seconds: 25 user units are 250 counts.
+keyword when the steps were written (`kernel/mint/runtime/binding.py`). It checks the value and calls operations of the
+controller (`tests/operations.py`) in counts and seconds: 25 user units are 250 counts.
 
 ```text
-{verbs}
+{operations}
 ```
 
 ## Log
@@ -115,7 +115,9 @@ def written() -> str:
         tokens="\n".join(f"{kind:<10} {text:<6} {at}" for kind, text, at in tokens(STATEMENT)),
         tree="\n".join(_tree(parse(Source("a.mnt", f"{STATEMENT}\n")))),
         code=_code(source),
-        verbs="\n".join(f"{verb}({', '.join(map(repr, arguments))})" for verb, *arguments in _verbs(source)),
+        operations="\n".join(
+            f"{operation}({', '.join(map(repr, arguments))})" for operation, *arguments in _operations(source)
+        ),
         log=_log(source),
         ways="\n".join(_way(*each) for each in WAYS),
     )
@@ -192,7 +194,7 @@ def entered(source: Source, line: int) -> list[str]:
     return list(found)
 
 
-def _verbs(source: Source) -> list[tuple[Any, ...]]:
+def _operations(source: Source) -> list[tuple[Any, ...]]:
     machine, recorder = Machine(), Recorder()
     machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
     task = DIALECT.program(source).start(machine)

@@ -1,8 +1,8 @@
 """Connections that carry characters: a TCP connection, a pseudo-terminal, a serial line.
 
 A server reads and writes its `HostChannel`s without waiting. A client has a `Wire`, whose calls wait. A serial line may
-be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`, such as a wrapper of pyserial's
-`Serial`, can be passed to `Client`.
+be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`, such as a wrapper of
+pyserial's `Serial`, can be passed to `Client`.
 """
 
 from __future__ import annotations

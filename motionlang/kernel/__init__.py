@@ -1,17 +1,17 @@
 """The parts that run a program: source, languages, controller, planners, servo and log.
 
-    text ─► tree ─► check ─► steps ─► task ─► scheduler ─► verbs ─► profiles ─► log ─► report
+    text ─► tree ─► check ─► steps ─► task ─► scheduler ─► operations ─► profiles ─► log ─► report
 
 `execution.run` goes this way, from a `Source` to a `Run`. Two languages, `mint` and `mccl`, become steps, which tasks
-of `lang` carry out. They call the verbs of one `controller`, whose moves become closed-form profiles of `planners` on a
-virtual clock. The `log` has what happened. A result depends on the program and its machine alone: no real time, no
+of `lang` carry out. They call the operations of one `controller`, whose moves become closed-form profiles of `planners`
+on a virtual clock. The `log` has what happened. A result depends on the program and its machine alone: no real time, no
 randomness, no order of a hash.
 
-Import from here what most uses need, the rest from the room that has it: `planners`, `controller`, `servo`, `log`,
-`tracks`, `lang`, `mint`, `mccl`. `PUBLIC` of each has its names, docs/contributing/kernel.md what each name is.
+Import from here what most uses need, the rest from the subpackage that has it: `planners`, `controller`, `servo`,
+`log`, `tracks`, `lang`, `mint`, `mccl`. `PUBLIC` of each has its names, docs/contributing/kernel.md what each name is.
 `tools`, `files`, `report`, `rows`, `cache` and `version` are imported as modules.
 
-Every house reads what the kernel makes. The kernel imports no house, except where `pyproject.toml` lists it.
+Every other package reads what the kernel makes. The kernel imports none, except where `pyproject.toml` lists it.
 """
 
 from typing import TYPE_CHECKING
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.assumptions.used import depended_on as depended_on
     from motionlang.kernel.controller.axis import Axis as Axis
     from motionlang.kernel.controller.clock import INFINITY as INFINITY
-    from motionlang.kernel.controller.verbs import Controller as Controller
+    from motionlang.kernel.controller.operations import Controller as Controller
     from motionlang.kernel.errors import CODES as CODES
     from motionlang.kernel.errors import Diagnostic as Diagnostic
     from motionlang.kernel.errors import OutOfTime as OutOfTime
@@ -104,7 +104,7 @@ PUBLIC = {
     "lang.waits": "Wait",
     "lang.debugging": "Hook Variable",
     # The controller.
-    "controller.verbs": "Controller",
+    "controller.operations": "Controller",
     "controller.axis": "Axis",
     "controller.clock": "INFINITY",
     # What happened.

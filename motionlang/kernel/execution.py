@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect, dialects

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.assumptions.used import depended_on, remembered_in
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, cast
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect

@@ -1,4 +1,4 @@
-"""Small tools of every room: spellings, plurals, missing libraries, exact sums, space on Python's stack.
+"""Small tools of every subpackage: spellings, plurals, missing libraries, exact sums, space on Python's stack.
 
 `MissingExtra` is raised for a feature whose library is not installed. `total` is for results that do not depend on the
 Python version: the builtin `sum` rounds differently from Python 3.12 on.

@@ -1,4 +1,4 @@
-"""The lists of names that houses import from the kernel."""
+"""The lists of names that other packages import from the kernel."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ROOT = PACKAGE.parent
 
 
 def contract() -> tuple[list[re.Pattern[str]], list[re.Pattern[str]]]:
-    """Return the modules that houses may not import, and the exceptions, as patterns of "module -> module"."""
+    """Return the modules that other packages may not import, and the exceptions, as patterns of "module -> module"."""
     contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]
     (found,) = [each for each in contracts["contracts"] if each["type"] == "protected"]
     protected = [f"** -> {each}" for each in found["protected_modules"]]

@@ -336,7 +336,7 @@ class Follower:
     def _act(self, act: Use, state: AllAxes) -> AllAxes:
         if act.role == "call":
             return self._call(act, state)
-        if act.row is not None and act.row.verb == "wait" and act.values and act.number(0) != 0:
+        if act.row is not None and act.row.function == "wait" and act.values and act.number(0) != 0:
             return state.passed()
         follow = _FOLLOW.get(act.role)
         if follow is None:
@@ -509,10 +509,10 @@ class Follower:
             if axis.timed is not None:
                 self._report_problem("time-before-speed", act, key, axis)
             axis = axis._replace(speeded=True, timed=None)
-        elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
+        elif act.row.function in ("accel_time", "decel_time") and not axis.speeded:
             axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
-        nothing = act.row.verb in _NEEDED and act.number(number) == 0
+        nothing = act.row.function in _NEEDED and act.number(number) == 0
         return axis._replace(
             set=axis.set | {slot} if in_units else axis.set - {slot},
             stale=axis.stale - {slot},

@@ -220,9 +220,9 @@ class Facts:
         """Return the axes for which the program writes or executes a keyword."""
         return {key for act in self.written_by(lambda row: row.name == word) for key in act.axes}
 
-    def word(self, verb: str) -> str:
-        """Return the keyword with this verb that the program uses, "" if it uses none."""
-        return next((row.name for row in self.used if row.verb == verb), "")
+    def word(self, function: str) -> str:
+        """Return the keyword with this function that the program uses, "" if it uses none."""
+        return next((row.name for row in self.used if row.function == function), "")
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """Map each axis to the constants that a keyword assigns to it.

@@ -75,7 +75,9 @@ def keywords_table(rows: Sequence[tuple[str, Keyword]]) -> Table:
     """Return all facts about keywords, each with its language, as data."""
     found = []
     for dialect, row in rows:
-        names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb", "word"))
+        names = (
+            name for name in sorted(vars(row)) if name not in ("actions", "simulated", "function", "word")
+        )
         meaning = of_word(dialect, row)["meaning"]
         found.append({
             "dialect": dialect,

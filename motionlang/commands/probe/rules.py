@@ -113,7 +113,7 @@ def _is_stored(row: Keyword) -> bool:
         and {"R", "W"} == set(row.access)
         and row.index == "axis"
         and row.is_stored
-        and row.verb != "enable_output"
+        and row.function != "enable_output"
     )
 
 
@@ -239,13 +239,13 @@ def _short(row: Keyword) -> Questions:
 
 def _number(row: Keyword) -> Questions:
     """Return a question about the number of a constant."""
-    if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.verb):
+    if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.function):
         return []
     others = [
         "another number: then a program that writes the name still fits, and one that writes the number does not"
     ]
-    probe = Probe("mint", row.name, answers=(row.verb,), form="{}", alone=True)
-    return [("number", f"The number of {row.name}", row.verb, others, probe)]
+    probe = Probe("mint", row.name, answers=(row.function,), form="{}", alone=True)
+    return [("number", f"The number of {row.name}", row.function, others, probe)]
 
 
 # ------------------------------------------------------------------------------------------------------ MCCL

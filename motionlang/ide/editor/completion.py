@@ -127,7 +127,7 @@ def _commands(page: Page, before: str, offset: int, names: Names) -> Iterator[It
     parameter = _PARAMETER.search(before)
     row = page.language.table().get(parameter[1]) if parameter is not None else None
     if parameter is not None and row is not None:
-        kind = "register" if parameter[2] else "macro" if row.verb in page.language.jumps else ""
+        kind = "register" if parameter[2] else "macro" if row.function in page.language.jumps else ""
         start = offset - len(parameter[3])
         for each in names.definitions:
             if each.kind == kind and each.name.startswith(parameter[3]):

@@ -1,4 +1,4 @@
-"""A listener to the verbs, profiles and settings of a controller."""
+"""A listener to the operations, profiles and settings of a controller."""
 
 from __future__ import annotations
 

@@ -78,7 +78,7 @@ NO_SUBSCRIBER: Subscriber = _NoSubscriber()
 def reader(
     controller: Readings, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER
 ) -> Reader:
-    """Return the reader of a setting of `SETTINGS` or of a verb that takes an axis.
+    """Return the reader of a setting of `SETTINGS` or of an operation that takes an axis.
 
     Raises KeyError for an axis that does not exist.
     """
@@ -89,8 +89,8 @@ def reader(
     written_out = _WRITTEN_OUT.get((name, unit))
     if written_out is not None:
         return written_out(controller, a, subscriber, until)
-    verb = getattr(controller, name)
-    return converted(lambda: verb(axis), a.scale, unit, subscriber, until)
+    operation = getattr(controller, name)
+    return converted(lambda: operation(axis), a.scale, unit, subscriber, until)
 
 
 def passing(controller: Readings, name: str, a: Axis, unit: str) -> Until:

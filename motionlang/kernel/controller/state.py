@@ -36,7 +36,7 @@ class ControllerState:
         self.listeners = Listeners()
         # The checks of conditions to be made once all axes of a motion have their profiles; None to check at once.
         self.deferred_checks: list[Callable[[], None]] | None = None
-        # It is notified of verbs, profiles and settings as they happen.
+        # It is notified of operations, profiles and settings as they happen.
         self.motion_listener = MotionListener()
         # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
         self.fault_handler: Callable[[Rejected], bool] | None = None

@@ -25,7 +25,7 @@ from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.controller.triggers.region import Region
 
 if TYPE_CHECKING:
-    from motionlang.kernel.controller.verbs import Controller
+    from motionlang.kernel.controller.operations import Controller
 
 Entry = Mapping[str, object]
 

@@ -83,13 +83,13 @@ TRAITS = {
 class Actions:
     """The functions of a keyword, None if there is none; calls differ by language.
 
-    `verb`       the name of its function in the controller, the steps or the linter; "" if they need none
+    `function`       the name of its function in the controller, the steps or the linter; "" if they need none
     `read`, `write`, `load`, `do`   read its value, write it, load a move into the buffer, execute a command
     `replaced`   reads the value that a write replaces, if `read` does not
     `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
     """
 
-    verb: str = ""
+    function: str = ""
     read: Callable[..., Any] | None = None
     write: Callable[..., Any] | None = None
     load: Callable[..., Any] | None = None
@@ -105,7 +105,7 @@ class Keyword:
     `access`   "R", "W", "RW" (values) or "C" (a command without a value)
     `index`    the contents of the brackets: "axis", "axes" (a list), "channel", "bank", "none"
     `unit`     "uu", "uu/s", "uu/s2", "uu/s3", "s", "ms", "counts", "%", "bool", "bits", "number", "text", ""
-    `actions`  the functions that execute it, or only a `verb`: a setting or a reading of the controller,
+    `actions`  the functions that execute it, or only a `function`: a setting or a reading of the controller,
                the value of a constant, the name of a function or a statement; "" if it is not simulated
     `low`…`high`  the accepted range, inclusive; None if open
     `below`    True if the range excludes `high` (MCCL)
@@ -175,7 +175,7 @@ class Keyword:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.word = name
         self.actions = actions if isinstance(actions, Actions) else Actions(actions)
-        self.unit, self.verb, self.help, self.example = unit, self.actions.verb, help, example
+        self.unit, self.function, self.help, self.example = unit, self.actions.function, help, example
         self.default, self.low, self.high, self.below = default, low, high, below
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven

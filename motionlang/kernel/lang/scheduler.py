@@ -48,7 +48,7 @@ from operator import attrgetter
 from typing import Protocol
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task

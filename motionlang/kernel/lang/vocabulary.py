@@ -53,9 +53,9 @@ class Vocabulary:
         row = self.get(word)
         return row is not None and row.topic == "home"
 
-    def doing(self, verb: str) -> str:
-        """Return the name of the first keyword with a verb."""
-        return next(row.name for row in self.rows if row.verb == verb)
+    def doing(self, function: str) -> str:
+        """Return the name of the first keyword with a function."""
+        return next(row.name for row in self.rows if row.function == function)
 
     def group(self, name: str) -> list[Keyword]:
         """Return the keywords of a group, ignoring case."""

@@ -10,7 +10,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.keyword import BANK
 from motionlang.kernel.lang.program import Program

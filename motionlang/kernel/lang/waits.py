@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.change_times import Dependencies, Note

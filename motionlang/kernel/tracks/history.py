@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.feedback import Feedback
 from motionlang.kernel.controller.joined import Followed
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.servo.axis_loop import has_gains
 from motionlang.kernel.servo.demand import Demanded
 from motionlang.kernel.servo.replay import replay, whole

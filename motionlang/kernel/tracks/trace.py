@@ -13,7 +13,7 @@ from math import ceil, isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from motionlang.kernel.tools import in_notebook

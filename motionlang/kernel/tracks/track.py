@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.joined import Joined
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import MotionState, Profile
 

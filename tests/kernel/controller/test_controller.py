@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from motionlang.kernel import Controller, Rejected
-from tests.verbs import VERBS
+from tests.operations import OPERATIONS
 
 PACKAGE = Path(__file__).parents[3] / "motionlang"
 # 8 counts/s, 16 counts/s²: the first worked example of AN00115.
-# A verb that is called, and the name of one that a row or a reader refers to.
+# An operation that is called, and the name of one that a row or a reader refers to.
 _USES = re.compile(r"\b_?(?:controller|made|virtual|c)\.(\w+)|\"(\w+)\"")
 EXAMPLE = {"speed": 8.0, "accel": 16.0, "decel": 16.0}
 
@@ -26,8 +26,8 @@ def machine(axes: int = 2, **settings: float | str) -> Controller:
 
 
 def test_every_verb_is_a_method_of_the_controller() -> None:
-    for verb in VERBS:
-        assert callable(getattr(Controller, verb))
+    for operation in OPERATIONS:
+        assert callable(getattr(Controller, operation))
 
 
 @pytest.mark.parametrize(
@@ -37,14 +37,14 @@ def test_the_dialects_call_no_other_method(folder: str) -> None:
     methods = {name for name in dir(Controller) if not name.startswith("_")}
     for path in sorted((PACKAGE / folder).rglob("*.py")):
         called = set(re.findall(r"\bcontroller\.(\w+)\(", path.read_text(encoding="utf-8")))
-        assert called & methods <= set(VERBS), path
+        assert called & methods <= set(OPERATIONS), path
 
 
 def test_every_verb_is_used() -> None:
-    """A language calls each verb, or a row or a reader names it."""
+    """A language calls each operation, or a row or a reader names it."""
     texts = [path.read_text("utf-8") for path in PACKAGE.rglob("*.py")]
     used = {name for text in texts for pair in _USES.findall(text) for name in pair}
-    assert set(VERBS) - used == set()
+    assert set(OPERATIONS) - used == set()
 
 
 def test_a_loaded_move_waits_for_go() -> None:

@@ -31,7 +31,7 @@ def endless_cycles(facts: MacroFacts) -> Iterator[EndlessCycle]:
         statements = [facts.structure.statements[at] for at in commands]
         if any(each.waits or (each.condition and each.condition != each.text) for each in statements):
             continue
-        if not commands or any(each.verb.startswith(_UNSURE) for each in commands.values()):
+        if not commands or any(each.function.startswith(_UNSURE) for each in commands.values()):
             continue
         back = [points[p].at for p in cycle for after in within[p] if after <= p and points[p].at in commands]
         uses = (act for p in sorted(cycle) for act in facts.acts.get(p, ()))

@@ -106,11 +106,11 @@ class MacroFacts(Facts):
         return shape in ("PS", "PP")
 
     def limited(self, act: Use, number: int, sides: frozenset[str]) -> frozenset[str]:
-        if act.row is None or act.row.verb not in ("limits_on", "limits_off"):
+        if act.row is None or act.row.function not in ("limits_on", "limits_off"):
             return sides
         bits = int(act.number(0) or 0) or HIGH | LOW
         meant = frozenset(side for side, bit in ((UPPER, HIGH), (LOWER, LOW)) if bits & bit)
-        return sides | meant if act.row.verb == "limits_on" else sides - meant
+        return sides | meant if act.row.function == "limits_on" else sides - meant
 
     def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
         """Return the sides that LN has enabled, without those whose limit is in an old unit, or set elsewhere."""

@@ -86,7 +86,7 @@ class Unattainable:
             return found[0] if all(found) else None
         if type(node) is nodes.Binary and node.op in COMPARISONS:
             return self._compared(node, truth, state)
-        if type(node) is nodes.Name and node.row is not None and node.row.verb == "is_idle" and truth:
+        if type(node) is nodes.Name and node.row is not None and node.row.function == "is_idle" and truth:
             return self._idle(node, state)
         return None
 
@@ -107,12 +107,12 @@ class Unattainable:
         if type(left) is not nodes.Name or left.row is None or number is None:
             return None
         op = op if truth else _OPPOSITE[op]
-        if left.row.verb == "is_idle":
+        if left.row.function == "is_idle":
             # IDLE = 1 and IDLE <> 0 wait for standstill.
             return self._idle(left, state) if (op, number) in (("=", 1), ("<>", 0)) else None
         key = self._facts.key_of(left)
         span = self._facts.axes.known(state, key).span
-        if left.row.verb != "position" or span is None:
+        if left.row.function != "position" or span is None:
             return None
         low, high = span
         margin = MARGIN * (high - low)

@@ -196,7 +196,7 @@ class MintFacts(Facts):
             known = isinstance(node.definition, nodes.Name)
             return self._refined(node.definition, truth, state) if known else state  # type: ignore[arg-type]
         row = node.row
-        if row is None or row.verb != "is_idle":
+        if row is None or row.function != "is_idle":
             return state
         key = self.key_of(node)
         if key is None:

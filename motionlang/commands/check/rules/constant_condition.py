@@ -96,18 +96,18 @@ def _values(facts: MacroFacts, part: Part, commands: Mapping[int, Command]) -> d
 
 def _after(command: Command, known: Known) -> Known:
     """Return the accumulator after a command."""
-    if command.verb == "load":
+    if command.function == "load":
         return (float(command.value) if command.kind == NUMBER else None,)
     if command.pure:
         uses = uses_of(command)
         return known if uses is not None and ACCUMULATOR not in uses.sets else _UNKNOWN
     # GT puts the number of the task there; a command for an axis has no register.
-    return known if command.axis or command.verb in _KEEPS else _UNKNOWN
+    return known if command.axis or command.function in _KEEPS else _UNKNOWN
 
 
 def _holds(command: Command, value: float) -> bool | None:
     """Return whether a comparison with the accumulator holds, None if that is unknown."""
-    compare = _COMPARISONS.get(command.verb)
+    compare = _COMPARISONS.get(command.function)
     number = float(command.value) if command.kind == NUMBER else None
     return None if compare is None or number is None else compare(value, number)
 

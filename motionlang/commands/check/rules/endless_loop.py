@@ -26,13 +26,13 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for cycle in endless_cycles(facts):
         command = cycle.commands[cycle.last]
-        if len(cycle.commands) == 1 and command.verb != "repeat":
+        if len(cycle.commands) == 1 and command.function != "repeat":
             warn(f"{command.text} jumps to itself forever", cycle.last, "jump to another command")
         elif not cycle.moves:  # those with moves are never-waits
             hint = "add WA0.1 before it"
-            if command.verb == "repeat":
+            if command.function == "repeat":
                 hint += f", or end after ten repetitions with {command.name}10"
-            what = "macros" if command.verb == "jump_macro" else "line"
+            what = "macros" if command.function == "jump_macro" else "line"
             message = f"{command.name} repeats the {what} forever, without a wait or an exit"
             warn(message, cycle.last, hint)
 

@@ -87,7 +87,7 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for part, states in facts.axes.before.items():
         for p, statement in facts.statements_of(part):
             for use in statement.uses if p in states else ():
-                if use.row is not None and use.row.verb in _POSITION_WAITS and use.number(0) is not None:
+                if use.row is not None and use.row.function in _POSITION_WAITS and use.number(0) is not None:
                     axis = facts.axes.known(states[p], use.axes[0])
                     _check_position(use, statement.text, axis, warn)
 
@@ -97,10 +97,10 @@ def _check_position(use: Use, text: str, axis: AxisFacts, warn: Warn) -> None:
     key, number = use.axes[0], use.number(0)
     assert use.row is not None
     assert number is not None
-    if use.row.verb == "wait_relative" and axis.distance and abs(number) > axis.distance:
+    if use.row.function == "wait_relative" and axis.distance and abs(number) > axis.distance:
         message = f"{text} never ends: axis {key} moves only {axis.distance:.10g}"
         warn(message, use.at, f"wait for less, or for the end of the move with {key}WS")
-    if use.row.verb == "wait_position" and axis.span is not None:
+    if use.row.function == "wait_position" and axis.span is not None:
         low, high = axis.span
         margin = MARGIN * (high - low)
         if low < high and not low - margin <= number <= high + margin:
@@ -111,15 +111,15 @@ def _check_position(use: Use, text: str, axis: AxisFacts, warn: Warn) -> None:
 def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
     """Report waits for inputs that no entry of the machine file drives."""
     driven = driven_inputs(facts.settings)
-    inverted = any(command.verb in _POLARITIES for command, _ in facts.commands)
-    outputs = {command.number for command, _ in facts.commands if command.verb == "channel_output"}
+    inverted = any(command.function in _POLARITIES for command, _ in facts.commands)
+    outputs = {command.number for command, _ in facts.commands if command.function == "channel_output"}
     if driven is None or None in outputs:
         return
     for command, at in facts.commands:
         channel = command.number
-        if command.verb not in _INPUT_WAITS or channel is None or channel in outputs | driven:
+        if command.function not in _INPUT_WAITS or channel is None or channel in outputs | driven:
             continue
-        if channel not in facts.model.outputs and (inverted or command.verb == "wait_on"):
+        if channel not in facts.model.outputs and (inverted or command.function == "wait_on"):
             message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
             when = "it continues at once or never" if inverted else "it never continues"
             warn(message, at, f"{when}{_ENTRY}")

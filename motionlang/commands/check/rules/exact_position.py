@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE, MOVES
-from motionlang.commands.check.mccl.verbs import REPEATS
+from motionlang.commands.check.mccl.functions import REPEATS
 from motionlang.commands.check.mint.conditions import Unattainable, awaited
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.commands.check.rule_facts import spelt
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
 
-# Verbs of Mint's keywords, names of MCCL's variables, and verbs of the commands that read these and compare.
+# Functions of Mint's keywords, names of MCCL's variables, and functions of the commands that read these and compare.
 _POSITIONS = frozenset(("position", "demand"))
 _VARIABLES = frozenset({"POSITION", "AUXPOSITION"})
 _READS = frozenset({"read_word", "read_long", "read_float", "read_double"})
@@ -55,14 +55,14 @@ def _equalities(facts: MintFacts, node: nodes.Node, truth: bool | None, state: A
             continue
         for side, other in ((each.left, each.right), (each.right, each.left)):
             name = meant(side)
-            if type(name) is not nodes.Name or name.row is None or name.row.verb not in _POSITIONS:
+            if type(name) is not nodes.Name or name.row is None or name.row.function not in _POSITIONS:
                 continue
             key = facts.key_of(name)
             axis = facts.axes.known(state, key)
             wanted = truth is not None and (each.op == "=") is truth
             if axis.motion == MOVES or (wanted and axis.motion != IDLE):
                 what = f"{name.row.name}({spelt(key)})"
-                number = facts.number(other) if name.row.verb == "position" else None
+                number = facts.number(other) if name.row.function == "position" else None
                 message = (
                     f"{what} is compared for equality while axis {spelt(key)} moves, which is rarely true"
                 )
@@ -87,24 +87,24 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     # What the registers hold: the name of a variable whose address LU has looked up. Register 0 is the accumulator.
     names: dict[int, str] = {}
     for line in facts.lines:
-        polls = any(command.verb in REPEATS | {"jump_macro"} for command in line.commands)
+        polls = any(command.function in REPEATS | {"jump_macro"} for command in line.commands)
         position = False
         for command, at in zip(line.commands, line.offsets, strict=True):
-            verb = command.verb
-            if verb in _EQUALITIES:
+            function = command.function
+            if function in _EQUALITIES:
                 if position and polls:
                     message = f"{command.text} compares a moving position for equality, which is rarely true"
-                    warn(message, at, _EQUALITIES[verb].format(f"{command.value:.10g}"))
+                    warn(message, at, _EQUALITIES[function].format(f"{command.value:.10g}"))
                 continue
-            if verb == "look_up":
+            if function == "look_up":
                 names[0] = str(command.value).upper()
-            elif verb == "store" and command.number is not None:
+            elif function == "store" and command.number is not None:
                 names[command.number] = names.get(0, "")
-            elif verb in _READS:
+            elif function in _READS:
                 position = names.get(int(command.value), "") in _VARIABLES  # @n: its value is the register
                 names[0] = ""
                 continue
-            elif command.axis == 0 and verb not in REPEATS | {"jump_macro"}:
+            elif command.axis == 0 and function not in REPEATS | {"jump_macro"}:
                 names[0] = ""
             position = False
 

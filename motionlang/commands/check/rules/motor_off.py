@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mccl.verbs import MOVES
+from motionlang.commands.check.mccl.functions import MOVES
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
-    on = {command.axis for command, _ in facts.commands if command.verb == "motor_on"}
+    on = {command.axis for command, _ in facts.commands if command.function == "motor_on"}
     reported: set[int] = set()
     for command, at in facts.commands:
-        if command.verb not in MOVES or command.axis in reported:
+        if command.function not in MOVES or command.axis in reported:
             continue
         if not on if command.axis == 0 else not on & {0, command.axis}:
             reported.add(command.axis)

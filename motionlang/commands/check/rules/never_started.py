@@ -32,7 +32,7 @@ Bits = dict["Key", int]
 _GO = frozenset(("go",))
 # The roles of keywords that load one entry for several axes.
 _OF_ONE_GO = frozenset(("path", "course"))
-# What starts the motion of a mode of MCCL, by the verb that selects the mode.
+# What starts the motion of a mode of MCCL, by the function that selects the mode.
 _STARTS = {"velocity_mode": "go", "contour_mode": "path"}
 
 
@@ -116,11 +116,11 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for part in facts.parts:
         for p, _ in facts.statements_of(part) if part.kind != "sub" else ():
             for act in facts.acts[p] if p in facts.axes.before[part] else ():
-                verb = _STARTS.get(act.row.verb if act.row is not None else "")
+                function = _STARTS.get(act.row.function if act.row is not None else "")
                 # The axis that controls a contour, the parameter of CM, starts its paths.
-                axis = act.number(0) if verb == "path" else act.axes[0]
-                if verb is not None and not _is_followed(facts, part, p, verb, axis):
-                    word = table().doing(verb)
+                axis = act.number(0) if function == "path" else act.axes[0]
+                if function is not None and not _is_followed(facts, part, p, function, axis):
+                    word = table().doing(function)
                     message = (
                         f"{facts.text(act)} selects a mode, and no {word} that starts its motion follows"
                     )
@@ -128,16 +128,16 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
                     warn(
                         message,
                         act.at,
-                        f"{number}{word}{'1 begins a path' if verb == 'path' else ' starts it'}",
+                        f"{number}{word}{'1 begins a path' if function == 'path' else ' starts it'}",
                     )
 
 
-def _is_followed(facts: MacroFacts, part: Part, p: int, verb: str, axis: float | str | None) -> bool:
+def _is_followed(facts: MacroFacts, part: Part, p: int, function: str, axis: float | str | None) -> bool:
     """True if something behind a point, or in another part, starts the motion of a mode."""
     behind = facts.graph.reached_within(*facts.graph.within[p])
     uses = [use for q in behind for use in facts.acts.get(q, ())]
     uses += (use for other in facts.parts if other is not part for use in facts.acts_of[other])
-    starts = [use for use in uses if use.row is not None and use.row.verb == verb]
+    starts = [use for use in uses if use.row is not None and use.row.function == function]
     return any(axis is None or {axis, None} & {*use.axes} for use in starts)
 
 

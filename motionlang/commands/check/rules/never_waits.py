@@ -49,7 +49,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 
 
 def _takes_time(act: Use) -> bool:
-    return act.role in LOADS or act.role == "call" or (act.row is not None and act.row.verb == "wait")
+    return act.role in LOADS or act.role == "call" or (act.row is not None and act.row.function == "wait")
 
 
 def _changing(loop: Loop) -> set[Symbol | None]:

@@ -18,10 +18,10 @@ _RATES = frozenset(("uu/s", "uu/s2"))
 
 def check(facts: MacroFacts, warn: Warn) -> None:
     _check_rates(facts, warn)
-    scales = facts.values(lambda row: row.verb == "scale")
+    scales = facts.values(lambda row: row.function == "scale")
     switched_on = sorted(key for key in facts.given("enable") if isinstance(key, int))
     for command, at in facts.commands:
-        if command.verb != "move_by" or command.kind != NUMBER:
+        if command.function != "move_by" or command.kind != NUMBER:
             continue
         value = float(command.value)
         for axis in [command.axis] if command.axis else switched_on:
@@ -38,7 +38,7 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 def _check_rates(facts: MacroFacts, warn: Warn) -> None:
     if not facts.model.rounds:
         return
-    scaled = {command.axis for command, _ in facts.commands if command.verb in _SCALES}
+    scaled = {command.axis for command, _ in facts.commands if command.function in _SCALES}
     for command, at in facts.commands:
         row = command.row
         if row is None or row.unit not in _RATES or row.kind != "setting" or command.kind != NUMBER:

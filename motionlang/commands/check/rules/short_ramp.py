@@ -17,7 +17,7 @@ _USUAL = 0.2
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     """Compare each rate with the greatest velocity of its axis; in another unit of time the quotient is no ramp."""
-    if any(row.verb == "rate" for row in facts.used):
+    if any(row.function == "rate" for row in facts.used):
         return
     speeds: dict[Key, list[float] | None] = facts.values(lambda row: row.gives == "speed")
     for act in facts.written_by(lambda row: row.gives in ("accel", "decel")):

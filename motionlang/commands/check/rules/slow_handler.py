@@ -19,7 +19,7 @@ _LEAVES = (nodes.Label, nodes.Jump, nodes.Return, nodes.Exit, nodes.End)
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
-    periods = [act.number(0) for act in facts.written_by(lambda row: row.verb == "timer_event")]
+    periods = [act.number(0) for act in facts.written_by(lambda row: row.function == "timer_event")]
     known = [each for each in periods if each]
     if not known or None in periods:
         return
@@ -42,7 +42,7 @@ def _least_wait(facts: MintFacts, function: Function) -> float:
             break
         statement = facts.structure.statements.get(node.start)
         uses = statement.uses if statement is not None and isinstance(node, nodes.Assign | nodes.Call) else []
-        found += (use.number(0) or 0.0 for use in uses if use.row is not None and use.row.verb == "wait")
+        found += (use.number(0) or 0.0 for use in uses if use.row is not None and use.row.function == "wait")
     return fsum(found)
 
 

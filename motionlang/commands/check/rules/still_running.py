@@ -14,7 +14,7 @@ _SHAPES = {"PS": "S-curve", "PP": "parabola"}
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
-    limited = {each for act in facts.written_by(lambda row: row.verb == "limits_on") for each in act.axes}
+    limited = {each for act in facts.written_by(lambda row: row.function == "limits_on") for each in act.axes}
     for act, key, axis in facts.axes.problems.get("still-running", ()):
         if {key, None} & (facts.axes.stopped | limited):
             continue  # a task or a limit may stop the axis

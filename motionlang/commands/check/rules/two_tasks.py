@@ -60,7 +60,7 @@ def _are_coordinated(facts: MintFacts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
-    if any(row.verb in _COORDINATION for row in facts.used):
+    if any(row.function in _COORDINATION for row in facts.used):
         return True
     return any(node.name is not None for node in facts.of_kind(nodes.End))
 
@@ -96,7 +96,7 @@ def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     """Report a background task and the foreground that command an axis; a shared register may coordinate them."""
-    if any(command.verb in _COORDINATION_MCCL for command, _ in facts.commands):
+    if any(command.function in _COORDINATION_MCCL for command, _ in facts.commands):
         return
     for task in (part for part in facts.parts if part.kind == "task"):
         axes = _axes_of(facts.acts_of[task])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mccl.verbs import LEAVES, REPEATS
+from motionlang.commands.check.mccl.functions import LEAVES, REPEATS
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 
@@ -35,7 +35,7 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     is_reported = False
     for line in facts.lines:
         if line.offsets[0] in reached:
-            is_reported = is_reported and line.commands[0].verb == "define_macro"
+            is_reported = is_reported and line.commands[0].function == "define_macro"
             _check_commands(line, reached, warn)
         elif not is_reported:
             is_reported = True
@@ -45,13 +45,13 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 def _check_commands(line: Line, reached: set[int], warn: Warn) -> None:
     is_reported = False
     for k, (command, at) in enumerate(zip(line.commands, line.offsets, strict=True)):
-        if at in reached or command.verb == "nothing":
+        if at in reached or command.function == "nothing":
             is_reported = is_reported and at not in reached
         elif not is_reported:
             is_reported = True
             # The first command runs, so there is one between that does not lead to the next.
-            before = next(each for each in reversed(line.commands[:k]) if each.verb in REPEATS | LEAVES)
-            repeats = before.verb == "repeat"
+            before = next(each for each in reversed(line.commands[:k]) if each.function in REPEATS | LEAVES)
+            repeats = before.function == "repeat"
             why = "repeats the commands before it forever" if repeats else "always jumps elsewhere"
             warn(f"this command can never run: {before.text} {why}", at)
 

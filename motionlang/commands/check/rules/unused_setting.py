@@ -88,7 +88,7 @@ def _used(facts: Facts, bits: Bits, everything: int, p: int, behind: int) -> int
             if len(set(act.axes)) == len(act.axes):
                 for key in act.axes:
                     behind &= ~bits.get((key, act.row.gives), 0)
-        elif act.role == "call" or None in act.axes or (act.row is not None and act.row.verb == "wait"):
+        elif act.role == "call" or None in act.axes or (act.row is not None and act.row.function == "wait"):
             behind = everything
         elif act.role not in _IDLE:
             for (key, _), bit in bits.items():
@@ -136,8 +136,8 @@ def _next_setting(facts: Facts, p: int, key: Key, slot: str) -> Use | None:
 
 def check_mint(facts: Facts, warn: Warn) -> None:
     check(facts, warn)
-    modes = facts.values(lambda row: row.verb == "feedrate_mode")
-    for act in facts.written_by(lambda row: row.verb == "override"):
+    modes = facts.values(lambda row: row.function == "feedrate_mode")
+    for act in facts.written_by(lambda row: row.function == "override"):
         for k, key in enumerate(act.axes):
             known = [modes.get(each, []) for each in (key, None)]
             acts = any(each is None or any(int(value) & 2 for value in each) for each in known)
@@ -152,7 +152,7 @@ def check_mint(facts: Facts, warn: Warn) -> None:
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     check(facts, warn)
     enabled: dict[str, set[Key]] = {UPPER: set(), LOWER: set()}
-    for act in facts.written_by(lambda row: row.verb == "limits_on"):
+    for act in facts.written_by(lambda row: row.function == "limits_on"):
         for side in facts.limited(act, 0, frozenset()):
             enabled[side].update(act.axes)
     for side in (UPPER, LOWER):

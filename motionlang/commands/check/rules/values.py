@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 def check(facts: MacroFacts, warn: Warn) -> None:
     for command, at in facts.commands:
-        if command.verb == "move_by" and command.is_bare:
+        if command.function == "move_by" and command.is_bare:
             fault = codes.no_distance(command.text)
             warn(fault.message, at, fault.hint)
-        elif command.verb == "wait" and command.is_bare:
+        elif command.function == "wait" and command.is_bare:
             fault = codes.no_time(command.text, command.axis)
             warn(fault.message, at, fault.hint)
 

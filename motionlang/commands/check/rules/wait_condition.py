@@ -46,7 +46,7 @@ def _replace(facts: MintFacts, node: nodes.Node, message: str, hint: str, word: 
 def _waits_for_condition(node: nodes.Assign | nodes.Call) -> bool:
     """True if the time of a WAIT is a condition, which is 0 or 1 ms."""
     target = meant(node.target)
-    if type(target) is not nodes.Name or target.row is None or target.row.verb != "wait":
+    if type(target) is not nodes.Name or target.row is None or target.row.function != "wait":
         return False
     values = node.values if type(node) is nodes.Assign else target.args or []
     return len(values) == 1 and _is_condition(meant(values[0]))

@@ -64,12 +64,12 @@ def _check_bank(facts: MintFacts, node: nodes.Expr, warn: Warn) -> None:
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
-    made = {command.number for command, _ in facts.commands if command.verb == "channel_output"}
+    made = {command.number for command, _ in facts.commands if command.function == "channel_output"}
     outputs = facts.model.outputs
     wrong = [
         (command, at)
         for command, at in facts.commands
-        if command.verb in _SWITCHES and command.number is not None
+        if command.function in _SWITCHES and command.number is not None
         if not made & {None, command.number} and command.number not in outputs
     ]
     word, other_models = table().doing("channel_output"), _other_models(facts, made)
@@ -85,7 +85,9 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 def _other_models(facts: MacroFacts, made: set[int | None]) -> str:
     """Return a hint with the models on which all switched channels are outputs; "" if there are none."""
-    switched = {command.number for command, _ in facts.commands if command.verb in _SWITCHES} - made - {None}
+    switched = (
+        {command.number for command, _ in facts.commands if command.function in _SWITCHES} - made - {None}
+    )
     names = models_with(lambda each: each is not facts.model and switched.issubset(each.outputs))
     return f"it is an output on {names}: set controller.model in the machine file" if names else ""
 

@@ -75,8 +75,8 @@ def check_inputs_are_read(
     is_computed = not all(use.number.isdecimal() for use in uses)
     if banks:
         statements = program.structure.statements.values()
-        verbs = {use.row.verb for each in statements for use in each.uses if use.row is not None}
-        is_computed |= "default_bank" in verbs
+        functions = {use.row.function for each in statements for use in each.uses if use.row is not None}
+        is_computed |= "default_bank" in functions
     if is_computed or any("@" in text for _, text in tokens):
         return
     numbers = Counter(number for _, text in tokens for number in text.split("."))

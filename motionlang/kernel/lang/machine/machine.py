@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, WatchedClock
 from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.surroundings import Surroundings
-from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile

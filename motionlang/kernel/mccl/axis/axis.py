@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import floor
 
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.readers import Writer
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.mccl.axis.backlash import Backlash
 from motionlang.kernel.mccl.axis.flags import FAULTS
 from motionlang.kernel.mccl.models import Model
@@ -105,7 +105,7 @@ class AxisState:
         self.recorded_play: Backlash | None = None
         # The counts of the auxiliary encoder at its zero and at its last index.
         self.aux_zero = self.aux_index = 0.0
-        # Settings of the servo loop and the output stage, by the verb of their row.
+        # Settings of the servo loop and the output stage, by the function of their row.
         self.stored: dict[str, float] = {}
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from copy import copy
 
 from motionlang.kernel.controller.motion.takeup import Takeup
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 
 
 class Backlash:

@@ -6,7 +6,7 @@ from math import copysign, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import AxisState

@@ -54,7 +54,7 @@ def tune(board: Board, axis: AxisState) -> None:
     stored = {**axis.stored, "kept_torque": _largest_output(axis)}
     if axis.reversed_phase:
         stored["output_phase"] = 1.0
-    gains = {row.tunes: (stored[row.verb], row.name) for row in tuning() if row.verb in stored}
+    gains = {row.tunes: (stored[row.function], row.name) for row in tuning() if row.function in stored}
     if axis.mode == GAIN:
         gains = {quantity: gain for quantity, gain in gains.items() if quantity in _STAGE}
     if _RATE in stored:

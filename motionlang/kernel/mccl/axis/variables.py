@@ -162,7 +162,7 @@ def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> 
 def levels(test: str, limit: float, is_whole: bool) -> tuple[float, ...]:
     """Return the levels of a reading at which the result of comparing it with `limit` changes.
 
-    `test` is the verb of the comparison. A reading that `is_whole` has lost its fraction.
+    `test` is the function of the comparison. A reading that `is_whole` has lost its fraction.
     """
     if not is_whole:
         return (limit,)

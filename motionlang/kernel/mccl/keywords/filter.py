@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.runtime.task import Action, CommandTask
 
 
-def _keep(verb: str) -> Action:
-    """Return an action that stores the value under the name of its verb."""
+def _keep(function: str) -> Action:
+    """Return an action that stores the value under the name of its function."""
 
     def keep(task: CommandTask, command: Command) -> None:
         value = float(task.value(command))
         if task.board.model.whole_gains:
             value = nearest_whole(value)
         for axis in task.axes(command):
-            axis.stored[verb] = value
-            if verb == "kept_error_limit":
+            axis.stored[function] = value
+            if function == "kept_error_limit":
                 motor.limit_error(task.board, axis)
             else:
                 motor.tune(task.board, axis)
@@ -55,8 +55,8 @@ def output_phase(task: CommandTask, command: Command) -> None:
 # ------------------------------------------------------------------------------------------------- keywords
 
 
-def stored(verb: str) -> Actions:
-    return Actions(verb, do=_keep(verb))
+def stored(function: str) -> Actions:
+    return Actions(function, do=_keep(function))
 
 
 _row = Group("servo filter").row

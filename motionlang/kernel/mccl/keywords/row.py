@@ -102,7 +102,7 @@ class Group:
         meant: str = "",
         family: str = "",
     ) -> Keyword:
-        """Return one simulated command, whose verb is the name of its function."""
+        """Return one simulated command, called by the name of its function."""
         return Keyword(
             name,
             "",

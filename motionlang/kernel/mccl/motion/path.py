@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.mccl.runtime.task import CommandTask
 
 USER, LINE, CLOCKWISE, ANTICLOCKWISE = range(4)
-# The verbs that describe a path instead of ending its description.
+# The functions that describe a path instead of ending its description.
 DESCRIBES = frozenset(
     {
         "move_to",
@@ -127,14 +127,14 @@ class Path:
         """Return the vector settings of the controlling axis, in its user units."""
         axis, controller = self._axis, task.board.controller
         counts, vector = abs(axis.scale.counts), axis.vector
-        for verb, value, code in (
+        for function, value, code in (
             ("vector_velocity", vector.velocity, "zero-speed"),
             ("vector_accel", vector.accel, "zero-acceleration"),
             ("vector_decel", vector.decel, "zero-acceleration"),
             ("override", vector.override, "zero-speed"),
         ):
             if value <= 0.0:
-                words = f"a contour path cannot be run: {table().doing(verb)} is {value:.10g}"
+                words = f"a contour path cannot be run: {table().doing(function)} is {value:.10g}"
                 raise Fault(codes.PARAMETER, words, kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)

@@ -23,12 +23,12 @@ def written_for(source: Source, lines: Sequence[Line]) -> Target:
         return Target(suffixed, [f"the extension .{source.name.rpartition('.')[2]}"], [])
     commands = [command for line in lines for command in line.commands]
     families = {each.row.family for each in commands if each.row is not None}
-    made = {each.number for each in commands if each.verb == "channel_output"}
+    made = {each.number for each in commands if each.function == "channel_output"}
     switched = {
         line.number: command
         for line in reversed(lines)
         for command in reversed(line.commands)
-        if command.verb in _SWITCHES and command.number is not None and command.number not in made
+        if command.function in _SWITCHES and command.number is not None and command.number not in made
     }
     axes = max((each.axis for each in commands), default=0)
     fitting = [

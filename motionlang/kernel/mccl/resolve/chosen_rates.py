@@ -40,7 +40,7 @@ def _default(row: Keyword, axis: AxisKey, settings: Mapping[str, object], model:
 
 def _moved(uses: Sequence[tuple[int, Use]]) -> set[AxisKey]:
     """Return the axes that a command moves at these rates; the commands on the line of a path only describe it."""
-    paths = {line for line, use in uses if use.row is not None and use.row.verb == "path"}
+    paths = {line for line, use in uses if use.row is not None and use.row.function == "path"}
     runs = any(use.row is not None and use.row.does("endless") for _, use in uses)
     roles = ("start", "run") if runs else ("start",)
     return {axis for line, use in uses if use.role in roles and line not in paths for axis in use.axes}

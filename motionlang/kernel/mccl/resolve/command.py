@@ -36,9 +36,9 @@ class Command:
         return f"Command({self.text!r})"
 
     @property
-    def verb(self) -> str:
-        """The verb of its keyword, "" for an invalid command."""
-        return self.row.verb if self.row is not None else ""
+    def function(self) -> str:
+        """The function of its keyword, "" for an invalid command."""
+        return self.row.function if self.row is not None else ""
 
     @property
     def is_bare(self) -> bool:

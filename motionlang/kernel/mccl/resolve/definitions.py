@@ -67,12 +67,12 @@ class _Finder:
         span = at + head, at + len(command.text)
         if command.kind == REGISTER:
             self._register(int(command.value), (span[0] + 1, span[1]))
-        if row.verb in _MACROS:
+        if row.function in _MACROS:
             if command.kind == REGISTER:
                 self.computed = self.computed or line.number
             elif command.number is not None and command.number >= 0:
                 self._macro(line, command, span)
-        elif row.verb in _REGISTERS and command.kind == NUMBER and command.number is not None:
+        elif row.function in _REGISTERS and command.kind == NUMBER and command.number is not None:
             self._register(command.number, span)
 
     def _macro(self, line: Line, command: Command, span: tuple[int, int]) -> None:
@@ -84,7 +84,7 @@ class _Finder:
             span = span[0] - len(command.row.name), span[1]
             made.fixed = f"line {line.number} means macro {number} without its number"
         made.use(span)
-        if command.row.verb == _DEFINES:
+        if command.row.function == _DEFINES:
             if not made.is_declared:
                 made.declare(span)
                 made.text = line.text

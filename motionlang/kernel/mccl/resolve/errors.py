@@ -68,7 +68,7 @@ def axis_count(settings: Mapping[str, object]) -> int:
 def defines(line: Line) -> bool:
     """True if the line defines a macro."""
     row = line.commands[0].row
-    return row is not None and row.verb == DEFINES
+    return row is not None and row.function == DEFINES
 
 
 def diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -> Diagnostic:
@@ -118,7 +118,7 @@ def _undefined(line: Line, k: int, macros: set[int | None]) -> Fault | None:
     It is no error, because the controller may already have the macro. The number may stand apart, as in MC 1.
     """
     command, behind = line.commands[k], line.commands[k + 1 : k + 2]
-    if command.verb not in CALLS or command.number is None or command.number in macros:
+    if command.function not in CALLS or command.number is None or command.number in macros:
         return None
     if any(each.text.isdigit() for each in behind):
         return None
@@ -179,22 +179,22 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) 
     if command.kind == REGISTER and int(command.value) >= model.registers:
         return codes.no_register(int(command.value), model.registers)
     number = command.number
-    if row.verb == "define_macro":
+    if row.function == "define_macro":
         if k:
             return codes.define_not_first()
         if number is not None and not 0 <= number <= model.macros:
             return no_macro_number(model, number)
-    if row.verb == "repeat" and number is not None and number < 0:
+    if row.function == "repeat" and number is not None and number < 0:
         return codes.negative_repeat(number)
-    if row.verb in _JUMPS and number is not None:
-        return _jump(line, k, row.verb, number, flow)
+    if row.function in _JUMPS and number is not None:
+        return _jump(line, k, row.function, number, flow)
     return None
 
 
-def _jump(line: Line, k: int, verb: str, number: int, flow: Flow) -> Fault | None:
+def _jump(line: Line, k: int, function: str, number: int, flow: Flow) -> Fault | None:
     first = 1 if defines(line) else 0
     last = len(line.commands) - first - 1
-    target = flow.target(verb, number, k - first)
+    target = flow.target(function, number, k - first)
     if 0 <= target <= last + 1:
         return None
     hint = f"they are numbered {flow.base} to {flow.base + last}"

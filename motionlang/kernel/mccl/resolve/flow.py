@@ -21,9 +21,9 @@ class Flow:
     skipped: int
     endless: bool
 
-    def target(self, verb: str, number: int, here: int) -> int:
+    def target(self, function: str, number: int, here: int) -> int:
         """Return the command, from 0, to which JP or JR jumps if it is command `here`."""
-        return number - self.base if verb == "jump" else here + number + self.after
+        return number - self.base if function == "jump" else here + number + self.after
 
 
 def flow_of(settings: Mapping[str, object]) -> Flow:

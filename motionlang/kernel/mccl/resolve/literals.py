@@ -12,7 +12,7 @@ from motionlang.kernel.source import Source
 
 
 def literals(source: Source, module: tree.Module, jumps: Collection[str]) -> list[Literal]:
-    """Return the parameters that are numbers, except those of commands whose verb is one of `jumps`.
+    """Return the parameters that are numbers, except those of commands whose function is one of `jumps`.
 
     A command that is not simulated has none either.
     """
@@ -22,7 +22,7 @@ def literals(source: Source, module: tree.Module, jumps: Collection[str]) -> lis
             if not isinstance(each, tree.Command) or not isinstance(each.argument, (int, float)):
                 continue
             row = table().get(each.word)
-            if row is not None and row.simulated and row.verb not in jumps:
+            if row is not None and row.simulated and row.function not in jumps:
                 at = parameter(each)
                 base, text = source.text[each.start : at].upper(), source.text[at : each.end]
                 number = source.before + line.number

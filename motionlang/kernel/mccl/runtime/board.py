@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies

@@ -154,7 +154,7 @@ class MacroFile(Program):
         """The first command of each macro that is defined within a line."""
         found = []
         for line in self.whole:
-            defining = [each.verb == "define_macro" for each in line.commands]
+            defining = [each.function == "define_macro" for each in line.commands]
             found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
         return found
 

@@ -44,7 +44,7 @@ def structure(
     for line in lines:
         foreground.append(LineWriter(line, board).steps)
         first = line.commands[0]
-        if first.verb == "define_macro" and first.number is not None and len(line.commands) > 1:
+        if first.function == "define_macro" and first.number is not None and len(line.commands) > 1:
             body = LineWriter(line.rest(1), board).steps
             macros.setdefault(first.number, []).append(body)
     branching = {step.at for steps in foreground for step in steps if step.kind in (BRANCH, BACK)}
@@ -69,7 +69,7 @@ def structure(
         at + len(command.text) - len(str(command.number))
         for line in lines
         for command, at in zip(line.commands, line.offsets, strict=True)
-        if command.verb == "store"
+        if command.function == "store"
     )
     return Structure(source, statements, graph, units, writes, has_one_series=True)
 
@@ -94,13 +94,13 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
     row = command.row
     if row is None:
         return made
-    made.is_silent = row.verb in _SILENT
+    made.is_silent = row.function in _SILENT
     does_wait = row.waits != "time" or command.number != 0
     made.waits = row.waits if does_wait else ""
     made.what = (command.axis,) if row.waits == "axis" and command.axis else ()
-    if row.verb == "start_task":
+    if row.function == "start_task":
         made.starts.append(f"macro {_parameter(command)}")
-    if row.verb == "end_task":
+    if row.function == "end_task":
         made.ends.append(f"task {_parameter(command)}")
     if row.tests:
         made.condition = row.tests.format(_parameter(command))

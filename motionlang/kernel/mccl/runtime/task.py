@@ -311,7 +311,7 @@ class CommandTask(StepTask):
         elif is_bit or axis is None or kind == "low":
             dependencies.note(dependencies.at_once)
         else:
-            for level in levels(command.verb, value, kind == "whole"):
+            for level in levels(command.function, value, kind == "whole"):
                 dependencies.note(crossing_time, board, axis, address, level)
 
     # ------------------------------------------------------------------------------------------- for the report
@@ -326,7 +326,7 @@ class CommandTask(StepTask):
         bodies = [steps.line.commands[steps.index_of(first) : steps.index_of(last) + 1]]
         for commands in bodies:  # the list grows meanwhile
             for command in commands:
-                if command.verb == "call_macro" and command.value in macros:
+                if command.function == "call_macro" and command.value in macros:
                     bodies.append(macros.pop(int(command.value)).line.commands)
                 elif command.reads == "input":
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None

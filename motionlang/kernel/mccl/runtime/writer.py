@@ -110,7 +110,7 @@ class LineWriter:
     def _begin(self) -> Callable[[Values], None]:
         """Return what precedes the command: it may end a path, and the board may not know it."""
         board, command = self.board, self.command
-        describes, is_pure = command.verb in DESCRIBES, command.pure
+        describes, is_pure = command.function in DESCRIBES, command.pure
         lacked = command.row if command.name in board.lacks else None
 
         def begin(values: Values) -> None:

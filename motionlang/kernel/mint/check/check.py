@@ -11,8 +11,8 @@ Idea. After name resolution (`resolve/names.py`) each function is walked once, i
 and has a harmless value from then on.
 
 Data. `CheckContext` is what the functions of a program share, `Body` is the function that is being checked. A
-`KnownValue` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and
-`const`.
+`KnownValue` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type`
+and `const`.
 
 Invariants.
 - An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a

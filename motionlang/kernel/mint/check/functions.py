@@ -20,11 +20,11 @@ def call_function(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
         message = f"{row.word} takes {many(len(kinds), 'value')}, {len(args)} given"
         b.problem("values", message, node, f"{row.word}({row.index})")
         return NOTHING
-    if row.verb == "choice":
+    if row.function == "choice":
         return _immediate_if(b, node, args)
     found = [_argument(b, arg, kind, row) for arg, kind in zip(args, kinds, strict=True)]
     if row.unit != "same":
-        return KnownValue(FLOAT if row.verb == "random" else type_of(row))
+        return KnownValue(FLOAT if row.function == "random" else type_of(row))
     return KnownValue(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
 
 

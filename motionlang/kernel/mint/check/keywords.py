@@ -27,7 +27,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
     if row.kind == "constant":
         if node.args is not None:
             b.problem("values", f"{row.word} is a constant and takes no brackets", node)
-        return literal(constant(row.verb, row.unit))
+        return literal(constant(row.function, row.unit))
     if row.kind == "function":
         return call_function(b, node, row)
     if row.kind == "statement":
@@ -46,7 +46,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
         unsimulated.write(b, node, target, row)
     elif "W" not in row.access:
         refuse(b, node, target, row)
-    elif row.verb == "wait":
+    elif row.function == "wait":
         if target.args or node.repeat:
             b.problem("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
         _wait(b, node, node.values, row)
@@ -63,9 +63,9 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     target = node.target
     if not row.simulated:
         unsimulated.command(b, node, row)
-    elif row.verb == "wait":
+    elif row.function == "wait":
         _wait(b, target, target.args or [], row)
-    elif row.verb == "line":
+    elif row.function == "line":
         line(b, node)
     elif row.access != "C" or row.kind == "statement":
         not_a_command(b, target, row)

@@ -155,7 +155,7 @@ def _not_v4(module: Module, source: Source, tokens: Tokens) -> Found:
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
             what, meant = f"{name.name}({shown})", dotted if shown else name.name
             yield Foreign(name.start, what, f"write {meant}")
-        elif row.verb == "choice":
+        elif row.function == "choice":
             yield Foreign(name.start, "IIf", "write IF … DO")
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:

@@ -57,7 +57,7 @@ def line(b: Body, node: nodes.Call) -> None:
 
 
 def _line_of_items(b: Body, node: nodes.Print) -> None:
-    if node.row is None or node.row.verb != "line":
+    if node.row is None or node.row.function != "line":
         message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
         b.problem("syntax", message, node, hint_at_type(node.word))
         return

@@ -64,7 +64,7 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
 
     def known() -> list[str]:
         subs = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
-        commands = [row.name for row in b.program.table if row.kind == "command" or row.verb == "wait"]
+        commands = [row.name for row in b.program.table if row.kind == "command" or row.function == "wait"]
         return [*subs, *commands, *_FIRST_WORDS]
 
     problems, table = b.program.problems, b.program.table

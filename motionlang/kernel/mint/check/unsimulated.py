@@ -36,7 +36,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Check `WORD(axes) = values`; a command without details also accepts values."""
-    if not ("W" in row.access or (row.access == "C" and row.verb != STORED)):
+    if not ("W" in row.access or (row.access == "C" and row.function != STORED)):
         refuse(b, node, target, row)
         return
     _warn(b, target, row, by=node)
@@ -57,7 +57,7 @@ def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> i
     """Check what is in brackets, and return the number of indices, None for the axes of AXES."""
     if axes_by_default(b, node, row):
         return None
-    if row.verb == STORED or row.index in ("axis", "axes"):
+    if row.function == STORED or row.index in ("axis", "axes"):
         return check_indices(b, node, row, single)
     for arg in node.args or ():
         if not (type(arg) is nodes.Name and arg.args is None and _is_whole(arg)):
@@ -79,9 +79,9 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
     `by` is the statement that writes it or carries it out.
     """
-    if row.verb == STORED or _is_stored(row, by):
+    if row.function == STORED or _is_stored(row, by):
         _once(b, node, row, f"{row.word} is stored but has no effect")
-    elif row.verb == unsimulated.COMMAND:
+    elif row.function == unsimulated.COMMAND:
         _once(b, node, row, f"{row.word} is a Mint keyword that is not simulated: it has no effect")
     elif by is not None or row.name.upper() not in b.program.supplied:
         _ending(b, node, row, by is not None)
@@ -92,8 +92,8 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
     if by is None:
         return False
     values = getattr(by, "values", ())
-    harmless = {unsimulated.MOTION: 0}.get(row.verb)
-    return row.verb == unsimulated.VALUE or (
+    harmless = {unsimulated.MOTION: 0}.get(row.function)
+    return row.function == unsimulated.VALUE or (
         bool(values) and all(getattr(each, "value", None) == harmless for each in values)
     )
 
@@ -108,7 +108,7 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
     if writes and row.access == "C":
         end = _ENDS
     elif writes:
-        end = _WHEN_WRITTEN.get(row.verb, _ENDS)
+        end = _WHEN_WRITTEN.get(row.function, _ENDS)
     else:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     message = f"{row.word} is a Mint keyword that is not simulated"

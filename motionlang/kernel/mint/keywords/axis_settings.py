@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TypeVar
 
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, scale_of, to_each_axis
 from motionlang.kernel.mint.runtime.environment import Environment

@@ -1,4 +1,4 @@
-"""Predefined constants; the `verb` of a row holds its value."""
+"""Predefined constants; the `function` of a row holds its value."""
 
 from __future__ import annotations
 

@@ -112,7 +112,7 @@ def read_limit(environment: Environment, row: Keyword, axis: int) -> float:
     A limit that is not set reads as the largest valid value.
     """
     a = environment.controller.axes[axis]
-    value: float = getattr(a, row.verb)
+    value: float = getattr(a, row.function)
     return 8388607.0 if value == inf else a.scale.to_user(value, row.unit)
 
 
@@ -122,17 +122,17 @@ def write_limit(environment: Environment, row: Keyword, axis: int, value: float)
     Rates that were set as times to MAXSPEED change with it.
     """
     counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
-    environment.controller.configure(axis, row.verb, counts)
-    if row.verb == "max_speed":
+    environment.controller.configure(axis, row.function, counts)
+    if row.function == "max_speed":
         environment.component(TimesToMost).renew(axis)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
 
 
-def _limit(verb: str) -> Actions:
+def _limit(function: str) -> Actions:
     return Actions(
-        verb, read=of_word(Environment, read_limit), write=repeatable(of_word(Environment, write_limit))
+        function, read=of_word(Environment, read_limit), write=repeatable(of_word(Environment, write_limit))
     )
 
 

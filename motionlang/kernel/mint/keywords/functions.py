@@ -1,6 +1,6 @@
 """Functions of numbers and strings.
 
-`index` lists the arguments, `verb` names a function in `runtime/functions.py`.
+`index` lists the arguments, `function` names a function in `runtime/functions.py`.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.models import STRINGS
 
 
-def _function(name: str, index: str, unit: str, verb: str, help: str, example: str, changes: str = "",
+def _function(name: str, index: str, unit: str, function: str, help: str, example: str, changes: str = "",
               optional: int = 0, meant: str = "", family: str = "") -> Keyword:  # fmt: skip
-    return Keyword(name, "", "function", "R", index, unit, verb, help, f"PRINT {example}",
+    return Keyword(name, "", "function", "R", index, unit, function, help, f"PRINT {example}",
                    group="functions", changes=changes, optional=optional, meant=meant, family=family)  # fmt: skip
 
 

@@ -29,14 +29,14 @@ def _rows() -> Iterator[Keyword]:
         actions = treatments[treatment]
         sense = "reading" if access == "R" else "setting"
         yield Keyword(name, short, sense, access, index, _UNITS[kind], actions, meaning,
-                      group=unsimulated.GROUPS.get(actions.verb, unsimulated.STORED_GROUP), simulated=False,
+                      group=unsimulated.GROUPS.get(actions.function, unsimulated.STORED_GROUP), simulated=False,
                       effect="switch" if name in no_effect.SWITCHES else "",
                       tunes=no_effect.TUNES.get(name, ""))  # fmt: skip
     for file in ("commands", "commands_v4"):
         for name, short, index, treatment, meaning in _lines(file):
             actions = treatments[treatment]
             yield Keyword(name, short, "command", "C", index, "", actions, meaning,
-                          group=unsimulated.GROUPS[actions.verb], simulated=False)  # fmt: skip
+                          group=unsimulated.GROUPS[actions.function], simulated=False)  # fmt: skip
 
 
 def _lines(file: str) -> Iterator[list[str]]:

@@ -121,7 +121,7 @@ def written(row: Keyword) -> Keyword:
     changed = _changed.get(row.name)
     if changed is None:
         changed = _changed[row.name] = copy(row)
-        changed.verb, changed.simulated = JUMP, False
+        changed.function, changed.simulated = JUMP, False
     return changed
 
 

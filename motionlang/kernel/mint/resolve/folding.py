@@ -33,7 +33,7 @@ def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) ->
         symbol, row = means(node)
         if symbol is not None:
             return symbol.const
-        return constant(row.verb, row.unit) if row is not None and row.kind == "constant" else None
+        return constant(row.function, row.unit) if row is not None and row.kind == "constant" else None
     if type(node) is nodes.Unary:
         value = fold(node.operand, means)
         return None if value is None else unary(node.op, value)

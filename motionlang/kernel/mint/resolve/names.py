@@ -439,10 +439,10 @@ class Symbols:
         symbol, row = node.symbol, node.row
         if symbol is None:
             if row is not None and row.kind not in ("function", "constant"):
-                self.uses_axes = self.uses_axes or row.verb == "default_axes"
-                if row.verb == "default_bank":
+                self.uses_axes = self.uses_axes or row.function == "default_axes"
+                if row.function == "default_bank":
                     self.default_bank = row
-                self.uses_terminal = self.uses_terminal or row.verb == "terminal.terminal"
+                self.uses_terminal = self.uses_terminal or row.function == "terminal.terminal"
             return
         if symbol.kind in ("variable", "parameter"):
             symbol.uses += 1

@@ -11,7 +11,7 @@ row. It returns the operation: a function whose arguments are only known when th
     in a step        operation(n, 3)                with the value of n and the line
 
 A keyword has four uses: "read", "write", "load" (a move into the buffer) and "do" (a command). A row has a maker for
-each of its uses in `actions`. If it has none, its `verb` names a setting or a reading of the controller, which is
+each of its uses in `actions`. If it has none, its `function` names a setting or a reading of the controller, which is
 converted by the row's unit. The arguments of an operation are the indices, then the value, then the line (for moves and
 commands of axes). A "load" returns true while the buffer has no space. The steps (`steps/keywords.py`) add the time.
 
@@ -252,9 +252,9 @@ def maker_of(how: str, row: Keyword) -> Maker:
     maker: Maker | None = getattr(row.actions, how)
     if maker is not None:
         return maker
-    if row.verb in SETTINGS:
+    if row.function in SETTINGS:
         return _read_setting if how == "read" else _write_setting
-    assert how == "read", (how, row.verb)
+    assert how == "read", (how, row.function)
     return _reading
 
 
@@ -292,7 +292,7 @@ def no_axis(environment: Environment, axis: int) -> Rejected:
 @repeatable
 @by_axis
 def _write_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
-    write = environment.controller.writer(row.verb, axis, row.unit)
+    write = environment.controller.writer(row.function, axis, row.unit)
     low, high = row.limits
     times = _TIMES.get(row.unit)
 
@@ -308,9 +308,9 @@ def _write_setting(environment: Environment, row: Keyword, axis: int) -> Operati
 def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
     times = _TIMES.get(row.unit)
     if times is None and row.is_whole:
-        setting = environment.controller.reader(row.verb, axis)
+        setting = environment.controller.reader(row.function, axis)
         return lambda: int(setting())
-    read = environment.controller.reader(row.verb, axis, row.unit)
+    read = environment.controller.reader(row.function, axis, row.unit)
     if times is None:
         return read
     return (lambda: round(read() * times)) if row.unit == "ms" else lambda: times * read()
@@ -320,6 +320,6 @@ def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operatio
 def _reading(environment: Environment, row: Keyword, axis: int) -> Operation:
     """Return the operation that reads a quantity of an axis from the controller."""
     if row.is_whole:
-        verb = environment.controller.reader(row.verb, axis)
-        return lambda: int(verb())
-    return environment.controller.reader(row.verb, axis, row.unit, environment)
+        function = environment.controller.reader(row.function, axis)
+        return lambda: int(function())
+    return environment.controller.reader(row.function, axis, row.unit, environment)

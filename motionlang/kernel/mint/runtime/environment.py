@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import ALL
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.queue.buffer import end
-from motionlang.kernel.controller.verbs import Controller
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops

@@ -175,7 +175,7 @@ def readings(loop: nodes.Node) -> str:
     found = [
         shown(each)
         for each in names
-        if each.row is not None and each.row.kind in ("reading", "setting") and each.row.verb != "wait"
+        if each.row is not None and each.row.kind in ("reading", "setting") and each.row.function != "wait"
     ] or [shown(each) for each in names if each.row is None and shown(each) not in own]
     return " and ".join([*dict.fromkeys(found)][:MAX_NAMED])
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, Clock
-from motionlang.kernel.controller.verbs import Controller
+from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.waits import Condition, Wait
 from motionlang.kernel.mint.runtime.task import MintTask

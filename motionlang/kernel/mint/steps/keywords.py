@@ -18,7 +18,7 @@ HOST_VARIABLE = 1 << 40
 
 def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Write `KEYWORD(axes) = values`."""
-    if row.simulated and row.verb == "wait":
+    if row.simulated and row.function == "wait":
         waiting.wait(w, node.values)
     elif row.simulated and row.kind == "move" and row.index == "axes":
         _path(w, node, target, row)

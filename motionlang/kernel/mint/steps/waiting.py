@@ -86,7 +86,7 @@ def _at_rest(node: nodes.Expr) -> tuple[int, ...]:
     if isinstance(node, nodes.Binary) and node.op == "And":
         left, right = _at_rest(node.left), _at_rest(node.right)
         return left + right if left and right else ()
-    if not isinstance(node, nodes.Name) or node.row is None or node.row.verb != "is_idle":
+    if not isinstance(node, nodes.Name) or node.row is None or node.row.function != "is_idle":
         return ()
     args = node.args or []
     axes = tuple(

@@ -39,7 +39,7 @@ def type_of(row: Keyword) -> str:
 def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword, a function or a constant."""
     if row.kind == "constant":
-        return literal(constant(row.verb, row.unit))
+        return literal(constant(row.function, row.unit))
     if row.kind == "function":
         return _function(w, node, row)
     environment = w.program.environment
@@ -80,20 +80,22 @@ def _with(operation: Callable[..., Any], gets: list[Get]) -> Get:
 def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """A function of the language; the unit "same" means that its result has the type of its arguments."""
     environment, args = w.program.environment, node.args or []
-    if row.verb == "choice":
+    if row.function == "choice":
         return _choice(w, args)
     found = expressions.values(w, args)
-    if row.verb == "random":
+    if row.function == "random":
         return Value(lambda values: environment.random(), FLOAT)
     function = (
-        functions.shown_by(environment.machine) if row.verb == "shown" else getattr(functions, row.verb)
+        functions.shown_by(environment.machine)
+        if row.function == "shown"
+        else getattr(functions, row.function)
     )
     if row.unit == "same":
         kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
     else:
         kind = type_of(row)
     made = Value(_with(function, [each.get for each in found]), kind)
-    if row.verb == "absolute" and found[0].solved is not None:
+    if row.function == "absolute" and found[0].solved is not None:
         solved = found[0].solved
         made.solved = lambda values, level: function(solved(values, (level, 0.0)))
     return made
@@ -167,7 +169,7 @@ def whatever(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = True)
 
 def anywhere(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Get]:
     """Return the values in the brackets of a keyword that is not simulated."""
-    if row.verb != STORED and row.index not in ("axis", "axes"):
+    if row.function != STORED and row.index not in ("axis", "axes"):
         return [_anything(w, each) for each in node.args or ()]
     found = indices(w, node, row, single)
     return [together(found).get] if row.index == "axes" and not single else [each.get for each in found]
@@ -176,7 +178,7 @@ def anywhere(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False
 def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> list[Get]:
     """Return the last arguments of the operations of a keyword that is not simulated: line and source offset."""
     line = w.program.line(node.start)
-    if row.verb == STORED:
+    if row.function == STORED:
         return [lambda values: line]
     at = -1 if w.program.names.typed else node.start  # a typed sub may run when another line is executed
     return [lambda values: line, lambda values: at]

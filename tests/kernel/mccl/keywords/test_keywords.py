@@ -34,8 +34,8 @@ def test_what_is_not_simulated_says_so(row: Keyword, mccl: Runner) -> None:
 
 def test_every_row_has_its_action_and_one_that_is_simulated_its_verb() -> None:
     assert all(callable(row.actions.do) for row in table())
-    assert all(row.verb for row in SIMULATED)
-    assert all(row.verb == "" for row in KNOWN)
+    assert all(row.function for row in SIMULATED)
+    assert all(row.function == "" for row in KNOWN)
 
 
 @cases("row", list(table()), ids=lambda row: row.name)

@@ -8,7 +8,7 @@ from motionlang.kernel.mint import table
 from tests.cases import cases
 
 OTHERS = [row for row in table() if not row.simulated]
-MOTION = [row for row in OTHERS if row.verb == "unsimulated.motion"]
+MOTION = [row for row in OTHERS if row.function == "unsimulated.motion"]
 SHOWN = {"text": "abc", "number": "2.5000"}
 VALUES = {"text": '"abc"', "number": "2.5"}
 
@@ -34,7 +34,7 @@ def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     assert f"{row.name} (line 1)" in result.notes[0]
 
 
-@cases("row", [row for row in OTHERS if row.verb == "unsimulated.command"], ids=str)
+@cases("row", [row for row in OTHERS if row.function == "unsimulated.command"], ids=str)
 def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
     result = ran(word(row), 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
@@ -54,7 +54,7 @@ def test_keywords_that_move_or_decide_end_the_run_at_their_location_unless_they_
         assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
 
 
-@cases("row", [row for row in OTHERS if row.verb == "unsimulated.value" and "R" in row.access], ids=str)
+@cases("row", [row for row in OTHERS if row.function == "unsimulated.value" and "R" in row.access], ids=str)
 def test_unknown_value_ends_the_run_unless_the_machine_file_gives_it(row: Keyword) -> None:
     result = ran(f"PRINT {word(row)}")
     assert result.status == "fault"

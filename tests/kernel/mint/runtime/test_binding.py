@@ -15,7 +15,7 @@ ANY_NUMBER = {
 RANGED = [
     row
     for row in table().rows
-    if row.simulated and row.kind == "setting" and "W" in row.access and row.verb != "wait"
+    if row.simulated and row.kind == "setting" and "W" in row.access and row.function != "wait"
     if row.high is not None or row.low is not None
 ]
 OF_AXES = [

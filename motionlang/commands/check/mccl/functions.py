@@ -1,4 +1,4 @@
-"""Verbs of commands by what they do, for several rules."""
+"""Functions of commands by what they do, for several rules."""
 
 # Commands that start a motion.
 MOVES = frozenset(

@@ -5,8 +5,8 @@ Lengths are counts, times are seconds, axes are numbered like in the dialect (Mi
 
 from __future__ import annotations
 
-# Verb -> description. Every verb is a method of `Controller`; the dialects call no other.
-VERBS: dict[str, str] = {
+# Operation -> description. Every operation is a method of `Controller`; the dialects call no other.
+OPERATIONS: dict[str, str] = {
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
     "set_home_switch": "Close or open the home switch of an axis.",
     "add_limit": "A further limit of an axis's travel.",

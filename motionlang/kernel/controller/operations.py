@@ -1,4 +1,4 @@
-"""The verbs of a controller: all that a language may say to its axes, in counts and seconds.
+"""The operations of a controller: all that a language may say to its axes, in counts and seconds.
 
 Each finds the axis by its number and calls one function with it: `go` starts moves (`queue/life.py`), `stop` cuts them
 (`queue/stop.py`), `load_line` loads a path (`moves/path.py`). A rejected command raises Rejected. What can be read is
@@ -64,7 +64,7 @@ class Controller(Readings):
         settings.restore(self.axes[axis])
 
     def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
-        """Return a reader of a setting or of a verb of an axis, for repeated use.
+        """Return a reader of a setting or of an operation of an axis, for repeated use.
 
         It returns values in `unit`: "place" is the unit of positions, "" means counts or a quantity without a unit.
         `subscriber` is notified of each reading.
