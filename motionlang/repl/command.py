@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 from motionlang.cli.command import argument
 from motionlang.cli.option_groups import ProgramOptions, WorldOptions, with_world
-from motionlang.kernel import Diagnostic, Rejected, dialect, dialects, language_of
+from motionlang.kernel import Diagnostic, Rejected, Source, dialect, dialects, language_of
 from motionlang.repl.commands import load_file
-from motionlang.repl.lines import read_lines
+from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.session import Session
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour
@@ -59,6 +59,31 @@ def open_session(
 
         return converse(session)
     return read_lines(session)
+
+
+def read_lines(session: Session) -> int:
+    """Execute every line of standard input, without a terminal; return 1 if any had an error.
+
+    An INPUT takes the next line. Ctrl-C ends the command cleanly and then raises KeyboardInterrupt, because no user
+    can continue the session.
+    """
+    interrupts = Interrupts()
+    session.interrupted = interrupts.pressed
+    lines = map(_text, getattr(sys.stdin, "buffer", sys.stdin))
+    session.ask = lambda begun: next(lines, None)
+    for line in lines:
+        with interrupts:
+            session.feed(line)
+            if interrupts.pressed():
+                raise KeyboardInterrupt
+        if session.over:
+            break
+    session.finish()
+    return 1 if session.failed else 0
+
+
+def _text(raw: str | bytes) -> str:
+    return (raw if isinstance(raw, str) else Source.from_bytes("", raw).text).rstrip("\n")
 
 
 def _show(text: str) -> None:

@@ -40,6 +40,7 @@ from motionlang.views.report import render
 if TYPE_CHECKING:
     from motionlang.repl.session import Session
 
+Obey = Callable[["Session", str], None]
 
 Found = TypeVar("Found")
 # A space at which no line is wrapped.
@@ -57,7 +58,7 @@ class PromptCommand:
     name: str
     argument: str
     help: str
-    obey: Callable[[Session, str], None]
+    obey: Obey
 
     @property
     def usage(self) -> str:
@@ -183,28 +184,16 @@ def _live(session: Session, argument: str) -> None:
         _wrong(session, "range", f".live is on or off, not {argument}")
 
 
-def _input(session: Session, text: str) -> None:
-    _add(session, inputs=text)
+def _adds(kind: str) -> Obey:
+    """Return the command that adds entries to the world of the machine; times are relative to now."""
 
+    def add(session: Session, text: str) -> None:
+        try:
+            session.machine.add_entries(entries(session.machine.settings, **{kind: text}))
+        except WrongEntry as error:
+            _wrong(session, "option", error.message, error.hint)
 
-def _analog(session: Session, text: str) -> None:
-    _add(session, analog=text)
-
-
-def _answer(session: Session, text: str) -> None:
-    _add(session, answers=text)
-
-
-def _keys(session: Session, text: str) -> None:
-    _add(session, keys=text)
-
-
-def _add(session: Session, **given: str) -> None:
-    """Add entries to the simulated world of the machine; times are relative to now."""
-    try:
-        session.machine.add_entries(entries(session.machine.settings, **given))
-    except WrongEntry as error:
-        _wrong(session, "option", error.message, error.hint)
+    return add
 
 
 def _report(session: Session, _: str) -> None:
@@ -273,25 +262,20 @@ def _reset(session: Session, _: str) -> None:
     session.reset()
 
 
-def _mint(session: Session, _: str) -> None:
-    _switch(session, "mint")
+def _switches_to(name: str) -> Obey:
+    def switch(session: Session, _: str) -> None:
+        language = dialect(name)
+        if language is session.dialect:
+            session.write(f"-- this prompt is {language.title} already\n")
+            return
+        try:
+            session.switch(language)
+        except Rejected as rejected:
+            _wrong(session, rejected.code, rejected.message, rejected.hint)
+        else:
+            session.write(f"-- {language.title}, on a new machine at 0 s\n")
 
-
-def _mccl(session: Session, _: str) -> None:
-    _switch(session, "mccl")
-
-
-def _switch(session: Session, name: str) -> None:
-    language = dialect(name)
-    if language is session.dialect:
-        session.write(f"-- this prompt is {language.title} already\n")
-        return
-    try:
-        session.switch(language)
-    except Rejected as rejected:
-        _wrong(session, rejected.code, rejected.message, rejected.hint)
-    else:
-        session.write(f"-- {language.title}, on a new machine at 0 s\n")
+    return switch
 
 
 def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found | None:
@@ -339,8 +323,12 @@ GROUPS: dict[str, tuple[PromptCommand, ...]] = {
     "prompt": (
         PromptCommand("help", "[WORD]", "Show this list, or explain a keyword, a command or a group.", _help),
         PromptCommand("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
-        PromptCommand("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
-        PromptCommand("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
+        PromptCommand(
+            "mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _switches_to("mint")
+        ),
+        PromptCommand(
+            "mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _switches_to("mccl")
+        ),
         PromptCommand("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
         PromptCommand("quit", "", "Leave, like Ctrl-D.", _quit),
     ),
@@ -352,13 +340,23 @@ GROUPS: dict[str, tuple[PromptCommand, ...]] = {
     ),
     "input": (
         PromptCommand(
-            "input", "N=V@S", "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.", _input
+            "input",
+            "N=V@S",
+            "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.",
+            _adds("inputs"),
         ),
-        PromptCommand("analog", "N=V@S", "An analogue input, in percent: 0=25 now, 0=25@1 in 1 s.", _analog),
         PromptCommand(
-            "answer", "TEXT", "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.", _answer
+            "analog", "N=V@S", "An analogue input, in percent: 0=25 now, 0=25@1 in 1 s.", _adds("analog")
         ),
-        PromptCommand("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
+        PromptCommand(
+            "answer",
+            "TEXT",
+            "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.",
+            _adds("answers"),
+        ),
+        PromptCommand(
+            "keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _adds("keys")
+        ),
     ),
     "result": (
         PromptCommand("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
 from prompt_toolkit.document import Document
 
-from motionlang.kernel import Dialect, Keyword
+from motionlang.kernel import Dialect
 from motionlang.repl.commands import COMMANDS, is_command
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
@@ -18,7 +18,7 @@ _PROSE = ("comment", "string", "text")
 def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:
     """Return the completions of `text`.
 
-    Each has a name, the number of characters that it replaces, and its line of help.
+    Each has a name in the case that the user types, the number of characters that it replaces, and its line of help.
     """
     line = text.rpartition("\n")[2]
     if line.lstrip().startswith(".") and " " not in line.lstrip():
@@ -28,10 +28,19 @@ def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:
     word = _WORD.search(line)
     if word is None or _in_prose(dialect, line):
         return []
-    begun = word[0]
-    rows = [row for row in dialect.table() if _fits(row, begun.upper())]
+    begun, upper = word[0], word[0].upper()
+    rows = [
+        row for row in dialect.table() if row.name.upper().startswith(upper) or row.short.upper() == upper
+    ]
     rows.sort(key=lambda row: (not row.simulated, row.name.upper()))
-    return [(_spelt(row.name, begun), len(begun), _help(row)) for row in rows]
+    return [
+        (
+            row.name.lower() if begun.islower() else row.name,
+            len(begun),
+            row.help if row.simulated else f"not simulated: {row.help}",
+        )
+        for row in rows
+    ]
 
 
 class WordCompleter(Completer):
@@ -48,24 +57,8 @@ class WordCompleter(Completer):
         if command is not None and "FILE" in command.argument and argument:
             yield from self._paths.get_completions(Document(argument), complete_event)
             return
-        yield from self._words(document)
-
-    def _words(self, document: Document) -> Iterator[Completion]:
-        for word, length, help in candidates(self._dialect, document.text_before_cursor):
-            yield Completion(word, start_position=-length, display_meta=help)
-
-
-def _fits(row: Keyword, begun: str) -> bool:
-    return row.name.upper().startswith(begun) or (bool(row.short) and row.short.upper() == begun)
-
-
-def _spelt(name: str, begun: str) -> str:
-    """Return a name in the case that the user types; both languages accept any case."""
-    return name.lower() if begun.islower() else name
-
-
-def _help(row: Keyword) -> str:
-    return row.help if row.simulated else f"not simulated: {row.help}"
+        for name, length, help in candidates(self._dialect, document.text_before_cursor):
+            yield Completion(name, start_position=-length, display_meta=help)
 
 
 def _in_prose(dialect: Dialect, line: str) -> bool:

@@ -52,6 +52,7 @@ class Debugging:
         self.debugger.stops_at_errors = True
         self.use()
 
+    # Methods, because the prompt replaces both functions of the session.
     def _ask(self, begun: str) -> str | None:
         return self._session.ask(begun)
 
@@ -199,38 +200,19 @@ def break_(session: Session, text: str) -> None:
     _with(session, work)
 
 
-def _moved(session: Session, move: Callable[[Debugger], Stop | None]) -> None:
-    _with(session, lambda debugging: debugging.line(move(debugging.debugger)))
+def moving(move: Callable[[Debugger, str], Stop | None]) -> Callable[[Session, str], None]:
+    """Return the command that moves the debugger, such as `.step` or `.back`, and shows where it stops."""
+    return lambda session, text: _with(
+        session, lambda debugging: debugging.line(move(debugging.debugger, text))
+    )
 
 
-def step(session: Session, _: str) -> None:
-    """`.step`: go to the next statement, also into a sub."""
-    _moved(session, Debugger.step_in)
-
-
-def over(session: Session, _: str) -> None:
-    """`.over`: go to the next statement, stepping over subs."""
-    _moved(session, Debugger.next)
-
-
-def back(session: Session, _: str) -> None:
-    """`.back`: go to the previous statement."""
-    _moved(session, Debugger.step_back)
-
-
-def go(session: Session, _: str) -> None:
-    """`.go`: continue to the next breakpoint."""
-    _moved(session, Debugger.go_on)
-
-
-def reverse(session: Session, _: str) -> None:
-    """`.reverse`: go back to the previous breakpoint."""
-    _moved(session, Debugger.reverse)
-
-
-def goto(session: Session, text: str) -> None:
-    """`.goto S` or `.goto line N`: go to a time (s), or to the next start of a line."""
-    _moved(session, lambda debugger: destination(debugger, text)())
+step = moving(lambda debugger, _: debugger.step_in())
+over = moving(lambda debugger, _: debugger.next())
+back = moving(lambda debugger, _: debugger.step_back())
+go = moving(lambda debugger, _: debugger.go_on())
+reverse = moving(lambda debugger, _: debugger.reverse())
+goto = moving(lambda debugger, text: destination(debugger, text)())
 
 
 def changed(session: Session, text: str) -> None:
@@ -253,22 +235,20 @@ def vars_(session: Session, text: str) -> None:
 
     def work(debugging: Debugging) -> str:
         given = assignment(text)
+        debugger = debugging.debugger
+        state = debugger.state()
         if given is not None:
-            return _give(debugging.debugger, *given)
+            name, value = given
+            return f"{name} = {shown(debugger.assign(state.path_of(name), parse(value)(state)).value)}\n"
         if text:
-            found = debugging.debugger.state().evaluate(text)
+            found = state.evaluate(text)
             return f"{text} = {shown(getattr(found, 'value', found))}\n"
-        return _everything(debugging.debugger)
+        return _everything(debugger)
 
     if session.debugging is None and not text:
-        session.write(_lines(_listed(session.runner.variables())))
+        session.write(_lines(_listed(session.runner.interactive.variables())))
     else:
         _with(session, work)
-
-
-def _give(debugger: Debugger, name: str, text: str) -> str:
-    state = debugger.state()
-    return f"{name} = {shown(debugger.assign(state.path_of(name), parse(text)(state)).value)}\n"
 
 
 def _everything(debugger: Debugger) -> str:

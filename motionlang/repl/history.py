@@ -17,8 +17,7 @@ VARIABLE = "MOTIONLANG_HISTORY"
 
 
 def history(dialect: str) -> History:
-    """Return the history of a dialect."""
-    folder = _folder()
+    folder = own_folder("Application Support", "XDG_STATE_HOME", os.path.join(".local", "state"))
     path = os.environ.get(VARIABLE, os.path.join(folder, f"{dialect}-history") if folder else "")
     return SafeHistory(path) if path and _is_writable(path) else InMemoryHistory()
 
@@ -31,11 +30,6 @@ class SafeHistory(FileHistory):
             super().store_string(string)
         except OSError:
             return
-
-
-def _folder() -> str | None:
-    """Return the user's state folder for motionlang, or None without a home."""
-    return own_folder("Application Support", "XDG_STATE_HOME", os.path.join(".local", "state"))
 
 
 def _is_writable(path: str) -> bool:

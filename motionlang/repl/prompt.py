@@ -7,31 +7,70 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from contextlib import nullcontext
 from textwrap import wrap
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
+from prompt_toolkit.document import Document
 from prompt_toolkit.formatted_text import ANSI, StyleAndTextTuples
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.output import ColorDepth
 from prompt_toolkit.patch_stdout import patch_stdout
+from prompt_toolkit.styles import Style
 
+from motionlang.kernel import Dialect
 from motionlang.kernel.version import __version__
 from motionlang.repl import status
+from motionlang.repl.commands import is_command
 from motionlang.repl.complete import WordCompleter
-from motionlang.repl.highlight import STYLE, WordLexer
 from motionlang.repl.history import history
 from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.live import Live
 from motionlang.repl.running import Running
 from motionlang.repl.session import Session
 from motionlang.views.formatting import dialect_name
+from motionlang.views.highlight import pieces
 from motionlang.views.single_keys import has_keys, single_keys
 from motionlang.views.terminal import width_of
 
 # Seconds between two updates of the bottom bar in live mode.
 REFRESH = 0.1
+STYLE = Style.from_dict(
+    {
+        "prompt": "bold",
+        "dotted": "ansimagenta",
+        "move": "ansicyan bold",
+        "keyword": "ansicyan",
+        "not-simulated": "ansired",
+        "control": "ansiblue bold",
+        "unknown": "ansired underline",
+        "axis": "bold",
+        "register": "ansimagenta",
+        "number": "ansigreen",
+        "string": "ansiyellow",
+        "comment": "ansibrightblack italic",
+        "bottom-toolbar": "noreverse ansibrightblack",
+        "bottom-toolbar.text": "",
+    }
+)
+# The style of each kind of word.
+_STYLES = {
+    "move": "class:move",
+    "keyword": "class:keyword",
+    "not-simulated": "class:not-simulated",
+    "control": "class:control",
+    "number": "class:number",
+    "axis": "class:axis",
+    "register": "class:register",
+    "string": "class:string",
+    "text": "class:string",
+    "comment": "class:comment",
+    "bad": "class:unknown",
+    "unknown": "class:unknown",
+}
 
 
 def banner(session: Session) -> str:
@@ -133,3 +172,26 @@ def _keys(session: Session) -> KeyBindings:
         event.current_buffer.newline(copy_margin=True)
 
     return keys
+
+
+def styled(dialect: Dialect, text: str) -> StyleAndTextTuples:
+    """Split all of `text` into fragments, each with its style."""
+    if is_command(text):
+        return [("class:dotted", text)]
+    return [(_STYLES.get(kind, ""), piece) for _, kind, piece in pieces(dialect, text)]
+
+
+class WordLexer(Lexer):
+    """`styled` for each line, in the form that the terminal needs."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self._dialect = dialect
+
+    def lex_document(self, document: Document) -> Callable[[int], StyleAndTextTuples]:
+        """Return a function from line number to styled text; it is empty past the end."""
+        lines: list[StyleAndTextTuples] = [[]]
+        for style, text, *_ in styled(self._dialect, document.text):
+            first, *rest = text.split("\n")
+            lines[-1].append((style, first))
+            lines.extend([(style, fragment)] for fragment in rest)
+        return lambda number: lines[number] if number < len(lines) else []

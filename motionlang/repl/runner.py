@@ -16,7 +16,6 @@ from motionlang.kernel import (
     Source,
     Stuck,
     Task,
-    Variable,
     Wait,
 )
 from motionlang.kernel.lang import explain, wait_idle, wait_until, what_ends, what_frees
@@ -54,20 +53,7 @@ class Runner:
         # command.
         idle = _Passing(wait_until(machine, 0.0, 0.0))
         self._scheduler = machine.scheduler = Scheduler(machine, idle, poll)
-        self._interactive = dialect.interactive(machine)
-
-    @property
-    def keeps_columns(self) -> bool:
-        """True if errors in an earlier text are reported with their columns."""
-        return self._interactive.keeps_columns
-
-    def variables(self) -> list[Variable]:
-        """Return what the lines so far have assigned."""
-        return self._interactive.variables()
-
-    def is_complete(self, text: str) -> bool:
-        """True if `text` does not leave a block open."""
-        return self._interactive.is_complete(text)
+        self.interactive = dialect.interactive(machine)
 
     def execute(self, source: Source) -> bool:
         """Run a source until its task has ended; return False after an error.
@@ -75,7 +61,7 @@ class Runner:
         Motion continues.
         """
         try:
-            task = self._interactive.task(source)
+            task = self.interactive.task(source)
         except ProgramError as error:
             self._report(error.diagnostics, source)
             return False
@@ -120,20 +106,16 @@ class Runner:
         scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
         scheduler.current = task
 
-    def _pass_on(self, source: Source) -> None:
-        """Report the machine's diagnostics that did not end the command."""
-        complaints, self.machine.diagnostics = self.machine.diagnostics, []
-        if complaints:
-            self._report(complaints, source)
-
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
         """Call `work`; report any error and keep the machine running."""
         try:
             try:
                 with StackSpace():
                     return work()
-            finally:
-                self._pass_on(source)
+            finally:  # diagnostics of the machine that did not end the command
+                complaints, self.machine.diagnostics = self.machine.diagnostics, []
+                if complaints:
+                    self._report(complaints, source)
         except (CommandInterrupted, KeyboardInterrupt) as error:
             at = self._scheduler.parent.at_error(error)
             self._report_at(source, at, "interrupted", "the command was interrupted from the keyboard")

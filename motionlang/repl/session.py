@@ -97,7 +97,7 @@ class Session:
 
     def is_complete(self, text: str) -> bool:
         """True if `text` could be executed as it is."""
-        return is_command(text) or self.runner.is_complete(text)
+        return is_command(text) or self.runner.interactive.is_complete(text)
 
     def feed(self, text: str) -> str:
         """Execute `text`, one or more lines, and return all of its output."""
@@ -123,7 +123,7 @@ class Session:
             obey(self, line.strip())
             return
         self._block.append(line)
-        if self.runner.is_complete("\n".join(self._block)):
+        if self.runner.interactive.is_complete("\n".join(self._block)):
             self._execute_block()
 
     def _execute_block(self) -> None:
@@ -213,7 +213,7 @@ class Session:
         if source.line(diagnostic.line):
             return source
         if diagnostic.line > self._ambiguous:
-            if not self.runner.keeps_columns:
+            if not self.runner.interactive.keeps_columns:
                 diagnostic.column = 0  # the move is somewhere in that line
             return Source("input", "\n".join(self._lines))
         diagnostic.line = 0

@@ -20,7 +20,10 @@ def one_line(machine: Machine, now: float) -> str:
     For example: `1.5 s   0: 200   1: 12.5 moving`.
     """
     fields = [f"{number_text(now, 9)} s"]
-    fields += [_brief(machine, axis, now) for axis in _touched(machine)]
+    for axis in _touched(machine):
+        state = _state(machine, axis)
+        position = number_text(axis.scale.shown_position(axis.position(now)))
+        fields.append(f"{axis.index}: {position}" + (f" {state}" if state != "idle" else ""))
     return "   ".join(fields)
 
 
@@ -43,18 +46,15 @@ def number_text(value: float, digits: int = 10) -> str:
 
 
 def _touched(machine: Machine) -> list[Axis]:
-    return [axis for axis in machine.controller.axes.values() if _is_touched(axis)]
-
-
-def _is_touched(axis: Axis) -> bool:
-    scaled = axis.scale.counts != 1.0 or axis.scale.zero != 0.0
-    return bool(len(axis.starts) > 1 or axis.buffer or axis.faults or scaled)
-
-
-def _brief(machine: Machine, axis: Axis, now: float) -> str:
-    position = axis.scale.shown_position(axis.position(now))
-    state = _state(machine, axis)
-    return f"{axis.index}: {number_text(position)}" + (f" {state}" if state != "idle" else "")
+    return [
+        axis
+        for axis in machine.controller.axes.values()
+        if len(axis.starts) > 1
+        or axis.buffer
+        or axis.faults
+        or axis.scale.counts != 1.0
+        or axis.scale.zero != 0.0
+    ]
 
 
 def _row(machine: Machine, axis: Axis, now: float) -> tuple[str, str, str, str, str]:

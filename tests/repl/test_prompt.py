@@ -18,9 +18,8 @@ from prompt_toolkit.output import ColorDepth, DummyOutput
 from motionlang.kernel import dialect, dialects
 from motionlang.repl import prompt
 from motionlang.repl.complete import WordCompleter, candidates
-from motionlang.repl.highlight import WordLexer, styled
 from motionlang.repl.live import Live
-from motionlang.repl.prompt import _asker, banner, converse
+from motionlang.repl.prompt import WordLexer, _asker, banner, converse, styled
 from motionlang.repl.session import Session
 
 CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"

@@ -254,7 +254,7 @@ def test_a_missing_library_is_reported_and_another_error_raised(monkeypatch: pyt
     def fail(*_: object) -> None:
         raise errors[0]
 
-    monkeypatch.setattr(session.runner._interactive, "task", fail)
+    monkeypatch.setattr(session.runner.interactive, "task", fail)
     monkeypatch.setitem(COMMANDS, "report", PromptCommand("report", "", "A report.", fail))
     errors[:] = [ImportError("no numpy", name="numpy")]
     for line, user in (("PRINT 1", "this line"), (".report", ".report")):

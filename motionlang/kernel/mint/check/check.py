@@ -31,8 +31,8 @@ from collections.abc import Mapping
 from motionlang.kernel.mint.check.body import Body, CheckContext
 from motionlang.kernel.mint.check.expressions import VALUES
 from motionlang.kernel.mint.check.line_triggers import mark
-from motionlang.kernel.mint.check.misspellings import warn_of_misspellings
 from motionlang.kernel.mint.check.statements import STATEMENTS
+from motionlang.kernel.mint.check.unknown_words import warn_of_misspellings
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.aliases import rename_old_words

@@ -1,18 +1,25 @@
-"""Check expressions: literals, names, members; each kind has a function in `VALUES`."""
+"""Check expressions: literals, names, members, operators; each kind has a function in `VALUES`."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import inf
 
-from motionlang.kernel.mint.check import keywords, operators
+from motionlang.kernel.mint.check import keywords
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.calls import call
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import INT_HIGH, NOTHING, KnownValue, literal, read_from
+from motionlang.kernel.mint.check.values import INT_HIGH, NOTHING, KnownValue, article, literal, read_from
 from motionlang.kernel.mint.check.variables import location
-from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Symbol
+from motionlang.kernel.mint.resolve.folding import binary as fold_binary
+from motionlang.kernel.mint.resolve.folding import unary as fold_unary
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.kernel.mint.syntax import nodes
+
+_COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
+_LOGIC = frozenset(("And", "Or"))
+_ARITHMETIC = frozenset(("+", "-", "*"))
+_FRACTIONS = frozenset(("/", "^"))
 
 
 def _number(b: Body, node: nodes.Number) -> KnownValue:
@@ -23,14 +30,6 @@ def _number(b: Body, node: nodes.Number) -> KnownValue:
     if type(known) is int and INT_HIGH < known < 1 << 32 and b.program.problems.is_pattern(node):
         known -= 1 << 32  # a 32-bit pattern is an Integer, even if its highest bit is set
     return literal(known)
-
-
-def _string(b: Body, node: nodes.String) -> KnownValue:
-    return literal(node.value)
-
-
-def _given(b: Body, node: nodes.Given) -> KnownValue:
-    return KnownValue(STRING if node.is_text else FLOAT)
 
 
 def _cast(b: Body, node: nodes.Cast) -> KnownValue:
@@ -44,16 +43,15 @@ def _omitted(b: Body, node: nodes.Omitted) -> KnownValue:
     return NOTHING
 
 
-def _wrong(b: Body, node: nodes.Wrong) -> KnownValue:
-    return NOTHING  # the parser has reported it
-
-
 def _name(b: Body, node: nodes.Name) -> KnownValue:
     symbol, result = node.symbol, b.function.result_named(node)
     if result is not None:
         return read_from(result.type)
     if symbol is None:
-        return _keyword(b, node)
+        if node.row is not None:
+            return keywords.read(b, node, node.row)
+        unknown_name(b, node)
+        return NOTHING
     if symbol.kind == "const" and node.args is None:
         assert symbol.const is not None
         return literal(symbol.const)
@@ -62,39 +60,124 @@ def _name(b: Body, node: nodes.Name) -> KnownValue:
     if symbol.kind == "sub":
         return call(b, node, symbol, wanted=True)
     if symbol.kind in ("variable", "parameter"):
-        return _variable(b, node, symbol)
+        if symbol.is_array and node.args is None:
+            b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
+            return NOTHING
+        return read_from(location(b, node))
     b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
     return NOTHING
 
 
-def _keyword(b: Body, node: nodes.Name) -> KnownValue:
-    if node.row is not None:
-        return keywords.read(b, node, node.row)
-    unknown_name(b, node)
+# ---------------------------------------------------------------------------------------------- operators
+
+
+def _unary(b: Body, node: nodes.Unary) -> KnownValue:
+    """Check `Not x`, `-x`, `+x` and `~x`."""
+    if node.op == "Not":
+        b.condition(node.operand)
+        return KnownValue(INTEGER)
+    found = b.number(node.operand)
+    known = None if found.const is None else fold_unary(node.op, found.const)
+    if known is not None:
+        return literal(known)
+    if node.op == "+":
+        return found
+    return KnownValue(INTEGER if node.op == "~" else _sum(found, found))
+
+
+def _binary(b: Body, node: nodes.Binary) -> KnownValue:
+    """Check an operation on two sides."""
+    if node.op in _LOGIC:
+        b.condition(node.left)
+        b.condition(node.right)
+        return KnownValue(INTEGER)
+    left, right = b.value(node.left), b.value(node.right)
+    return _operated(b, node.op, (node.left, left), (node.right, right))
+
+
+def _chain(b: Body, node: nodes.Chain) -> KnownValue:
+    """Check a long run of operations, and annotate each `Link` with the result up to it."""
+    found = b.value(node.first)
+    for link in node.links:
+        if link.op in _LOGIC:
+            b.as_number(found, node, "a condition")
+            b.condition(link.value)
+            found = KnownValue(INTEGER)
+        else:
+            found = _operated(b, link.op, (node, found), (link.value, b.value(link.value)))
+        link.type, link.const = found.type, found.const
+    return found
+
+
+def _operated(
+    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
+) -> KnownValue:
+    """Return the result of an operation; each side is a node with its value."""
+    at, one = left
+    _, other = right
+    if not (one.is_number and other.is_number):
+        return _other_than_numbers(b, op, left, right)
+    if one.const is None or other.const is None:
+        return KnownValue(_result(op, one, other))
+    known = fold_binary(op, one.const, other.const)
+    if known is not None:
+        return literal(known)
+    if op in ("/", "\\", "Mod") and other.const == 0:
+        b.problem("division-by-zero", "division by zero", at, "the divisor is 0 whatever the program does")
+        return NOTHING
+    return KnownValue(_result(op, one, other))
+
+
+def _result(op: str, left: KnownValue, right: KnownValue) -> str:
+    """Return the type of an operation on numbers."""
+    if op in _ARITHMETIC:
+        return _sum(left, right)
+    if op in _FRACTIONS or (op == "Mod" and FLOAT in (left.type, right.type)):
+        return FLOAT
+    return INTEGER
+
+
+def _sum(left: KnownValue, right: KnownValue) -> str:
+    return INTEGER if left.type == right.type == INTEGER else FLOAT
+
+
+def _other_than_numbers(
+    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
+) -> KnownValue:
+    if STRING in (left[1].type, right[1].type):
+        return _texts(b, op, left[0], left[1], right[1])
+    side, found = right if left[1].is_number else left
+    b.problem("type", f"{op} needs numbers, not {article(found.type)}", side)
     return NOTHING
 
 
-def _variable(b: Body, node: nodes.Name, symbol: Symbol) -> KnownValue:
-    if symbol.is_array and node.args is None:
-        b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
+def _texts(b: Body, op: str, at: nodes.Node, left: KnownValue, right: KnownValue) -> KnownValue:
+    """Return the result of an operation on two strings; report an error if one is no string."""
+    if left is NOTHING or right is NOTHING:
         return NOTHING
-    return read_from(location(b, node))
-
-
-def _member(b: Body, node: nodes.Member) -> KnownValue:
-    return read_from(location(b, node))
+    if left.type != STRING or right.type != STRING:
+        hint = "convert the number with Str" if op in ("+", "&") else ""
+        b.problem("type", f"{op} cannot take {article(left.type)} and {article(right.type)}", at, hint)
+        return NOTHING
+    if op in ("+", "&"):
+        known = isinstance(left.const, str) and isinstance(right.const, str)
+        return literal(left.const + right.const) if known else KnownValue(STRING)  # type: ignore[operator]
+    if op in _COMPARISONS:
+        return KnownValue(INTEGER)
+    b.problem("type", f"{op} needs numbers, not texts", at)
+    return NOTHING
 
 
 VALUES: dict[type, Callable[..., KnownValue]] = {
     nodes.Number: _number,
-    nodes.String: _string,
-    nodes.Given: _given,
+    nodes.String: lambda b, node: literal(node.value),
+    nodes.Given: lambda b, node: KnownValue(STRING if node.is_text else FLOAT),
     nodes.Cast: _cast,
     nodes.Omitted: _omitted,
     nodes.Name: _name,
-    nodes.Member: _member,
-    nodes.Unary: operators.unary,
-    nodes.Binary: operators.binary,
-    nodes.Chain: operators.chain,
-    nodes.Wrong: _wrong,
+    nodes.Member: lambda b, node: read_from(location(b, node)),
+    nodes.Unary: _unary,
+    nodes.Binary: _binary,
+    nodes.Chain: _chain,
+    nodes.Wrong: lambda b, node: NOTHING,  # the parser has reported it
 }

@@ -1,4 +1,4 @@
-"""Check keywords: reads in expressions, writes with `=`, commands.
+"""Check keywords: reads in expressions, writes with `=`, commands, calls of Mint's own functions.
 
 The keyword's row in the table gives its access, index, unit and range. A keyword that is not simulated is passed on to
 `unsimulated.py`.
@@ -8,15 +8,19 @@ from __future__ import annotations
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check import unsimulated
-from motionlang.kernel.mint.check.access import can_be_read, not_a_command, refuse
+from motionlang.kernel.mint.check.access import (
+    can_be_read,
+    check_values,
+    not_a_command,
+    refuse,
+    written_value,
+)
 from motionlang.kernel.mint.check.body import Body
-from motionlang.kernel.mint.check.functions import call_function
-from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
-from motionlang.kernel.mint.check.paths import write_path
+from motionlang.kernel.mint.check.indices import axes_by_default, check_indices, many
 from motionlang.kernel.mint.check.terminal import line
 from motionlang.kernel.mint.check.values import NOTHING, KnownValue, literal, type_of
-from motionlang.kernel.mint.check.writes import check_values, written_value
 from motionlang.kernel.mint.resolve.folding import constant
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.kernel.mint.syntax import nodes
 
 
@@ -29,7 +33,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
             b.problem("values", f"{row.word} is a constant and takes no brackets", node)
         return literal(constant(row.function, row.unit))
     if row.kind == "function":
-        return call_function(b, node, row)
+        return _call_function(b, node, row)
     if row.kind == "statement":
         b.problem("type", f"{row.word} is a statement and has no value", node)
         return NOTHING
@@ -51,7 +55,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
             b.problem("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
         _wait(b, node, node.values, row)
     elif row.kind == "move" and row.index == "axes":
-        write_path(b, node, target, row)
+        _write_path(b, node, target, row)
     elif axes_by_default(b, target, row):
         check_values(b, node, row, None)
     else:
@@ -79,3 +83,73 @@ def _wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> 
         written_value(b, values[0], row)
     else:
         b.problem("values", f"WAIT needs 1 value, {len(values)} given", node, "WAIT = 100 waits for 100 ms")
+
+
+# ---------------------------------------------------------------------------------------- moves of axes
+
+
+def _write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Check a path.
+
+    The row's unit lists the units of the values, "uu" once for each axis. A single unit applies to every
+    axis.
+    """
+    for each in node.values:
+        written_value(b, each, row)
+    if not axes_by_default(b, target, row):
+        _check_counts(b, node, target, row, check_indices(b, target, row, single=False))
+
+
+def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
+    """Check the number of axes and of values."""
+    form = row.example.split("\n")[0]
+    units = row.unit.split(", ")
+    wanted = units.count("uu") if len(units) > 1 else 0
+    if (wanted and axes != wanted) or axes < 2:
+        needed = f"{wanted} axes" if wanted else "2 axes or more"
+        b.problem("values", f"{row.word} needs {needed} in brackets, {axes} given", target, form)
+        return
+    count, given = len(units) if wanted else axes, len(node.values)
+    if given != count:
+        b.problem("values", f"{row.word} needs {count} values here, {given} given", node, form)
+
+
+# ------------------------------------------------------------------------------------------- functions
+
+
+def _call_function(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
+    """Return the result of a function; the row's index lists its arguments."""
+    kinds = row.index.split(", ") if row.index else []
+    args = node.args or []
+    if len(kinds) - row.optional <= len(args) < len(kinds):
+        kinds = kinds[: len(args)]
+    if len(args) != len(kinds):
+        message = f"{row.word} takes {many(len(kinds), 'value')}, {len(args)} given"
+        b.problem("values", message, node, f"{row.word}({row.index})")
+        return NOTHING
+    if row.function == "choice":
+        return _immediate_if(b, node, args)
+    found = [_argument(b, arg, kind, row) for arg, kind in zip(args, kinds, strict=True)]
+    if row.unit != "same":
+        return KnownValue(FLOAT if row.function == "random" else type_of(row))
+    return KnownValue(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
+
+
+def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> KnownValue:
+    if kind != "text":
+        return b.number(node)
+    found = b.value(node)
+    if found.type != STRING and found is not NOTHING:
+        b.problem("type", f"{row.word} needs a text, not a number", node, "convert the number with Str")
+    return found
+
+
+def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> KnownValue:
+    b.condition(args[0])
+    yes, no = b.value(args[1]), b.value(args[2])
+    if yes is NOTHING or no is NOTHING:
+        return NOTHING
+    if (yes.type == STRING) is not (no.type == STRING):
+        b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
+        return NOTHING
+    return KnownValue(yes.type if yes.type == no.type else FLOAT)

@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import prod
 
-from motionlang.kernel.mint.check import keywords, labels, loops, terminal
+from motionlang.kernel.mint.check import keywords, terminal
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.calls import call
-from motionlang.kernel.mint.check.unknown_words import task_named, unknown_command, unknown_name
+from motionlang.kernel.mint.check.unknown_words import (
+    another_name,
+    label_hint,
+    task_named,
+    unknown_command,
+    unknown_name,
+)
 from motionlang.kernel.mint.check.values import NOTHING, KnownValue, article
 from motionlang.kernel.mint.check.variables import location
-from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, Symbol, Type
+from motionlang.kernel.mint.resolve.symbols import INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import meant
+from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 # ---------------------------------------------------------------------------------------------- assignments
 
@@ -69,21 +75,18 @@ def _assign_value(b: Body, node: nodes.Assign, kind: Type) -> None:
 
 
 def _dim(b: Body, node: nodes.Dim) -> None:
+    """Check the initial values of variables."""
     for variable in node.variables:
-        symbol = variable.symbol
-        if variable.values and symbol is not None and symbol.kind == "variable":
-            _initial_values(b, variable, symbol)
-
-
-def _initial_values(b: Body, node: nodes.Variable, symbol: Symbol) -> None:
-    given = len(node.values)
-    if symbol.is_array and given > (count := prod(symbol.dimensions)):
-        b.problem("values", f"{node.name} has {count} elements, {given} values are given", node)
-    elif not symbol.is_array and given > 1:
-        b.problem("values", f"{node.name} is one value, {given} given", node)
-    else:
-        for each in node.values:
-            b.convert(b.value(each), symbol.type, each)
+        symbol, given = variable.symbol, len(variable.values)
+        if not given or symbol is None or symbol.kind != "variable":
+            continue
+        if symbol.is_array and given > (count := prod(symbol.dimensions)):
+            b.problem("values", f"{variable.name} has {count} elements, {given} values are given", variable)
+        elif not symbol.is_array and given > 1:
+            b.problem("values", f"{variable.name} is one value, {given} given", variable)
+        else:
+            for each in variable.values:
+                b.convert(b.value(each), symbol.type, each)
 
 
 def _nothing(b: Body, node: nodes.Stmt) -> None:
@@ -121,8 +124,22 @@ def _return(b: Body, node: nodes.Return) -> None:
         b.problem("stray-end", "Return without a Gosub", node)
 
 
-def _pause(b: Body, node: nodes.Pause) -> None:
-    b.condition(node.condition)
+def _jump(b: Body, node: nodes.Jump) -> None:
+    """Check a Goto or a Gosub; name resolution reports labels that are declared twice."""
+    assert node.symbol is not None
+    if node.symbol.declared:
+        return
+    name, problems = node.name, b.program.problems
+    symbol = b.scope.find(name)
+    if symbol is not None and symbol.kind == "sub":
+        hint = f"a sub is called by its name alone: {symbol.name}"
+        problems.add("unknown-word", f"{symbol.name} is a sub, not a label", name.start, hint)
+        return
+
+    def labels() -> list[str]:
+        return [key for key, label in b.function.labels.items() if label.declared]
+
+    problems.unknown(f"there is no label {name}", name, labels, name.start, label_hint(name))
 
 
 # ----------------------------------------------------------------------------------------- If and Select
@@ -182,6 +199,95 @@ def _case_test(b: Body, test: nodes.CaseTest, subject: KnownValue) -> None:
             b.problem("type", message, test)
 
 
+# -------------------------------------------------------------------------------------------------- loops
+
+
+def _for(b: Body, node: nodes.For) -> None:
+    """Check `For variable = first To stop Step step … Next`."""
+    symbol = node.variable.symbol
+    if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
+        name, row = node.variable.name, node.variable.row
+        hint = another_name(name, row) if row else ""
+        b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
+        return
+    location(b, node.variable)
+    b.number(node.first)
+    b.number(node.stop)
+    if node.step is not None and _may_be_0(b, node.step) and not _may_end(node, symbol):
+        b.problem("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
+    _body(b, "for", node.body)
+
+
+def _may_be_0(b: Body, step: nodes.Expr) -> bool:
+    """True if a step is 0, or if its value is only known when the program starts."""
+    known = b.number(step).const
+    return known == 0 or (known is None and _is_known_at_start(step))
+
+
+def _is_known_at_start(node: nodes.Expr) -> bool:
+    match meant(node):
+        case nodes.Given():
+            return True
+        case nodes.Cast(value=value) | nodes.Unary(operand=value):
+            return _is_known_at_start(value)
+        case nodes.Binary(left=left, right=right):
+            return _is_known_at_start(left) and _is_known_at_start(right)
+        case other:
+            return other.const is not None
+
+
+def _may_end(node: nodes.For, symbol: Symbol) -> bool:
+    """True if the body may leave the loop, or assigns to its variable."""
+    for each in walk(node.body):
+        if isinstance(each, (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)):
+            return True
+        if isinstance(each, nodes.Call) and each.target.row is None:
+            return True
+        if isinstance(each, nodes.Assign) and _is_variable(each.target, symbol):
+            return True
+        if isinstance(each, nodes.For) and _is_variable(each.variable, symbol):
+            return True
+    return False
+
+
+def _is_variable(node: nodes.Expr, symbol: Symbol) -> bool:
+    return type(node) is nodes.Name and node.args is None and node.symbol is symbol
+
+
+def _while(b: Body, node: nodes.While) -> None:
+    """Check `While condition … End While`."""
+    b.condition(node.condition)
+    _body(b, "while", node.body)
+
+
+def _repeat(b: Body, node: nodes.Repeat) -> None:
+    """Check `Repeat … Until condition`."""
+    _body(b, "repeat", node.body)
+    b.condition(node.condition)
+
+
+def _body(b: Body, kind: str, body: list[nodes.Stmt]) -> None:
+    b.loops.append(kind)
+    b.statements(body)
+    b.loops.pop()
+
+
+def _exit(b: Body, node: nodes.Exit) -> None:
+    """Check `Exit` and `Exit For …`, which leave a loop, a Select or the function."""
+    kind, function = node.kind, b.function
+    if kind in ("sub", "function", "task", "event"):
+        wanted = "sub" if kind == "function" else kind
+        inside = function.kind == wanted and (kind == "function") is (function.result is not None)
+        outside = f"Exit {kind.capitalize()} outside a {kind.capitalize()}"
+    elif kind:
+        inside, outside = kind in b.loops, f"Exit {kind.capitalize()} outside a {kind.capitalize()}"
+    else:
+        inside, outside = any(each != "select" for each in b.loops), "Exit outside a loop"
+    if not inside:
+        hint = "" if kind else "Exit Sub leaves a sub, Exit Function a function"
+        b.problem("stray-end", outside, node, hint)
+
+
 STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Assign: _assign,
     nodes.Dim: _dim,
@@ -193,16 +299,16 @@ STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Input: terminal.input_,
     nodes.RunTask: _run,
     nodes.End: _end,
-    nodes.Pause: _pause,
+    nodes.Pause: lambda b, node: b.condition(node.condition),
     nodes.If: _if,
     nodes.Select: _select,
-    nodes.For: loops.count,
-    nodes.While: loops.while_,
-    nodes.Repeat: loops.repeat,
-    nodes.Loop: loops.endless,
-    nodes.Exit: loops.exit_,
+    nodes.For: _for,
+    nodes.While: _while,
+    nodes.Repeat: _repeat,
+    nodes.Loop: lambda b, node: _body(b, "loop", node.body),
+    nodes.Exit: _exit,
     nodes.Label: _nothing,
-    nodes.Jump: labels.jump,
+    nodes.Jump: _jump,
     nodes.Return: _return,
     nodes.Wrong: _nothing,
 }

@@ -12,8 +12,12 @@ from motionlang.kernel.mint.syntax import nodes
 
 def print_(b: Body, node: nodes.Print) -> None:
     """Check `PRINT items`, and a LINE with formats or a `;`."""
+    if node.word and (node.row is None or node.row.function != "line"):
+        message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
+        b.problem("syntax", message, node, hint_at_type(node.word))
+        return
     if node.word:
-        _line_of_items(b, node)
+        _print_on_row(b, node, node.line, node.items)
         return
     _terminal(b, node.terminal)
     for item in node.items:
@@ -27,26 +31,16 @@ def _terminal(b: Body, node: nodes.Expr | None) -> None:
 
 def _item(b: Body, item: nodes.PrintItem) -> None:
     found = b.value(item.value)
-    if item.using:
-        _using(b, item)
-    elif found.type != STRING and found.type not in NUMERIC:
-        b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
-
-
-def _using(b: Body, item: nodes.PrintItem) -> None:
     for index, each in enumerate(item.using):
-        _width(b, each, first=index == 0)
+        width = b.value(each)
+        if not width.is_number:
+            what = "decimals are" if index else "a width is"
+            hint = "decimals follow the width after a comma; a semicolon ends the item" if index else ""
+            b.problem("type", f"{what} needed here, not {article(width.type)}", each, hint)
     if len(item.using) > 2:
         b.problem("values", f"USING takes a width and decimals, {len(item.using)} values given", item)
-
-
-def _width(b: Body, node: nodes.Expr, first: bool) -> None:
-    found = b.value(node)
-    if found.is_number:
-        return
-    what = "a width is" if first else "decimals are"
-    hint = "" if first else "decimals follow the width after a comma; a semicolon ends the item"
-    b.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+    elif not item.using and found.type != STRING and found.type not in NUMERIC:
+        b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
 
 
 def line(b: Body, node: nodes.Call) -> None:
@@ -54,14 +48,6 @@ def line(b: Body, node: nodes.Call) -> None:
     args = node.target.args or []
     items = [nodes.PrintItem(each.start, each.end, each, [], "") for each in args[1:]]
     _print_on_row(b, node, args[0] if args else None, items)
-
-
-def _line_of_items(b: Body, node: nodes.Print) -> None:
-    if node.row is None or node.row.function != "line":
-        message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
-        b.problem("syntax", message, node, hint_at_type(node.word))
-        return
-    _print_on_row(b, node, node.line, node.items)
 
 
 def _print_on_row(b: Body, node: nodes.Stmt, row: nodes.Expr | None, items: list[nodes.PrintItem]) -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from itertools import chain
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check.body import Body
-from motionlang.kernel.mint.check.labels import label_hint
+from motionlang.kernel.mint.check.body import Body, CheckContext
 from motionlang.kernel.mint.check.other_machines import as_typed
-from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES
+from motionlang.kernel.mint.resolve.problems import bracketed
+from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
+from motionlang.kernel.tools import Spellings
 
 # Words of the grammar that begin a statement and are often misspelled.
 _FIRST_WORDS = (
@@ -28,6 +29,9 @@ _OTHER_WORDS = {
     **dict.fromkeys(("local", "private", "public", "static", "var"), _DIM),
     "switch": "a choice between values is Select Case k … End Select",
 }
+
+# A shorter name resembles too many keywords.
+MIN_LENGTH = 3
 
 
 def unknown_name(b: Body, node: nodes.Name) -> None:
@@ -83,6 +87,10 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     problems.add("unknown-word", message, target.start, hint)
 
 
+def label_hint(name: str) -> str:
+    return f"a label has a line of its own: #{name}"
+
+
 def hint_at_type(word: str) -> str:
     """Return a hint for a type that begins a statement, "" for any other word."""
     return _DIM if word.lower() in TYPES or word.lower() in OTHER_TYPES else ""
@@ -98,3 +106,40 @@ def task_named(b: Body, node: nodes.Name | nodes.RunTask | nodes.End, name: str)
 
     b.program.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
     return None
+
+
+def warn_of_misspellings(program: CheckContext) -> None:
+    """Warn of names that are only assigned to and resemble a keyword.
+
+    Such a name may be a typing error, or a variable that an old program no longer uses. A keyword with a number and
+    without brackets, as in `OUT3 = 1`, is an error.
+    """
+    words: Spellings | None = None
+    problems = program.problems
+    for symbol in _only_assigned(program):
+        if problems.is_full:
+            return
+        message, meant = f"{symbol.name} is assigned but never read", bracketed(symbol.name, program.table)
+        if meant is not None:
+            hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
+            problems.add("unknown-word", message, symbol.at, hint, fix=meant)
+            continue
+        words = words or Spellings(r.name for r in program.table if r.simulated and r.kind != "statement")
+        near = words.nearest(symbol.name, 0.75)
+        if near is not None:
+            problems.in_run.add(("unused-variable", symbol.at))
+            hint = f"did you mean {near}?"
+            problems.add("unused-variable", message, symbol.at, hint, "warning", candidates=(near,))
+
+
+def _only_assigned(program: CheckContext) -> list[Symbol]:
+    """Return the undeclared variables that are never read, without the shortest names."""
+    symbols = (symbol for each in program.names.functions for symbol in each.scope.names.values())
+    return [
+        symbol
+        for symbol in symbols
+        if symbol.kind == "variable"
+        and not symbol.declared
+        and symbol.uses <= 0
+        and len(symbol.name) >= MIN_LENGTH
+    ]

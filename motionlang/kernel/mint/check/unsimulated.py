@@ -7,11 +7,10 @@ is accepted in brackets.
 from __future__ import annotations
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check.access import can_be_read, not_a_command, refuse
+from motionlang.kernel.mint.check.access import can_be_read, check_values, not_a_command, refuse
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
 from motionlang.kernel.mint.check.values import NOTHING, KnownValue, type_of
-from motionlang.kernel.mint.check.writes import check_values
 from motionlang.kernel.mint.keywords import unsimulated
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.syntax import nodes
@@ -20,9 +19,6 @@ from motionlang.kernel.tools import as_hint
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.
 _ENDS = "the run ends here"
-_WHEN_WRITTEN = {
-    unsimulated.MOTION: f"{_ENDS}, unless it is given 0",
-}
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
@@ -92,7 +88,7 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
     if by is None:
         return False
     values = getattr(by, "values", ())
-    harmless = {unsimulated.MOTION: 0}.get(row.function)
+    harmless = 0 if row.function == unsimulated.MOTION else None
     return row.function == unsimulated.VALUE or (
         bool(values) and all(getattr(each, "value", None) == harmless for each in values)
     )
@@ -105,11 +101,10 @@ def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
 
 
 def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
-    if writes and row.access == "C":
-        end = _ENDS
-    elif writes:
-        end = _WHEN_WRITTEN.get(row.function, _ENDS)
-    else:
+    end = _ENDS
+    if writes and row.access != "C" and row.function == unsimulated.MOTION:
+        end += ", unless it is given 0"
+    elif not writes:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     message = f"{row.word} is a Mint keyword that is not simulated"
     b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}; {end}")

@@ -12,30 +12,17 @@ from motionlang.kernel.tools import count_of
 
 def location(b: Body, node: nodes.Name | nodes.Member) -> Type:
     """Check a variable, an element or a member, and annotate it with its type, which is returned."""
-    kind = _member_location(b, node) if type(node) is nodes.Member else _variable(b, node)  # type: ignore[arg-type]
+    symbol = member(b, node) if isinstance(node, nodes.Member) else node.symbol
+    if symbol is None:  # a member that is reported
+        kind = Type(FLOAT)
+    else:
+        kind, name = symbol.type, node.field if isinstance(node, nodes.Member) else symbol.name
+        if symbol.is_array:
+            _element(b, node, name, symbol.dimensions, node.args)
+        elif node.args is not None:
+            b.problem("type", f"{name} is not an array", node)
     node.type = str(kind)
     return kind
-
-
-def _variable(b: Body, node: nodes.Name) -> Type:
-    symbol = node.symbol
-    assert symbol is not None
-    if symbol.is_array:
-        _element(b, node, symbol.name, symbol.dimensions, node.args)
-    elif node.args is not None:
-        b.problem("type", f"{symbol.name} is not an array", node)
-    return symbol.type
-
-
-def _member_location(b: Body, node: nodes.Member) -> Type:
-    symbol = member(b, node)
-    if symbol is None:
-        return Type(FLOAT)
-    if symbol.is_array:
-        _element(b, node, node.field, symbol.dimensions, node.args)
-    elif node.args is not None:
-        b.problem("type", f"{node.field} is not an array", node)
-    return symbol.type
 
 
 def _element(
@@ -49,14 +36,12 @@ def _element(
         b.problem("index", f"{name} has {count_of(len(sizes), 'subscript')}, {given}", node)
     else:
         for arg, size in zip(args, sizes, strict=True):
-            _subscript(b, arg, size)
-
-
-def _subscript(b: Body, node: nodes.Expr, size: int) -> None:
-    known = b.number(node, "a subscript").const
-    if known is not None and size and not 1 <= known <= size:  # type: ignore[operator]
-        b.problem("index", f"there is no element {known}: the subscript must be 1 to {size}", node,
-                  "the first element of an array has the subscript 1")  # fmt: skip
+            known = b.number(arg, "a subscript").const
+            if known is not None and size and not 1 <= known <= size:  # type: ignore[operator]
+                hint = "the first element of an array has the subscript 1"
+                b.problem(
+                    "index", f"there is no element {known}: the subscript must be 1 to {size}", arg, hint
+                )
 
 
 def member(b: Body, node: nodes.Member) -> Symbol | None:
