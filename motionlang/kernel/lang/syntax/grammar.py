@@ -40,7 +40,7 @@ class Token(lark.Token):
     end_pos: int
 
 
-class UnusedTerminals:
+class Terminals:
     """Keep the terminals that no rule uses, so that every text has tokens."""
 
     always_accept = (BAD,)
@@ -70,7 +70,7 @@ def build(name: str, builder: Transformer[lark.Token, Any] | None, **options: ob
         "import_paths": [Imports()],
         "keep_all_tokens": True,
         "maybe_placeholders": True,
-        "postlex": UnusedTerminals(),
+        "postlex": Terminals(),
         "transformer": builder,
     }
     return Lark(text_of(name), **{**settings, **options})

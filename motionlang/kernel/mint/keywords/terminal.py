@@ -18,7 +18,7 @@ ALL = 255
 CURRENT = -1
 
 
-class Terminals:
+class TaskTerminals:
     """The terminals that each task prints to."""
 
     def __init__(self, environment: Environment) -> None:
@@ -77,10 +77,10 @@ def _pattern(number: int) -> int:
 
 def text_writer(text: str) -> Maker:
     """Make an operation that writes a text to a terminal."""
-    return of(Terminals, lambda terminals, number: terminals.write(text, _pattern(number)))
+    return of(TaskTerminals, lambda terminals, number: terminals.write(text, _pattern(number)))
 
 
-def do_locate(terminals: Terminals, column: int, row: int) -> None:
+def do_locate(terminals: TaskTerminals, column: int, row: int) -> None:
     terminals.write(f"\x1b[{max(row, 1)};{max(column, 1)}H")
 
 
@@ -89,7 +89,7 @@ def do_locate(terminals: Terminals, column: int, row: int) -> None:
 
 def read_key(environment: Environment, row: Keyword) -> Operation:
     """INKEY: make an operation that reads a key."""
-    terminals, operator_at = environment.component(Terminals), environment.machine.operator_at
+    terminals, operator_at = environment.component(TaskTerminals), environment.machine.operator_at
     for entry in environment.machine.settings.get("key", ()):  # type: ignore[attr-defined]
         operator_at(
             entry.get("terminal", CONSOLE)
@@ -115,8 +115,8 @@ def read_held_key(environment: Environment, row: Keyword) -> Operation:
 
 _TERMINAL = Actions(
     "terminal.terminal",
-    read=of(Terminals, lambda terminals: terminals.current),
-    write=repeatable(of(Terminals, Terminals.choose)),
+    read=of(TaskTerminals, lambda terminals: terminals.current),
+    write=repeatable(of(TaskTerminals, TaskTerminals.choose)),
 )
 
 
@@ -137,7 +137,7 @@ ROWS = (
     Keyword("CLS", "", "command", "C", "terminal", "", Actions(do=text_writer("\x1b[2J\x1b[H")),
             "Clear the terminal's screen (as the ANSI codes that do so).",
             "CLS", group="terminal"),
-    Keyword("LOCATE", "", "command", "C", "column, row", "", Actions(do=of(Terminals, do_locate)),
+    Keyword("LOCATE", "", "command", "C", "column, row", "", Actions(do=of(TaskTerminals, do_locate)),
             "Place the cursor (as the ANSI code that does so); the upper left corner is 1, 1.",
             'LOCATE(1, 2)\nPRINT "second row"', group="terminal"),
     Keyword("LINE", "", "command", "C", "row", "", "line",
@@ -158,8 +158,8 @@ def _hidden(name: str, help: str, read: Maker) -> Keyword:
 
 
 HIDDEN = (
-    _hidden("(terminal)", "The terminal that INPUT reads from.", of(Terminals, Terminals.one)),
+    _hidden("(terminal)", "The terminal that INPUT reads from.", of(TaskTerminals, TaskTerminals.one)),
     _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
-            of(Terminals, Terminals.write)),
-    _hidden("(row)", "Print a text on a row of the screens of TERMINAL.", of(Terminals, Terminals.write_on_row)),
+            of(TaskTerminals, TaskTerminals.write)),
+    _hidden("(row)", "Print a text on a row of the screens of TERMINAL.", of(TaskTerminals, TaskTerminals.write_on_row)),
 )  # fmt: skip
