@@ -54,6 +54,7 @@ WHOLE_SUMS = {
 }
 # Classes of one name. Nodes of a tree have the names of their statements, and private classes are seen in one file.
 SAME_NAMES = {
+    "Row": "public: that of a sweep, and those of the tables of PMC's note",
     "Text": "the text of a program, in both languages",
     "Inspection": "the variables of a debug build: what it must offer, and both languages",
     "Command": "what a user types, and what MCCL calls a statement",

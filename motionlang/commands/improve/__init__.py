@@ -140,7 +140,7 @@ class Improvement:
 
 
 @dataclass
-class TestedWorld:
+class ExpectedWorld:
     """Settings of a machine, and what is expected of a run there; `name` is that of a scenario."""
 
     name: str
@@ -169,8 +169,8 @@ class Improver:
         self,
         source: Source,
         language: Dialect,
-        world: TestedWorld,
-        others: Sequence[TestedWorld] = (),
+        world: ExpectedWorld,
+        others: Sequence[ExpectedWorld] = (),
         *,
         cycle: str = "",
         until: float | None = None,
@@ -616,14 +616,14 @@ class Improver:
                 return _limit_text(each)
         return ""
 
-    def _run(self, world: TestedWorld) -> Run:
+    def _run(self, world: ExpectedWorld) -> Run:
         """Return the run of the program as it is in a world."""
         self._count()
         settings = CheckedSettings(world.settings)
         return run(self._worker.program(settings), machine=settings, until=self.until)
 
     def _trial(
-        self, world: TestedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
+        self, world: ExpectedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
     ) -> Run:
         """Return the run in a world with other values of some literals, by default of a few cycles."""
         self._count()
@@ -675,8 +675,8 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
     files = [] if isinstance(program, Source) else scenario_files(program)
     others = [Scenario(str(program), each) for each in files]
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
-    worlds = [TestedWorld(each.name, each.settings, each.expected) for each in others]
-    return Improver(source, dialect_for(source, None), TestedWorld("", settings, expected), worlds, **given)
+    worlds = [ExpectedWorld(each.name, each.settings, each.expected) for each in others]
+    return Improver(source, dialect_for(source, None), ExpectedWorld("", settings, expected), worlds, **given)
 
 
 def _limit_text(limit: CertifiedLimit) -> str:

@@ -13,7 +13,7 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
-from motionlang.commands.improve import Improver, NotPossible, TestedWorld
+from motionlang.commands.improve import ExpectedWorld, Improver, NotPossible
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.quantities import CYCLE, CYCLES
 from motionlang.commands.scenarios import Scenario, scenario_files
@@ -113,8 +113,8 @@ examples:
                 if self.file == STDIN
                 else [Scenario(self.file, each) for each in scenario_files(self.file)]
             )
-            others = [TestedWorld(each.name, each.settings, each.expected) for each in scenarios]
-            own = TestedWorld("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
+            others = [ExpectedWorld(each.name, each.settings, each.expected) for each in scenarios]
+            own = ExpectedWorld("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
             improver = Improver(
                 source,
                 language,

@@ -15,7 +15,7 @@ from motionlang.kernel import Wait
 
 LF = 10
 # The line that names the host process of a connection.
-SESSION = "HostProcess"
+SESSION = "Session"
 
 
 class McapiPort:

@@ -17,7 +17,7 @@ Move = Mapping[str, float]
 Point = tuple[float, float]
 
 
-class FigureFormula(NamedTuple):
+class Formula(NamedTuple):
     """How a figure follows from others: their names, the note's formula, and its value for a move."""
 
     figure: str
@@ -27,38 +27,37 @@ class FigureFormula(NamedTuple):
 
 
 # In the order of preference; the first two are equations (1) and (2) of the note.
-FORMULAS: tuple[FigureFormula, ...] = (
-    FigureFormula("speed", "distance accel_time slew_time", "D / (Ta + Ts)",
-                  lambda m: m["distance"] / (m["accel_time"] + m["slew_time"])),
-    FigureFormula("accel", "speed accel_time", "Sp / Ta", lambda m: m["speed"] / m["accel_time"]),
-    FigureFormula("decel", "speed decel_time", "Sp / Td", lambda m: m["speed"] / m["decel_time"]),
-    FigureFormula("accel_time", "speed accel", "Sp / Accel", lambda m: m["speed"] / m["accel"]),
-    FigureFormula("decel_time", "speed decel", "Sp / Decel", lambda m: m["speed"] / m["decel"]),
-    FigureFormula("slew_time", "distance speed accel_time decel_time", "(D - Da - Dd) / Sp",
-                  lambda m: m["distance"] / m["speed"] - 0.5 * (m["accel_time"] + m["decel_time"])),
-    FigureFormula("slew_time", "time accel_time decel_time", "T - Ta - Td",
-                  lambda m: m["time"] - m["accel_time"] - m["decel_time"]),
-    FigureFormula("time", "accel_time slew_time decel_time", "Ta + Ts + Td",
-                  lambda m: m["accel_time"] + m["slew_time"] + m["decel_time"]),
-    FigureFormula("distance", "speed accel_time slew_time", "Sp (Ta + Ts)",
-                  lambda m: m["speed"] * (m["accel_time"] + m["slew_time"])),
-    FigureFormula("distance", "speed slew_time time", "1/2 (Ts + T) Sp",
-                  lambda m: 0.5 * (m["slew_time"] + m["time"]) * m["speed"]),
-    FigureFormula("speed", "distance slew_time time", "2 D / (Ts + T)",
-                  lambda m: 2.0 * m["distance"] / (m["slew_time"] + m["time"])),
-    FigureFormula("speed", "accel accel_time", "Accel Ta", lambda m: m["accel"] * m["accel_time"]),
-    FigureFormula("speed", "decel decel_time", "Decel Td", lambda m: m["decel"] * m["decel_time"]),
-    FigureFormula("slew_time", "distance speed time", "2 D / Sp - T",
-                  lambda m: 2.0 * m["distance"] / m["speed"] - m["time"]),
-    FigureFormula("accel_time", "time slew_time decel_time", "T - Ts - Td",
-                  lambda m: m["time"] - m["slew_time"] - m["decel_time"]),
-    FigureFormula("decel_time", "time slew_time accel_time", "T - Ta - Ts",
-                  lambda m: m["time"] - m["slew_time"] - m["accel_time"]),
-    FigureFormula("accel_time", "time slew_time", "(T - Ts) / 2", lambda m: 0.5 * (m["time"] - m["slew_time"])),
-    FigureFormula("decel_time", "accel_time", "Ta", lambda m: m["accel_time"]),
-    FigureFormula("speed", "distance accel decel", "sqrt(D Accel)", lambda m: sqrt(m["distance"] * m["accel"])),
-    FigureFormula("speed", "distance accel decel", "sqrt(2 D / (1/Accel + 1/Decel))",
-                  lambda m: sqrt(2.0 * m["distance"] / (1.0 / m["accel"] + 1.0 / m["decel"]))),
+FORMULAS: tuple[Formula, ...] = (
+    Formula("speed", "distance accel_time slew_time", "D / (Ta + Ts)",
+            lambda m: m["distance"] / (m["accel_time"] + m["slew_time"])),
+    Formula("accel", "speed accel_time", "Sp / Ta", lambda m: m["speed"] / m["accel_time"]),
+    Formula("decel", "speed decel_time", "Sp / Td", lambda m: m["speed"] / m["decel_time"]),
+    Formula("accel_time", "speed accel", "Sp / Accel", lambda m: m["speed"] / m["accel"]),
+    Formula("decel_time", "speed decel", "Sp / Decel", lambda m: m["speed"] / m["decel"]),
+    Formula("slew_time", "distance speed accel_time decel_time", "(D - Da - Dd) / Sp",
+            lambda m: m["distance"] / m["speed"] - 0.5 * (m["accel_time"] + m["decel_time"])),
+    Formula("slew_time", "time accel_time decel_time", "T - Ta - Td",
+            lambda m: m["time"] - m["accel_time"] - m["decel_time"]),
+    Formula("time", "accel_time slew_time decel_time", "Ta + Ts + Td",
+            lambda m: m["accel_time"] + m["slew_time"] + m["decel_time"]),
+    Formula("distance", "speed accel_time slew_time", "Sp (Ta + Ts)",
+            lambda m: m["speed"] * (m["accel_time"] + m["slew_time"])),
+    Formula("distance", "speed slew_time time", "1/2 (Ts + T) Sp",
+            lambda m: 0.5 * (m["slew_time"] + m["time"]) * m["speed"]),
+    Formula("speed", "distance slew_time time", "2 D / (Ts + T)",
+            lambda m: 2.0 * m["distance"] / (m["slew_time"] + m["time"])),
+    Formula("speed", "accel accel_time", "Accel Ta", lambda m: m["accel"] * m["accel_time"]),
+    Formula("speed", "decel decel_time", "Decel Td", lambda m: m["decel"] * m["decel_time"]),
+    Formula("slew_time", "distance speed time", "2 D / Sp - T", lambda m: 2.0 * m["distance"] / m["speed"] - m["time"]),
+    Formula("accel_time", "time slew_time decel_time", "T - Ts - Td",
+            lambda m: m["time"] - m["slew_time"] - m["decel_time"]),
+    Formula("decel_time", "time slew_time accel_time", "T - Ta - Ts",
+            lambda m: m["time"] - m["slew_time"] - m["accel_time"]),
+    Formula("accel_time", "time slew_time", "(T - Ts) / 2", lambda m: 0.5 * (m["time"] - m["slew_time"])),
+    Formula("decel_time", "accel_time", "Ta", lambda m: m["accel_time"]),
+    Formula("speed", "distance accel decel", "sqrt(D Accel)", lambda m: sqrt(m["distance"] * m["accel"])),
+    Formula("speed", "distance accel decel", "sqrt(2 D / (1/Accel + 1/Decel))",
+            lambda m: sqrt(2.0 * m["distance"] / (1.0 / m["accel"] + 1.0 / m["decel"]))),
 )  # fmt: skip
 # What a rule gives.
 RULES = {

@@ -24,7 +24,7 @@ NOTES = (
 
 
 @dataclass(frozen=True, slots=True)
-class ListingConstants:
+class Settings:
     """The constants of the listing, named after its comments.
 
     `hold` is RegCnt, `max_steps` MxDAC_Stps (0 for no override), `speed` MxVel and `derivative_every`
@@ -44,7 +44,7 @@ class ListingConstants:
     bits: int = 12
 
 
-EXAMPLE = ListingConstants(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32)
+EXAMPLE = Settings(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32)
 """A move that accelerates by 1 count per update every fourth update, with an override of 32 steps."""
 
 
@@ -56,7 +56,7 @@ class Listing:
     ([5, 15, 30], 6, 12)
     """
 
-    def __init__(self, settings: ListingConstants) -> None:
+    def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.updates = 0
         self.velocity = self.position = 0
@@ -161,7 +161,7 @@ class ListingRun:
 
 
 def run_listing(
-    settings: ListingConstants = EXAMPLE,
+    settings: Settings = EXAMPLE,
     full_speed: float = 100.0,
     time_constant: float = 2.0,
     updates: int = 1000,

@@ -99,7 +99,7 @@ NOTE = Demand()
 
 
 @dataclass(frozen=True, slots=True)
-class FigureRow:
+class Row:
     """One quantity of the table for the four profiles; None if it does not exist."""
 
     name: str
@@ -125,7 +125,7 @@ def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]
     )
 
 
-def nominal(demand: Demand = NOTE) -> tuple[FigureRow, ...]:
+def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
     """Return T_A (cycles) and S_A (counts) of the ramp to full velocity.
 
     They are taken from a move that is long enough to reach this velocity, even if the demand is not. T_D and S_D follow
@@ -147,7 +147,7 @@ def nominal(demand: Demand = NOTE) -> tuple[FigureRow, ...]:
     return tuple(rows)
 
 
-def comparison(demand: Demand = NOTE) -> tuple[FigureRow, ...]:
+def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
     """Return the note's table, exact next to printed figures, with two more rows.
 
     The added rows are the peak and the whole move.
@@ -163,10 +163,10 @@ def comparison(demand: Demand = NOTE) -> tuple[FigureRow, ...]:
         *nominal(demand),
         _row(demand, "S_V", "counts", distances),
         _row(demand, "T_V", "cycles", times),
-        FigureRow("peak", "counts/cycle", tuple(made.peak_speed / CYCLES for made in moves), None),
-        FigureRow("the whole move", "cycles", tuple(made.duration * CYCLES for made in moves), None),
+        Row("peak", "counts/cycle", tuple(made.peak_speed / CYCLES for made in moves), None),
+        Row("the whole move", "cycles", tuple(made.duration * CYCLES for made in moves), None),
     )
 
 
-def _row(demand: Demand, name: str, unit: str, exact: tuple[float | None, ...]) -> FigureRow:
-    return FigureRow(name, unit, exact, PRINTED.get(name) if demand.printed else None)
+def _row(demand: Demand, name: str, unit: str, exact: tuple[float | None, ...]) -> Row:
+    return Row(name, unit, exact, PRINTED.get(name) if demand.printed else None)

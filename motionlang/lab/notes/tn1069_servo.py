@@ -22,7 +22,7 @@ REST = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class ServoFigures:
+class Row:
     """One profile and its figures under servo control.
 
     `settle` is the time in seconds from the end of the profile until the error remains within the window.
@@ -51,7 +51,7 @@ def compare(
     basis: str = "acceleration",
     window: float = 1.0,
     ramp: float = 0.1,
-) -> list[ServoFigures]:
+) -> list[Row]:
     """Simulate the move in each shape, at equal peak acceleration or equal time.
 
     The equal time is the time of the trapezoid; the other shapes get the acceleration that they need for it.
@@ -113,13 +113,11 @@ def peak_jerk(profile: Profile) -> float:
     return max(abs(jerk_in(piece, 0.0)) for piece in profile.pieces)
 
 
-def _row(
-    profile: Profile, accel: float, loop: Loop, plant: Motor | VelocityDrive, window: float
-) -> ServoFigures:
+def _row(profile: Profile, accel: float, loop: Loop, plant: Motor | VelocityDrive, window: float) -> Row:
     end = profile.duration
     trace = simulate(Track([0.0, end], [profile, hold(profile.end)]), loop, plant, until=end + REST)
     torque = abs(trace.torque)
-    return ServoFigures(
+    return Row(
         shape=profile.shape,
         accel=accel,
         time=end,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from motionlang.kernel.servo import ServoTrace
-from motionlang.lab.notes.tn1069_servo import ServoFigures
+from motionlang.lab.notes.tn1069_servo import Row
 from motionlang.lab.servo.view import SHAPE_NAMES
 from motionlang.views.figure import AXIS, BLUE, COLOURS, GREEN, INK, RED, VIOLET, Curve, Figure, Panel
 from motionlang.views.outline import Array, thinned
@@ -41,7 +41,7 @@ def trace_figure(trace: ServoTrace, title: str) -> Figure:
     return Figure([[panel] for panel in panels], x_label="time (s)", title=title, width=WIDTH)
 
 
-def comparison_figure(tables: Mapping[str, Sequence[ServoFigures]]) -> Figure:
+def comparison_figure(tables: Mapping[str, Sequence[Row]]) -> Figure:
     """Return velocity, motor acceleration and following error of the four profiles.
 
     Each comparison is a column.

@@ -8,7 +8,7 @@ from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.servo import Motor, VelocityDrive
-from motionlang.lab.notes.tn1069_servo import ServoFigures
+from motionlang.lab.notes.tn1069_servo import Row
 from motionlang.views.table import Column, Table
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def plant_lines(plants: Mapping[int, Motor | VelocityDrive]) -> list[str]:
     return [f"axis {', '.join(axes)}: {line}" for line, axes in lines.items()]
 
 
-def profiles_table(basis: str, rows: Sequence[ServoFigures], window: float) -> Table:
+def profiles_table(basis: str, rows: Sequence[Row], window: float) -> Table:
     """Return the four profiles side by side; they settle within `window` counts."""
     title = "equal peak acceleration" if basis == "acceleration" else "equal time"
     head = f"{title}; settled: within {_counts(window)} of the demand for good"

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.commands.improve import Improver, TestedWorld
+from motionlang.commands.improve import ExpectedWorld, Improver
 from motionlang.kernel import Source, dialect, dialect_for, settings_next_to
 from tests.cases import cases, one_in
 from tests.cli.programs import Cell
@@ -38,8 +38,8 @@ def shuttle(cell: Cell) -> Cell:
     return cell
 
 
-def improver(text: str, settings: dict[str, object], others: list[TestedWorld] = []) -> Improver:  # noqa: B006
-    return Improver(Source("a.mnt", text), dialect("mint"), TestedWorld("", settings), others)
+def improver(text: str, settings: dict[str, object], others: list[ExpectedWorld] = []) -> Improver:  # noqa: B006
+    return Improver(Source("a.mnt", text), dialect("mint"), ExpectedWorld("", settings), others)
 
 
 def test_a_number_that_a_define_gives_is_edited_in_its_line() -> None:
@@ -167,7 +167,7 @@ def test_improve_and_run_agree_on_the_cycle(path: Path) -> None:
     cycle = run(str(path), machine=settings, until=UNTIL).cycle
     if cycle is not None:
         source = Source.read(str(path))
-        found = Improver(source, dialect_for(source, None), TestedWorld("", settings), until=UNTIL)
+        found = Improver(source, dialect_for(source, None), ExpectedWorld("", settings), until=UNTIL)
         assert found.before == cycle.period
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
-from motionlang.commands.improve import Improvement, Improver, TestedWorld
+from motionlang.commands.improve import ExpectedWorld, Improvement, Improver
 from motionlang.kernel import Run, Source, dialect
 from tests.cases import cases
 
@@ -26,7 +26,7 @@ LIMITS_MCCL: dict[str, object] = {
 
 def improved(name: str, text: str, **given: object) -> Improvement:
     language, limits = ("mccl", LIMITS_MCCL) if name.endswith(".mccl") else ("mint", LIMITS)
-    return Improver(Source(name, text), dialect(language), TestedWorld("", {**limits, **given})).improved()
+    return Improver(Source(name, text), dialect(language), ExpectedWorld("", {**limits, **given})).improved()
 
 
 def edits(found: Improvement) -> dict[str, float]:

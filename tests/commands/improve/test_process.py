@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from motionlang.commands.improve import Improver, TestedWorld
+from motionlang.commands.improve import ExpectedWorld, Improver
 from motionlang.commands.improve.view import improvement_lines
 from motionlang.kernel import Source, dialect
 from tests.cases import cases
@@ -23,7 +23,7 @@ MCCL: dict[str, object] = {"axis.1.limits.speed": 400.0, "axis.1.limits.accelera
 def held(text: str, name: str = "a.mnt", given: Mapping[str, object] = {}) -> dict[str, str]:
     """Return the numbers that stay, with the reasons."""
     is_mint = name.endswith(".mnt")
-    world = TestedWorld("", {"run.until": 30.0, **(LIMITS if is_mint else MCCL), **given})
+    world = ExpectedWorld("", {"run.until": 30.0, **(LIMITS if is_mint else MCCL), **given})
     found = Improver(Source(name, text), dialect("mint" if is_mint else "mccl"), world).improved()
     assert not {each.literal.address for each in found.held} & {each.literal.address for each in found.edits}
     return {each.literal.address: each.reason for each in found.held}
@@ -210,7 +210,7 @@ def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value() -> Non
         "SPEED(_axCarriage) = 50 : ACCEL(_axCarriage) = 500 : DECEL(_axCarriage) = 500\nopClampOfTheTray = 1\n"
         "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nopClampOfTheTray = 0\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n"
     )
-    world = TestedWorld("", {"axis.0.limits.speed": 200.0, "axis.0.limits.acceleration": 1000.0})
+    world = ExpectedWorld("", {"axis.0.limits.speed": 200.0, "axis.0.limits.acceleration": 1000.0})
     found = Improver(Source("clamp.mnt", text), dialect("mint"), world).improved()
     for width, heads in (
         (120, "edit line from to gain bounded by while this is on"),

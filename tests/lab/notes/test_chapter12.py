@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from motionlang.kernel.planners import plan
 from motionlang.kernel.servo import Loop, Track, VelocityDrive, simulate
 from motionlang.lab.notes import dissect
-from motionlang.lab.notes.chapter12 import Listing, ListingConstants, ListingRun, run_listing
+from motionlang.lab.notes.chapter12 import Listing, ListingRun, Settings, run_listing
 from motionlang.lab.notes.dac_override import demonstrate
 from motionlang.lab.notes.slip import check_profile, check_trace
 from tests.cases import examples
@@ -132,13 +132,13 @@ def test_pid_to_dac(error: int, total: int, last: int, steps: int) -> None:
 
     Kp is 16, Ki 10, Kd 10.
     """
-    routine = Listing(ListingConstants(10, 1, 1, 16, ki=10, kd=10, max_steps=0))
+    routine = Listing(Settings(10, 1, 1, 16, ki=10, kd=10, max_steps=0))
     routine.error_sum, routine.last_error = total - error, last
     assert routine._overridden(routine._pid(error), 0) == steps
 
 
 def test_the_listing_arrives() -> None:
-    made = run_listing(ListingConstants(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32), 100.0, 2.0, 1500)
+    made = run_listing(Settings(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32), 100.0, 2.0, 1500)
     assert made.demand[-1] == 20_000
     assert made.position[-1] == pytest.approx(20_000, abs=1.5)
 
@@ -154,7 +154,7 @@ def test_the_listing_arrives() -> None:
 def test_the_listing_never_overshoots_its_trajectory(
     distance: int, speed: int, accel: int, hold_steps: int, steps: int
 ) -> None:
-    routine = Listing(ListingConstants(distance, speed, accel, 40, hold=hold_steps, max_steps=steps))
+    routine = Listing(Settings(distance, speed, accel, 40, hold=hold_steps, max_steps=steps))
     last = 0
     for _ in range(5 * distance + 100):
         routine.update(routine.position, 0)
@@ -170,22 +170,22 @@ def test_the_listing_never_overshoots_its_trajectory(
     ("listing", "velocities"),
     [
         # Up by 2 to 4. From 18 on, 4 more would exceed 20 less the ramp of 2: it slows down.
-        (ListingConstants(20, 4, 2, 40), [2, 4, 4, 4, 4, 2]),
+        (Settings(20, 4, 2, 40), [2, 4, 4, 4, 4, 2]),
         # It never reaches its speed: from 6 on, twice the next 10 exceeds the distance; the slowest is 1.
-        (ListingConstants(10, 100, 2, 40), [2, 4, 2, 1, 1]),
+        (Settings(10, 100, 2, 40), [2, 4, 2, 1, 1]),
         # Each velocity lasts for two updates, the ramp covers 3 * 2: it slows down where 6 more exceeds 40 - 6.
-        (ListingConstants(40, 6, 3, 40, hold=2), [0, 3, 3, 6, 6, 6, 6, 3, 3, 1, 1, 1, 1]),
-        (ListingConstants(41, 6, 3, 40, hold=3), [0, 0, 3, 3, 3, 6, 6, 6, 3, 3, 3, 1, 1, 1, 1, 1]),
+        (Settings(40, 6, 3, 40, hold=2), [0, 3, 3, 6, 6, 6, 6, 3, 3, 1, 1, 1, 1]),
+        (Settings(41, 6, 3, 40, hold=3), [0, 0, 3, 3, 3, 6, 6, 6, 3, 3, 3, 1, 1, 1, 1, 1]),
         # At 6, twice 6 + 3 exceeds 13.
-        (ListingConstants(13, 100, 3, 40, hold=2), [0, 3, 3, *7 * [1]]),
+        (Settings(13, 100, 3, 40, hold=2), [0, 3, 3, *7 * [1]]),
         # At 1, twice 1 + 1 exceeds 3, but not 4.
-        (ListingConstants(3, 100, 1, 40), [1, 1, 1]),
-        (ListingConstants(4, 100, 1, 40), [1, 2, 1]),
+        (Settings(3, 100, 1, 40), [1, 1, 1]),
+        (Settings(4, 100, 1, 40), [1, 2, 1]),
         # It has its speed from the first update on, so the ramp covers nothing.
-        (ListingConstants(6, 2, 2, 40), [2, 2, 2]),
+        (Settings(6, 2, 2, 40), [2, 2, 2]),
     ],
 )
-def test_the_listing_steps_through_its_velocities(listing: ListingConstants, velocities: list[int]) -> None:
+def test_the_listing_steps_through_its_velocities(listing: Settings, velocities: list[int]) -> None:
     routine, position = Listing(listing), 0
     for velocity in velocities:
         assert routine.position < listing.distance
@@ -201,7 +201,7 @@ def test_the_listings_derivative_is_that_of_the_last_updates() -> None:
     The integral, twice the sum of the errors, is 0, 32, 96 and, limited, 150 of 192.
     """
     routine = Listing(
-        ListingConstants(10_000, 1, 1, 0, ki=512, kd=10, integral_limit=150, derivative_every=2, bits=16)
+        Settings(10_000, 1, 1, 0, ki=512, kd=10, integral_limit=150, derivative_every=2, bits=16)
     )
     errors = [0, 16, 32, 48]
     outputs = [routine._pid(error) for error in errors]
@@ -214,9 +214,9 @@ def test_the_listing_is_proportional_without_other_gains() -> None:
     A Ki of 256 adds the sum of the errors, 32 767 at most. The first of two updates
     has no output yet.
     """
-    assert Listing(ListingConstants(10, 1, 1, 40))._pid(16) == 40
-    assert Listing(ListingConstants(10, 1, 1, 0, ki=256, bits=16))._pid(40_000) == 32_767
-    routine = Listing(ListingConstants(40, 6, 3, 160, hold=2))
+    assert Listing(Settings(10, 1, 1, 40))._pid(16) == 40
+    assert Listing(Settings(10, 1, 1, 0, ki=256, bits=16))._pid(40_000) == 32_767
+    routine = Listing(Settings(40, 6, 3, 160, hold=2))
     assert [routine.update(0, 0) for _ in range(2)] == [0, 30]
 
 
@@ -226,7 +226,7 @@ def test_the_listing_is_proportional_without_other_gains() -> None:
 )
 def test_the_override_limits_the_dac_around_the_actual_velocity(dac: int, actual: int, output: int) -> None:
     """At most 7 steps, and 12 bits: -2048 to 2047."""
-    assert Listing(ListingConstants(10, 1, 1, 0, max_steps=7))._overridden(dac, actual) == output
+    assert Listing(Settings(10, 1, 1, 0, max_steps=7))._overridden(dac, actual) == output
 
 
 def test_the_drive_follows_the_first_step_of_the_dac() -> None:
@@ -234,7 +234,7 @@ def test_the_drive_follows_the_first_step_of_the_dac() -> None:
 
     With a time constant of 2 updates, 1 - exp(-1/2) of it is reached after one.
     """
-    made = run_listing(ListingConstants(1000, 4, 4, 40), 204.8, 2.0, 2)
+    made = run_listing(Settings(1000, 4, 4, 40), 204.8, 2.0, 2)
     reached = 1.0 - math.exp(-0.5)
     assert made.dac[0] == 10
     assert made.onset[0] == pytest.approx(0.5)
@@ -258,21 +258,21 @@ def test_the_listing_holds_its_dac() -> None:
 
     The update at which the deceleration begins is an exception.
     """
-    made = run_listing(ListingConstants(20_000, 50, 1, 40, kd=80, hold=5, max_steps=0), 100.0, 2.0, 900)
+    made = run_listing(Settings(20_000, 50, 1, 40, kd=80, hold=5, max_steps=0), 100.0, 2.0, 900)
     changes = [i for i in range(1, 900) if made.dac[i] != made.dac[i - 1]]
     gaps = [b - a for a, b in pairwise(changes)]
     assert sum(gap < 5 for gap in gaps) <= 1
 
 
 def test_the_listing_stays_near_the_actual_velocity() -> None:
-    routine = Listing(ListingConstants(20_000, 50, 10, 4000, hold=1, max_steps=7))
+    routine = Listing(Settings(20_000, 50, 10, 4000, hold=1, max_steps=7))
     for k in range(200):
         assert abs(routine.update(0, 3 * k) - 3 * k) <= 7
 
 
 def test_the_listings_pid_is_the_loops() -> None:
     """Without an override, the listing computes like the loop's integer form."""
-    settings_ = ListingConstants(5000, 40, 1, 60, 8, 120, integral_limit=900)
+    settings_ = Settings(5000, 40, 1, 60, 8, 120, integral_limit=900)
     made = run_listing(settings_, 100.0, 2.0, 400)
     loop = Loop(60, 8, 120, integral_limit=900, arithmetic="chapter12", dac_bits=12, servo_rate=1000.0)
     drive = VelocityDrive(10_000.0, 2e-3)

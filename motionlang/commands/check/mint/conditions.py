@@ -20,7 +20,7 @@ Conditional = nodes.While | nodes.Repeat
 COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _OPPOSITE = {"=": "<>", "<>": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 _MIRRORED = {"=": "=", "<>": "<>", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
-_LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label, nodes.RunTask)
+_LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label, nodes.Run)
 # The subjects whose settings let something other than the program stop an axis.
 _MAY_STOP = frozenset(("buffer", "homing", "latches", "limits"))
 # A position counts as out of reach if it is further away than this fraction of the distance moved: a motor

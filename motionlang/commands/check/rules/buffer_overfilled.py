@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 DEFAULT_SIZE = 2
 # Statements that leave a loop or may skip a part of its body, and roles of keywords that may empty a buffer.
-_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.RunTask, nodes.Label)
+_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
 _EMPTIES = frozenset(("go", "stop", "act", "course", "path", "call"))
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from motionlang.commands.check.mint.mint_facts import MintFacts
 
 # Statements that let time pass or start another task.
-_TAKES_TIME = (nodes.Pause, nodes.Input, nodes.RunTask)
+_TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
 _COMPUTES = (nodes.Assign, nodes.Call, nodes.Print)
 
 

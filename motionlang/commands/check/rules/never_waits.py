@@ -25,7 +25,7 @@ Loop = nodes.For | nodes.While | nodes.Repeat | nodes.Loop
 _LOOPS: tuple[type[Loop], ...] = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 # With one of these in its body, a loop may skip the statement, end, or take time.
 _UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.End, nodes.Label, nodes.Pause,
-           nodes.Input, nodes.RunTask, *_LOOPS)  # fmt: skip
+           nodes.Input, nodes.Run, *_LOOPS)  # fmt: skip
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:

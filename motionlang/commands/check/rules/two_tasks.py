@@ -82,7 +82,7 @@ def _after_run(facts: MintFacts, main: Function, task: Function) -> set[Key]:
     begin = [
         p
         for p, node in facts.nodes_of(main)
-        if type(node) is nodes.RunTask and node.name.lower() == task.name.lower()
+        if type(node) is nodes.Run and node.name.lower() == task.name.lower()
     ]
     found: set[Key] = set()
     for p in facts.graph.reached_within(*begin):

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
-    run = {node.name.lower() for node in facts.of_kind(nodes.RunTask)}
+    run = {node.name.lower() for node in facts.of_kind(nodes.Run)}
     for function in facts.functions:
         if function.kind == "task" and function.name.lower() not in run:
             name = function.name

@@ -110,7 +110,7 @@ def _call(b: Body, node: nodes.Call) -> None:
         keywords.command(b, node, target.row)
 
 
-def _run(b: Body, node: nodes.RunTask) -> None:
+def _run(b: Body, node: nodes.Run) -> None:
     task_named(b, node, node.name)
 
 
@@ -297,7 +297,7 @@ STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Call: _call,
     nodes.Print: terminal.print_,
     nodes.Input: terminal.input_,
-    nodes.RunTask: _run,
+    nodes.Run: _run,
     nodes.End: _end,
     nodes.Pause: lambda b, node: b.condition(node.condition),
     nodes.If: _if,

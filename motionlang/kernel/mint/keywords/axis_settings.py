@@ -14,7 +14,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 Value = TypeVar("Value")
 
 
-class Settings:
+class StoredSettings:
     """The settings that a program has written, by keyword and axis.
 
     A setting that was not written has its value in `defaults`; a keyword that is not in `defaults` has the value
@@ -48,7 +48,7 @@ class Settings:
         forget(self._settings, axis)
 
 
-def setting_reader(kind: type[Settings]) -> Maker:
+def setting_reader(kind: type[StoredSettings]) -> Maker:
     """Make an operation that reads a setting of a family in the unit of its keyword.
 
     The value is an int if the keyword is of type Integer.
@@ -72,7 +72,7 @@ def setting_reader(kind: type[Settings]) -> Maker:
     return to_each_axis(bound)
 
 
-def setting_writer(kind: type[Settings]) -> Maker:
+def setting_writer(kind: type[StoredSettings]) -> Maker:
     """Make an operation that writes a setting of a family."""
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:

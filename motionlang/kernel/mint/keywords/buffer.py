@@ -7,7 +7,7 @@ from collections.abc import Callable
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, constant
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_masters import master
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.kernel.mint.keywords.motion import refuse_stopping
@@ -18,7 +18,7 @@ AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
 _DEFAULTS = {"TRIGGERMODE": AT_GO, "TRIGGERINPUT": -1}
 
 
-class Triggers(Settings):
+class Triggers(StoredSettings):
     """TRIGGERMODE of every axis, and the settings that it uses."""
 
     defaults = _DEFAULTS

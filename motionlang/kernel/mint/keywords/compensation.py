@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.kernel.controller.motion.takeup import Takeup
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.kernel.mint.keywords.sensing import Encoders
 from motionlang.kernel.mint.keywords.table_motion_cams import elements
@@ -24,7 +24,7 @@ SINGLE, DUAL = 1, 2
 _AT_REST = ("BACKLASH", "BACKLASHINTERVAL")
 
 
-class Compensation(Settings):
+class Compensation(StoredSettings):
     """The compensation settings of each axis in user units, and the offset in counts."""
 
     def __init__(self, environment: Environment) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.reference import PERIOD
 from motionlang.kernel.lang.keyword import Actions, Keyword, kind_of
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.kernel.mint.runtime.binding import of, of_word, scale_of
 from motionlang.kernel.mint.runtime.changes import moving, repeatable
@@ -19,7 +19,7 @@ from motionlang.kernel.planners.reference import Slope
 DEFAULTS = {"SPEEDREFENABLE": 1.0}
 
 
-class Drives(Settings):
+class Drives(StoredSettings):
     """The settings of drives, by keyword and axis, and their references.
 
     Speeds are in counts/s, times in ms.

@@ -8,7 +8,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.following_auxiliary import AuxEncoders
 from motionlang.kernel.mint.keywords.io_inputs import checked
 from motionlang.kernel.mint.keywords.sensing import Encoders
@@ -67,7 +67,7 @@ def master(environment: Environment, source: int, channel: int) -> Master:
     return Master(controller.encoder(channel), channel, True, per_unit)
 
 
-class Masters(Settings):
+class Masters(StoredSettings):
     """The settings of following, by keyword and axis, and the ratios in force."""
 
     defaults = DEFAULTS

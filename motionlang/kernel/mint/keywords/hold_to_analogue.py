@@ -11,7 +11,7 @@ from motionlang.kernel.controller.faults import fault_names
 from motionlang.kernel.controller.motion.sampled_velocity import SampledVelocity
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.kernel.mint.runtime.binding import of
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -63,7 +63,7 @@ class Hold:
         return (0.0 if abs(error) <= deadband else error), lively
 
 
-class Holds(Settings):
+class Holds(StoredSettings):
     """The settings of HTA, by keyword and axis, and the axes that hold an input."""
 
     def __init__(self, environment: Environment) -> None:

@@ -6,7 +6,7 @@ from motionlang.kernel.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.kernel.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.kernel.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, SwitchInputs
 from motionlang.kernel.mint.runtime.binding import of, scale_of, unchecked
@@ -16,7 +16,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 _DEFAULTS = {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}
 
 
-class Homes(Settings):
+class Homes(StoredSettings):
     """The homing of every axis: settings in counts, present state and results."""
 
     defaults = _DEFAULTS

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.runtime.binding import of
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -11,7 +11,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 NONE = -1
 
 
-class SignalOutputs(Settings):
+class SignalOutputs(StoredSettings):
     """The outputs assigned to states: DRIVEENABLEOUTPUT by axis, GLOBALERROROUTPUT.
 
     An output shows the state as soon as it is assigned.

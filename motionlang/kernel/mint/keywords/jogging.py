@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.kernel.controller.clock import TimedCall
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.drives import top_speed
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
@@ -22,7 +22,7 @@ COMMAND = "JOGCOMMAND"
 _RAMPS = ("JOGACCELTIMEMAX", "JOGDECELTIMEMAX")
 
 
-class Jogs(Settings):
+class Jogs(StoredSettings):
     """The settings of jogs, by keyword and axis, and the commands in force.
 
     Speeds are in counts/s, times in ms.

@@ -20,7 +20,7 @@ from motionlang.kernel.controller.faults import (
 from motionlang.kernel.controller.triggers.conditions import Undirected
 from motionlang.kernel.controller.triggers.limit import Limit
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import MODES
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
@@ -40,7 +40,7 @@ ERRORS: dict[str, tuple[int, ...]] = {
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
 
 
-class AxisErrors(Settings):
+class AxisErrors(StoredSettings):
     """The error modes of every axis, its software limits, and its assigned switches."""
 
     defaults = MODES

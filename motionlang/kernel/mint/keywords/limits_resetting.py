@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.kernel.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
 from motionlang.kernel.mint.runtime.changes import repeatable
@@ -16,7 +16,7 @@ AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
 _DEFAULTS = {"STOPMODE": AT_DECEL, "STOPINPUTMODE": STOP_INPUT_MODE}
 
 
-class StopModes(Settings):
+class StopModes(StoredSettings):
     """STOPMODE of every axis, and STOPINPUTMODE."""
 
     defaults = _DEFAULTS

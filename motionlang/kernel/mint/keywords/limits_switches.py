@@ -11,7 +11,7 @@ from collections.abc import Callable
 from motionlang.kernel.controller.axis import BY_INPUT
 from motionlang.kernel.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.io_inputs import Inputs
 from motionlang.kernel.mint.keywords.limits import ACTIONS, AxisErrors, switch_row
 from motionlang.kernel.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, StopModes, reset, stop
@@ -21,7 +21,7 @@ from motionlang.kernel.mint.runtime.environment import Environment
 NONE = -1
 
 
-class SwitchInputs(Settings):
+class SwitchInputs(StoredSettings):
     """The inputs assigned to axes, by keyword and axis."""
 
     otherwise = NONE

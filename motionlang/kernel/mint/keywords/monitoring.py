@@ -8,7 +8,7 @@ from math import inf
 from motionlang.kernel.controller.faults import ANALOGUE_LIMIT
 from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.lang.keyword import Actions, Keyword, value
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import FATAL_ERROR, MODES
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.kernel.mint.keywords.limits import ERROR_MODE, AxisErrors
@@ -90,7 +90,7 @@ def do_trim(environment: Environment, channel: int) -> None:
 # ------------------------------------------------------------------------------------------------- warnings
 
 
-class Warnings(Settings):
+class Warnings(StoredSettings):
     """The warnings of the axes, which remain until they are cleared.
 
     Bit 0 means that the following error exceeded FOLERRORWARNING.
@@ -150,7 +150,7 @@ def write_level(environment: Environment, row: Keyword, axis: int, value: float)
 # ---------------------------------------------------------------------------------------------------- masks
 
 
-class Masks(Settings):
+class Masks(StoredSettings):
     """The errors that do not call ONERROR: bits of axis errors, and error codes."""
 
     otherwise = ALL_BITS

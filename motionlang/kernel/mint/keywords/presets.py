@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.kernel.mint.keywords.presets_moves import begin
 from motionlang.kernel.mint.runtime.binding import of, of_word
@@ -19,7 +19,7 @@ DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMA
 _MIN_TIME = 1e-3
 
 
-class Presets(Settings):
+class Presets(StoredSettings):
     """The table of presets and the settings that start them.
 
     The table is stored by keyword, preset and format, in user units. The start settings are stored by keyword and

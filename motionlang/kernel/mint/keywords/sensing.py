@@ -12,7 +12,7 @@ from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.readers import passing_within
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import IDLE
 from motionlang.kernel.mint.keywords.state import IS_IDLE, wrapped_position
 from motionlang.kernel.mint.keywords.unsimulated import write_jump
@@ -74,7 +74,7 @@ def _shown(environment: Environment, axis: int, target: float) -> float:
 AT_POSITION, AT_SPEED = 1, 2
 
 
-class IdleWindows(Settings):
+class IdleWindows(StoredSettings):
     """Conditions for IDLE in addition to the end of the move.
 
     They are stored by keyword and axis, in counts.

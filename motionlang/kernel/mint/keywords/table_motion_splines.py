@@ -13,7 +13,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.motion.profile_playback import Playback, Timed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.buffer import loads
 from motionlang.kernel.mint.keywords.table_motion_cams import (
     ABSOLUTE,
@@ -41,7 +41,7 @@ MIN_TIME, MAX_TIME, STEP = 4, 60000, 2
 DEFAULTS = {"SPLINESTART": 1, "SPLINETIME": 100}
 
 
-class Splines(Settings):
+class Splines(StoredSettings):
     """The spline tables and settings of every axis."""
 
     defaults = DEFAULTS

@@ -161,5 +161,6 @@ HIDDEN = (
     _hidden("(terminal)", "The terminal that INPUT reads from.", of(TaskTerminals, TaskTerminals.one)),
     _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
             of(TaskTerminals, TaskTerminals.write)),
-    _hidden("(row)", "Print a text on a row of the screens of TERMINAL.", of(TaskTerminals, TaskTerminals.write_on_row)),
+    _hidden("(row)", "Print a text on a row of the screens of TERMINAL.",
+            of(TaskTerminals, TaskTerminals.write_on_row)),
 )  # fmt: skip

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
-from motionlang.kernel.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
+from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
 from motionlang.kernel.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.kernel.mint.runtime.binding import of, of_word
@@ -20,7 +20,7 @@ _PERCENT, FULL = 0.1, 10.0
 DEFAULTS = {"TORQUEREFENABLE": 1.0}
 
 
-class TorqueReferences(Settings):
+class TorqueReferences(StoredSettings):
     """Settings of torque references, by keyword and axis, and the ramps in progress."""
 
     defaults = DEFAULTS

@@ -28,7 +28,7 @@ _SLOTS = {
     **dict.fromkeys(
         (
             nodes.Const, nodes.Define, nodes.End, nodes.Event, nodes.Jump, nodes.Label, nodes.Name, nodes.Parameter,
-            nodes.RunTask, nodes.Sub, nodes.Task, nodes.TypeName, nodes.UserType, nodes.Variable,
+            nodes.Run, nodes.Sub, nodes.Task, nodes.TypeName, nodes.UserType, nodes.Variable,
         ),
         "name",
     ),

@@ -417,7 +417,7 @@ class Symbols:
                 node.resolve(_member(node))  # type: ignore[attr-defined, arg-type]
             elif kind is nodes.Jump:
                 node.resolve(_target(function, node))  # type: ignore[attr-defined, arg-type]
-            elif (kind is nodes.RunTask or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
+            elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
                 symbol = function.scope.find(node.word)  # type: ignore[attr-defined]

@@ -140,7 +140,7 @@ class FactsReader:
                 answer = ChannelUse("answer", prompt or "INPUT", READ, made.at, value=self._text(node.target))
                 made.channels.append(answer)
                 self._target(made, node.target)
-            case nodes.RunTask():
+            case nodes.Run():
                 made.starts.append(f"task {node.name}")
             case nodes.End() if node.name is not None:
                 made.ends.append(f"task {node.name}")

@@ -179,7 +179,7 @@ def _end_call(w: UnitWriter, node: nodes.Assign | nodes.Call, noted: int | None)
     w.add(NOTE, end)
 
 
-def _run(w: UnitWriter, node: nodes.RunTask) -> None:
+def _run(w: UnitWriter, node: nodes.Run) -> None:
     environment, unit = w.program.environment, w.program.unit(_task(node))
     name = _task(node).name.lower()
     w.add(NOW)
@@ -199,7 +199,7 @@ def _end(w: UnitWriter, node: nodes.End) -> None:
     w.add(END, lambda values: environment.end_program(), role=STOP)
 
 
-def _task(node: nodes.RunTask | nodes.End) -> Function:
+def _task(node: nodes.Run | nodes.End) -> Function:
     assert node.symbol is not None
     return node.symbol.home
 
@@ -231,7 +231,7 @@ _STATEMENTS: dict[type, Write] = {
     nodes.Loop: _with_block(blocks.loop),
     nodes.Exit: blocks.exit_,
     nodes.Pause: waiting.pause,
-    nodes.RunTask: _run,
+    nodes.Run: _run,
     nodes.End: _end,
     nodes.Label: blocks.label,
     nodes.Jump: blocks.jump,
@@ -242,5 +242,5 @@ _STATEMENTS: dict[type, Write] = {
 # Statements whose failure ONERROR can handle. The statements inside a block are guarded separately.
 _CAN_FAIL = frozenset(
     (nodes.Assign, nodes.Call, nodes.Print, nodes.Input, nodes.Dim, nodes.If, nodes.Select, nodes.For, nodes.While,
-     nodes.Repeat, nodes.Pause, nodes.RunTask)
+     nodes.Repeat, nodes.Pause, nodes.Run)
 )  # fmt: skip

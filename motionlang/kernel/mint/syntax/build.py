@@ -48,7 +48,7 @@ from motionlang.kernel.mint.syntax.nodes import (
     PrintItem,
     Repeat,
     Return,
-    RunTask,
+    Run,
     Select,
     Startup,
     Stmt,
@@ -581,8 +581,8 @@ class Builder(Transformer[lark.Token, Module]):
     def pause(self, first: Token, condition: Expr) -> Pause:
         return Pause(first.start_pos, condition.end, condition)
 
-    def run(self, first: Token, name: Token) -> RunTask:
-        return RunTask(first.start_pos, name.end_pos, _word(name))
+    def run(self, first: Token, name: Token) -> Run:
+        return Run(first.start_pos, name.end_pos, _word(name))
 
     def end(self, first: Token, name: Token | None) -> End:
         return End(first.start_pos, (name or first).end_pos, None if name is None else _word(name))

@@ -343,7 +343,7 @@ class Pause(Node):
 
 
 @dataclass(eq=False, repr=False, slots=True)
-class RunTask(Resolved):
+class Run(Resolved):
     """`Run task`."""
 
     name: Word
@@ -397,7 +397,7 @@ Stmt = (
     | Loop
     | Exit
     | Pause
-    | RunTask
+    | Run
     | End
     | Label
     | Jump
