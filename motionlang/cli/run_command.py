@@ -57,7 +57,38 @@ Pace = Callable[[float], None]
 
 
 @dataclass
-class Simulated(OutputOptions, WorldOptions, ProgramOptions):
+class Prepared(WorldOptions, ProgramOptions):
+    """A program, its machine and its world, made ready for a run."""
+
+    title: ClassVar[str] = "program"
+
+    def prepared(self, *, is_debug: bool = False) -> tuple[Program, CheckedSettings]:
+        """Return the program with the values of `--set`, and the settings with the entries of its world.
+
+        Refused for a wrong machine file or entry. The program may have errors.
+        """
+        source, language = self.source(), self.known_language()
+        settings = self.settings()
+        program = language.program(source, settings, is_debug=is_debug).with_values(self.overrides())
+        given = self.entries()
+        if given:
+            try:
+                check_inputs_are_read(program, language, settings, entries(settings, **given))
+                settings = CheckedSettings(with_entries(settings, **given))
+            except WrongEntry as error:
+                wrong = Diagnostic("option", error.message, hint=error.hint)
+                raise Refused([wrong], file=self.file, status=2) from None
+        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        missing = missing_axes(settings, axes, language.first_axis) if settings else []
+        if missing:
+            machine = self.machine_path()
+            of_file = Source(machine, "") if machine else None
+            raise Refused(missing, file=machine or self.file, source=of_file)
+        return program, settings
+
+
+@dataclass
+class Simulated(OutputOptions, Prepared):
     """A command that runs one program: it prints the program's output, its answer, and the report of the run."""
 
     title: ClassVar[str] = "run"
@@ -142,24 +173,7 @@ class Simulated(OutputOptions, WorldOptions, ProgramOptions):
         return super().refuse(refused)
 
     def _result(self) -> Run:
-        source, language = self.source(), self.known_language()
-        settings = self.settings()
-        program = language.program(source, settings).with_values(self.overrides())
-        given = self.entries()
-        if given:
-            try:
-                check_inputs_are_read(program, language, settings, entries(settings, **given))
-                settings = CheckedSettings(with_entries(settings, **given))
-            except WrongEntry as error:
-                wrong = Diagnostic("option", error.message, hint=error.hint)
-                raise Refused([wrong], file=self.file, status=2) from None
-        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
-        missing = missing_axes(settings, axes, language.first_axis) if settings else []
-        if missing:
-            machine = self.machine_path()
-            of_file = Source(machine, "") if machine else None
-            raise Refused(missing, file=machine or self.file, source=of_file)
-        return self.simulated(program, settings)
+        return self.simulated(*self.prepared())
 
     # ---------------------------------------------------------------------------------------------------- the run
 

@@ -123,7 +123,7 @@ def browsers(folder: Path) -> bool:
         site = f"http://127.0.0.1:{server.server_port}/{BELOW['zensical']}/"
         environment = {
             **os.environ, "SITE": site, "PLAYGROUND": f"{site}playground/index.html", "NATIVE": str(native),
-            "FOLDER": str(folder),
+            "FOLDER": str(folder), "PYTHON": sys.executable,
         }  # fmt: skip
         tests = sorted(str(path) for path in (ROOT / "tests/site").glob("*.test.mjs"))
         command = ["node", "--test", "--test-concurrency=1", "--test-reporter=spec", *tests]

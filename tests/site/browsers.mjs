@@ -28,13 +28,13 @@ export async function launch(name) {
   return type.launch({ executablePath, ...how });
 }
 
-// A page that reaches nothing but the file server; `page.refused` has what it tried to reach, `page.wrong` errors.
+// A page that reaches nothing but its own server; `page.refused` has what it tried to reach, `page.wrong` errors.
 export async function open(browser, url, options = {}) {
   const context = await browser.newContext({ acceptDownloads: false, ...options });
   context.setDefaultTimeout(PATIENCE.timeout);
   const refused = [];
   await context.route(
-    (target) => target.origin !== new URL(SITE).origin && ["http:", "https:", "ws:"].includes(target.protocol),
+    (target) => target.origin !== new URL(url).origin && ["http:", "https:", "ws:"].includes(target.protocol),
     (route) => (refused.push(route.request().url()), route.abort()),
   );
   const page = await context.newPage();

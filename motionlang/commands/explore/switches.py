@@ -41,7 +41,7 @@ class FoundSwitches:
         ]
         scheduler = result.machine.scheduler
         for task in scheduler.tasks if scheduler is not None and not any(added) else ():
-            wait = task.wait
+            wait = scheduler.wait_of(task)  # type: ignore[union-attr]  # it has tasks
             if task.done or wait is None or wait.due() < inf:
                 continue
             for key in result.dialect.driven_by(wait.why):

@@ -456,10 +456,10 @@ def _rules(
             yield {"channel": number, "at": round(changes[0][0], 1)}
     if along is not None:
         yield along
-    latest = sorted(switched, key=lambda each: (each in blinking, _lead(changes, switched[each]), each))
+    latest = sorted(switched, key=lambda each: (each in blinking, lead(changes, switched[each]), each))
     for output in latest if len(changes) > 1 else ():
         for inverted in (0, 1):
-            if _explains(changes, switched[output], inverted):
+            if explains(changes, switched[output], inverted):
                 entry: Entry = {"channel": number, "output": output, "delay": DELAY}
                 yield {**entry, "value": 0} if inverted else entry
     if len(changes) > 1:
@@ -474,7 +474,7 @@ def _repetitions(
     yield {**first, "at": 0.0}
     yield first
     latest = sorted(
-        switched, key=lambda each: (each in blinking, _lead([(t, 1.0) for t in times], switched[each]))
+        switched, key=lambda each: (each in blinking, lead([(t, 1.0) for t in times], switched[each]))
     )
     for output in latest:
         for level in (1, 0):
@@ -491,7 +491,7 @@ def _is_after(time: float, before: float, switched: list[tuple[float, int]], lev
     return any(before < at <= time and value == level for at, value in switched)
 
 
-def _explains(changes: list[tuple[float, float]], switched: list[tuple[float, int]], inverted: int) -> bool:
+def explains(changes: list[tuple[float, float]], switched: list[tuple[float, int]], inverted: int) -> bool:
     """True if each change of an input comes after a change of an output to that level, since the change before.
 
     An input that follows an output that is off has its level from power-up on.
@@ -504,7 +504,7 @@ def _explains(changes: list[tuple[float, float]], switched: list[tuple[float, in
     return True
 
 
-def _lead(changes: list[tuple[float, float]], switched: list[tuple[float, int]]) -> float:
+def lead(changes: list[tuple[float, float]], switched: list[tuple[float, int]]) -> float:
     """Return by how much an output changes before an input on average, s; infinite if it does not."""
     leads = [min((time - at for at, _ in switched if at <= time), default=inf) for time, _ in changes]
     return fsum(leads) / len(leads)

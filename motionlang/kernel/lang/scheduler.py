@@ -129,6 +129,8 @@ class Scheduler:
         self._end = 0.0
         # The other tasks whose waits are not over.
         self._waiting: list[Task] = []
+        # The wait of the running task that `passes` lets pass, for an observer.
+        self.passing: Wait | None = None
         self.until = INFINITY
         # True once an event has ended the run.
         self.stopped = False
@@ -147,6 +149,10 @@ class Scheduler:
     def by_itself(self) -> bool:
         """True if nothing but the tasks limits the clock."""
         return self.pace is None and self.outside is None
+
+    def wait_of(self, task: Task) -> Wait | None:
+        """Return the wait of a task, also one that passes without a round of the scheduler."""
+        return self.passing if task.wait is None and task is self.current else task.wait
 
     def where(self) -> int:
         """Return the source position of the program for the log, -1 if it has ended.
@@ -257,15 +263,19 @@ class Scheduler:
         clock = self.clock
         if not self.by_itself or self._end:
             return False
-        clock.advance(wait.since)
-        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
-            if wait.ready():
-                return True
-            time = min(wait.due(), clock.next_time())
-            if not clock.now < time < self.until:
-                return False
-            clock.advance(time)
-        return False
+        self.passing = wait
+        try:
+            clock.advance(wait.since)
+            while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
+                if wait.ready():
+                    return True
+                time = min(wait.due(), clock.next_time())
+                if not clock.now < time < self.until:
+                    return False
+                clock.advance(time)
+            return False
+        finally:
+            self.passing = None
 
     def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
         """Let a wait for standstill of axes pass; False if the task must yield.

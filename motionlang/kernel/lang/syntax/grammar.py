@@ -119,6 +119,7 @@ def _read(name: str) -> bytes:
 
 def table_name(name: str, python: str = PYTHON) -> str:
     """Return the name of the file of a table: it changes with all that the table depends on."""
-    parts = lark.__version__, python, text_of("common"), text_of(name)
+    keeper = f"{Terminals.__module__}.{Terminals.__qualname__}"  # a table names its class
+    parts = lark.__version__, python, keeper, text_of("common"), text_of(name)
     digest = sha256("\0".join(parts).encode()).hexdigest()
     return f"{name}-{digest[:16]}{SUFFIX}"

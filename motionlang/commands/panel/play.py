@@ -1,0 +1,392 @@
+"""One run of a program in real time, in a thread of its own, with the changes of a hand.
+
+Problem. A person acts at any time, and pauses, steps and goes back. The same changes at the same machine times must
+give the same run to the byte, in the panel as in a scenario.
+
+Idea. The run is an ordinary one, and nothing but the clock knows of the hand: an event every 20 ms makes the changes of
+that moment, and waits there until real time has come so far. So each change has a time that a scenario can write down,
+and a run is repeated by making the recorded changes at the same events. To go back is to run again, without waiting, up
+to an earlier moment.
+
+    clock      0.00   0.02   0.04   0.06   …
+    event        │      │      │      │        makes changes, publishes the state, waits for real time
+    program      └──────┴──────┴──────┴──      statements, moves and waits as in any run
+
+A question of INPUT stops machine time until it is answered, as a run on a terminal does. A step ends before the next
+statement; what a hand does there is made at the next event.
+
+Invariants.
+- Only the thread of the run touches the machine; other threads `post` functions, which it calls while it waits.
+- An abandoned run ends at its next event, and publishes nothing any more.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from math import inf
+from time import monotonic
+
+from motionlang.commands.explore import Change
+from motionlang.commands.explore.trials import tables_of
+from motionlang.commands.panel.rest import SHADOW, Awaited, Watch
+from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
+
+# Changes are made at multiples of 1 / so many seconds.
+PER_SECOND = 50
+# The state is published so often, in seconds of real time, and at once after a change.
+PUBLISH = 0.04
+# Real time that is lost if the computer is slower than the machine, s, and a wait that is not worth while.
+LATE, SHORT = 0.25, 0.002
+# A table of changes that the machine file does not have: a hand lets go of an input that the machine file drives.
+RELEASE = "release"
+STACK_SIZE = 64 * 1024 * 1024
+
+
+class Abandoned(BaseException):
+    """Raised in the thread of a run that is no longer needed."""
+
+
+@dataclass
+class Record:
+    """What a hand has done: changes with their times, in order, and answers with the time of their question."""
+
+    changes: list[tuple[float, Change]] = field(default_factory=list)
+    answers: list[tuple[float, str]] = field(default_factory=list)
+
+    def until(self, time: float) -> Record:
+        """Return what was done up to a time."""
+        return Record(
+            [each for each in self.changes if each[0] <= time],
+            [each for each in self.answers if each[0] <= time],
+        )
+
+    def __len__(self) -> int:
+        return len(self.changes) + len(self.answers)
+
+
+class Play:
+    """A run with the changes of a record, to which a hand adds others.
+
+    It does not wait for real time before `until`, where it pauses unless `goes_on`. `publish` is called with the play
+    when its state may have changed, in its own thread.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        settings: Mapping[str, object],
+        overrides: Mapping[str, float | str],
+        record: Record,
+        publish: Callable[[Play], object],
+        *,
+        until: float = 0.0,
+        speed: float = 1.0,
+        goes_on: bool = True,
+    ) -> None:
+        self.program, self.settings, self.overrides, self.record = program, settings, overrides, record
+        self.until, self.speed = until, speed
+        self.is_paused = False
+        self._pauses = not goes_on
+        # The result of a run that is over.
+        self.result: Run | None = None
+        self.machine: Machine | None = None
+        # The question of an INPUT that waits for an answer.
+        self.question: str | None = None
+        # The task and the statement before which a step has ended.
+        self.stopped: dict[Task, int] = {}
+        self.is_late = False
+        # The inputs that a hand has taken from the machine file.
+        self.held: set[int] = set()
+        self.text: list[str] = []
+        self.watch = Watch(program)
+        self.watch.stop = self._stop
+        self._publish = publish
+        self._posted: deque[Callable[[], object]] = deque()
+        self._changed = threading.Condition()
+        self._is_abandoned = False
+        self._ticks = 0
+        self._made = self._answered = 0
+        self._answer: str | None = None
+        # Changes of a hand that are made at the next event, since the run is stopped between two.
+        self._pending: list[Change] = []
+        self._steps_after_event = False
+        # When a run to the next rest began, in machine time, infinite if there is none, and what was awaited then.
+        self._seeks_rest = inf
+        self._awaited: list[Awaited] = []
+        # True while the run waits for real time.
+        self._is_in_time = False
+        # The real time at which machine time was 0 at the present speed, and that of the last publication.
+        self._zero = self._published = -inf
+        self._thread = threading.Thread(target=self._run, name="panel run", daemon=True)
+
+    def start(self) -> None:
+        """Start the run."""
+        before = threading.stack_size(STACK_SIZE)
+        try:
+            self._thread.start()
+        finally:
+            threading.stack_size(before)
+
+    def abandon(self) -> None:
+        """End the run; nothing of it is published any more."""
+        self._is_abandoned = True
+        self.post(lambda: None)
+
+    def join(self, seconds: float) -> None:
+        """Wait for the end of the thread."""
+        self._thread.join(seconds)
+
+    def post(self, call: Callable[[], object]) -> None:
+        """Let the thread of the run call a function; may be called from any thread."""
+        with self._changed:
+            self._posted.append(call)
+            self._changed.notify()
+
+    @property
+    def now(self) -> float:
+        """The machine time, s."""
+        return 0.0 if self.machine is None else self.machine.clock.now
+
+    @property
+    def shown(self) -> float:
+        """The machine time that a page shows, s: that of real time, which comes to the next event."""
+        if not self._is_in_time:
+            return self.now
+        due = (monotonic() - self._zero) * self.speed
+        return min(self.now, max(due, self.now - 1.0 / PER_SECOND))
+
+    # ----------------------------------------------------------------------------------- called by `post`
+
+    def change(self, change: Change) -> None:
+        """Make a change now; at the next event if the run is stopped between two, or when it has come to `until`."""
+        if self.stopped or self.question is not None or self.now < self.until:
+            self._pending.append(change)
+        else:
+            self.record.changes.append((self.now, change))
+            self._made += 1
+            self._make(change)
+
+    def reply(self, text: str) -> None:
+        """Answer the question of an INPUT."""
+        if self.question is not None:
+            self._answer = text
+
+    def pause(self) -> None:
+        self.is_paused = self._pauses = True
+        self._seeks_rest = inf
+
+    def go_on(self) -> None:
+        self.is_paused = self._pauses = False
+        self.watch.limit = inf
+        self._zero = -inf
+
+    def set_speed(self, speed: float) -> None:
+        self.speed, self._zero = speed, -inf
+
+    def step(self) -> None:
+        """Go on to the next statement of any task, behind the changes that are yet to be made."""
+        self.go_on()
+        if self._pending or self.now < self.until:
+            self._steps_after_event = True
+        else:
+            self.watch.limit = self.watch.count + 1
+
+    def seek_rest(self) -> None:
+        """Go on, without waiting for real time, until the program rests again."""
+        self.go_on()
+        self._seeks_rest = self.now
+        if self.machine is not None:
+            self._awaited = self.watch.awaited(self.machine)
+
+    # ---------------------------------------------------------------------------------------- the thread
+
+    def _run(self) -> None:
+        try:
+            self.result = run(
+                self.program,
+                machine=CheckedSettings(self._wired()),
+                until=inf,
+                overrides=self.overrides,
+                show=self.text.append,
+                begun=self._begin,
+                hook=self.watch,
+                keep_crash=True,
+            )
+        except Abandoned:
+            return
+        self._tell()
+        while not self._is_abandoned:  # the last state stays, for pages that go back from it
+            if self._work_off():
+                self._tell()
+            self._wait(inf)
+
+    def _wired(self) -> dict[str, object]:
+        """Return the settings with each input of the machine file moved to its shadow."""
+        entries = self.settings.get("input", ())
+        moved = [{**each, "channel": each["channel"] + SHADOW} for each in entries]  # type: ignore[attr-defined]
+        return {**self.settings, "input": moved} if moved else dict(self.settings)
+
+    def _begin(self, machine: Machine) -> None:
+        self.machine = machine
+        self.watch.attach(machine)
+        machine.ask = self._ask
+        inputs = machine.controller.inputs
+        if machine.world is not None:
+            for channel, value in inputs.values:  # of power-up
+                self._copy(channel, value)
+            machine.world.driven |= {each - SHADOW for each in machine.world.driven if each >= SHADOW}
+        inputs.listeners.insert(0, self._copy)
+        self._tick()
+
+    def _copy(self, channel: int, value: float) -> None:
+        """Let an input follow its shadow, unless a hand holds it."""
+        if channel >= SHADOW and channel - SHADOW not in self.held and self.machine is not None:
+            self.machine.controller.inputs[channel - SHADOW] = value
+
+    @property
+    def pending(self) -> list[str]:
+        """The changes that are yet to be made, in words."""
+        return list(map(str, self._pending))
+
+    @property
+    def driven(self) -> set[int]:
+        """The inputs that the machine file drives."""
+        entries = self.settings.get("input", ())
+        return {each["channel"] for each in entries}  # type: ignore[attr-defined]
+
+    def _tick(self) -> bool:
+        """Make the changes of this moment and wait for real time; True if nothing has changed."""
+        assert self.machine is not None
+        made, changes = self._made, self.record.changes
+        while self._made < len(changes) and changes[self._made][0] <= self.now:
+            self._made += 1
+            self._make(changes[self._made - 1][1])
+        while self._pending and self.now >= self.until:
+            self.change(self._pending.pop(0))
+        if self._steps_after_event and self.now >= self.until:
+            self._steps_after_event, self.watch.limit = False, self.watch.count + 1
+        if self._seeks_rest < inf and self._rests() and self._is_elsewhere():
+            self.pause()
+        self._hold()
+        self._ticks += 1
+        self.machine.clock.at(self._ticks / PER_SECOND, self._tick)
+        return self._made == made
+
+    def _hold(self) -> None:
+        """Wait until real time has come to the present moment, or as long as the run is paused."""
+        now = self.now
+        while True:
+            self._is_in_time = False
+            if self._posted and self._work_off():
+                self._tell()
+            if self._is_abandoned:
+                raise Abandoned
+            if now < self.until:
+                self._tell(PUBLISH)
+                return
+            if self._pauses:
+                self._pauses, self.is_paused = False, True
+            if self.is_paused:
+                self.is_late = False
+                self._tell()
+                self._wait(inf)
+                continue
+            if self._seeks_rest < inf and not self._rests():
+                self._tell(PUBLISH)
+                return
+            left = self._left(now)
+            self._is_in_time = True
+            self._tell(PUBLISH)
+            if left < SHORT:
+                self._is_in_time = False
+                return
+            self._wait(min(left, PUBLISH))
+
+    def _rests(self) -> bool:
+        assert self.machine is not None
+        return self.watch.is_at_rest(self.machine)
+
+    def _is_elsewhere(self) -> bool:
+        """True if this rest is another one than that from which a run to the next rest began."""
+        assert self.machine is not None
+        return self.watch.news >= self._seeks_rest or self.watch.awaited(self.machine) != self._awaited
+
+    def _left(self, now: float) -> float:
+        """Return the real time until a machine time; what the computer is too slow for is lost."""
+        real = monotonic()
+        if self._zero == -inf:
+            self._zero, self.is_late = real - now / self.speed, False
+        left = self._zero + now / self.speed - real
+        if left < -LATE:
+            self._zero -= left
+            self.is_late = True
+        elif left > 0.0:
+            self.is_late = False
+        return left
+
+    def _stop(self, task: Task, time: float, offset: int) -> None:
+        """Wait before a statement, at the end of a step."""
+        self.watch.limit = inf
+        self.stopped[task] = offset
+        self.is_paused = True
+        while self.is_paused:
+            self._tell()
+            self._wait(inf)
+            self._work_off()
+            if self._is_abandoned:
+                raise Abandoned
+        self.stopped.clear()
+
+    def _ask(self) -> str | None:
+        """Return the recorded answer to an INPUT, or that of a person."""
+        assert self.machine is not None
+        answers = self.record.answers
+        if self._answered == len(answers):
+            self.question = self.machine.operator.question
+            while self._answer is None:
+                self._tell()
+                self._wait(inf)
+                self._work_off()
+                if self._is_abandoned:
+                    raise Abandoned
+            answers.append((self.now, self._answer))
+            self.question = self._answer = None
+            self._zero = -inf
+        self._answered += 1
+        return answers[self._answered - 1][1]
+
+    def _make(self, change: Change) -> None:
+        assert self.machine is not None
+        inputs = self.machine.controller.inputs
+        if change.table == RELEASE:
+            self.held.discard(change.number)
+            inputs[change.number] = inputs[change.number + SHADOW]
+            return
+        if change.table == "input" and change.number in self.driven:
+            self.held.add(change.number)
+        self.machine.add_entries(tables_of(((self.now, change),), self.now))
+
+    # ----------------------------------------------------------------------------------------- other threads
+
+    def _work_off(self) -> bool:
+        """Call what other threads have posted; True if there was anything."""
+        any_came = False
+        while self._posted and not self._is_abandoned:
+            any_came = True
+            self._posted.popleft()()
+        return any_came
+
+    def _wait(self, seconds: float) -> None:
+        with self._changed:
+            if not self._posted and not self._is_abandoned:
+                self._changed.wait(None if seconds == inf else seconds)
+
+    def _tell(self, every: float = 0.0) -> None:
+        """Publish the state, unless it was published less than `every` seconds of real time ago."""
+        real = monotonic()
+        if not self._is_abandoned and real - self._published >= every:
+            self._published = real
+            self._publish(self)

@@ -1,0 +1,177 @@
+"""What a running program waits for: its tasks, whether they rest, and the channels that they look at.
+
+A loop that polls is no wait of the scheduler, so rest is a matter of time: no statement begins that is not one of the
+last second, no move begins, and no axis is on its way to an end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import inf
+from typing import NamedTuple
+
+from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
+from motionlang.kernel.lang import READ, ChannelUse, Statement
+
+# A statement that began within so many seconds belongs to a loop that goes on.
+RECENT = 1.0
+# So long nothing new has begun at rest, s.
+QUIET = 0.15
+# Inputs that the machine file drives change these channels, so far away from them, from which the panel copies them.
+SHADOW = 100_000
+# The tables of the machine file that drive a channel, by its kind; a bank of inputs is known by what it reads.
+TABLE_OF = {
+    "input": "input",
+    "analogue input": "analogue",
+    "comms element": "comms",
+    "network data": "netdata",
+    "dual-port RAM": "dpr",
+    "Modbus coil": "coil",
+    "key": "key",
+    "answer": "answer",
+}
+
+
+class Awaited(NamedTuple):
+    """A channel that a program at rest looks at, by its table and number, and the line that reads it."""
+
+    table: str
+    number: int
+    line: int
+
+
+class Watch(Hook):
+    """The statements of a run, and the inputs that they read, each with the time of the last one."""
+
+    def __init__(self, program: Program) -> None:
+        super().__init__(lambda task, time, offset: None)
+        self._structure = program.structure
+        self._begun: dict[int, float] = {}
+        # When a statement began last that had begun not long before.
+        self._repeated: dict[int, float] = {}
+        # The last statement of each task.
+        self._last: dict[str, int] = {}
+        # The statements of handlers, which wait for nothing.
+        self._handlers: set[int] = set()
+        self._read: dict[int, tuple[float, int]] = {}
+        self._machine: Machine | None = None
+        # When something new began last, and the number of moves then.
+        self.news = 0.0
+        self._moves = 0
+
+    def attach(self, machine: Machine) -> None:
+        """Watch a run that is about to begin on a machine."""
+        self._machine = machine
+        machine.controller.inputs.observer = self._reads
+
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        if time - self._begun.get(offset, -inf) > RECENT:
+            self.news = time
+        else:
+            self._repeated[offset] = time
+        scheduler = None if self._machine is None else self._machine.scheduler
+        if scheduler is not None and scheduler.interrupts:
+            self._handlers.add(offset)
+        self._begun[offset], self._last[task.name] = time, offset
+        return super().begins(task, time, offset)
+
+    def _reads(self, channel: int) -> None:
+        machine = self._machine
+        if channel < SHADOW and machine is not None and machine.scheduler is not None:
+            self._read[channel] = machine.clock.now, machine.scheduler.current.at
+
+    @property
+    def inputs(self) -> list[int]:
+        """The inputs that the program has read."""
+        return sorted(self._read)
+
+    def line(self, offset: int) -> int:
+        """Return the line of a source offset."""
+        return self._structure.line(offset)
+
+    # ------------------------------------------------------------------------------------------------- at rest
+
+    def is_at_rest(self, machine: Machine) -> bool:
+        """True if a change of the world alone leads on."""
+        now = machine.clock.now
+        if machine.moves_made != self._moves:
+            self._moves, self.news = machine.moves_made, now
+        if now - self.news < QUIET or any(now < machine.idle_time(axis) < inf for axis in machine.moving()):
+            return False
+        return all(map(self._is_resting, _tasks(machine)))
+
+    def _is_resting(self, task: Task) -> bool:
+        """True if a task waits for anything but a time, or repeats a loop."""
+        assert self._machine is not None
+        wait = wait_of(self._machine, task)
+        if task.done or (wait is not None and wait.cause != "time"):
+            return True
+        last = self._last.get(task.name, task.at)
+        return self._machine.clock.now - self._repeated.get(last, -inf) <= RECENT
+
+    def awaited(self, machine: Machine) -> list[Awaited]:
+        """Return what the statements read that tasks repeat or wait at."""
+        now = machine.clock.now
+        found = [
+            Awaited("input", channel, self.line(at))
+            for channel, (time, at) in self._read.items()
+            if now - time <= QUIET
+        ]
+        places = {at for at, time in self._begun.items() if now - time < QUIET}
+        places |= {task.at for task in _tasks(machine) if not task.done}
+        for at in sorted(places - self._handlers):
+            statement = self._structure.statements.get(at)
+            if statement is not None:
+                found += _read_by(statement, self.line(at))
+        found.sort()
+        return list({each[:2]: each for each in found}.values())
+
+
+def _tasks(machine: Machine) -> list[Task]:
+    scheduler = machine.scheduler
+    return [] if scheduler is None else scheduler.interrupts[-1:] or scheduler.tasks
+
+
+def _read_by(statement: Statement, line: int) -> Iterator[Awaited]:
+    """Yield the channels that a statement reads, but for inputs, which a run reports by itself."""
+    for use in statement.channels:
+        if use.access == READ and use.channel in TABLE_OF:
+            yield Awaited(TABLE_OF[use.channel], number_of(use), line)
+
+
+def number_of(use: ChannelUse) -> int:
+    """Return the number of a channel, 0 for one that has none."""
+    return int(use.number) if use.number.isdecimal() else 0
+
+
+def tasks_of(machine: Machine, watch: Watch, stopped: Mapping[Task, int]) -> list[tuple[str, int, str]]:
+    """Return name, line and wait of each task; `stopped` has the next statement of one that is stepped."""
+    return [
+        (
+            task.name,
+            watch.line(stopped.get(task, task.at)),
+            wait.why if (wait := wait_of(machine, task)) is not None else "",
+        )
+        for task in _tasks(machine)
+        if not task.done
+    ]
+
+
+def wait_of(machine: Machine, task: Task) -> Wait | None:
+    """Return the wait of a task, None if it goes on."""
+    scheduler = machine.scheduler
+    return None if scheduler is None or task.done else scheduler.wait_of(task)
+
+
+def seeking(machine: Machine, settings: Mapping[str, object], language: Dialect) -> list[int]:
+    """Return the axes that home for ever or find no mark, since nothing says where their switches are."""
+    axes = machine.controller.axes
+    found = {
+        number for number, axis in axes.items() if axis.homing is not None and axis.homing.endless_motion
+    }
+    for task in _tasks(machine):
+        wait = wait_of(machine, task)
+        for key in () if wait is None else language.driven_by(wait.why):
+            if key.startswith("axis.") and key not in settings:
+                found.add(int(key.split(".")[1]))
+    return sorted(number for number in found if axes[number].velocity(machine.clock.now))

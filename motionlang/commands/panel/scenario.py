@@ -1,0 +1,202 @@
+"""A run by hand as a scenario: what was done, as entries of a machine file, and what was over when it was saved.
+
+What is expected is what the scenario does when it is run, which `motionlang verify` repeats.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping, Sequence
+from math import ceil
+from typing import NamedTuple
+
+from motionlang.commands.explore import TABLES, Change, Entry, tables_of
+from motionlang.commands.explore.trials import number_in
+from motionlang.commands.init.file import inline, toml_value
+from motionlang.commands.panel.play import RELEASE, Play, Record
+from motionlang.commands.scenarios import FOLDER_SUFFIX, Scenario, unmet
+from motionlang.kernel import Program, ProgramError, Run, Source, read_machine, run, settings_next_to
+from motionlang.kernel.files import create
+from motionlang.kernel.lang import layered
+from motionlang.kernel.tracks import axes_of
+
+# A printed line is expected within so many seconds, and a position within so many user units.
+NEAR, WITHIN = 0.05, 0.001
+# So many printed lines are expected at most, from the first and the last ones.
+MAX_PRINTS = 40
+_SEQUENCE = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x1f\x7f]")
+HEAD = """\
+# {name} as it was operated by hand, saved {when} by motionlang panel.
+"""
+
+
+class NotSaved(Exception):
+    """The run cannot be a scenario; the text says why."""
+
+
+class Saved(NamedTuple):
+    """The file of a scenario, and how its run differs from the one by hand, "" if it does not."""
+
+    path: str
+    difference: str
+
+
+def save(
+    file: str,
+    program: Program,
+    settings: Mapping[str, object],
+    overrides: Mapping[str, float | str],
+    play: Play,
+) -> Saved:
+    """Write the run so far as a scenario of a program.
+
+    Raises NotSaved, and OSError if the file cannot be written. Called in the thread of the run.
+    """
+    if overrides:
+        raise NotSaved(f"--set {next(iter(overrides))} is not in the program: write the value into it")
+    try:
+        if Source.read(file).text != program.source.text:
+            raise NotSaved(f"{os.path.basename(file)} has changed: restart, and save then")
+        below = settings_next_to(file)
+    except ProgramError as error:
+        raise NotSaved(f"the machine file: {error.diagnostics[0].message}") from None
+    below.pop("expect", None)
+    above = world_of(play, settings, below)
+    made = run(file, dialect=program.language, machine=layered(below, above))
+    when = f"at {play.now:.2f} s" if play.result is None else "at its end"
+    text = HEAD.format(name=program.source.name, when=when) + text_of(above, expected(made))
+    try:
+        read_machine(Source(file, text), is_layer=True)
+    except ProgramError as error:
+        raise NotSaved(f"a scenario cannot have this: {error.diagnostics[0].message}") from None
+    path = _free(file)
+    create(path, text.encode())
+    scenario = Scenario(file, path)
+    wrong = unmet(scenario.run(), scenario.expected)
+    return Saved(path, wrong[0] if wrong else _difference(play, made))
+
+
+def world_of(play: Play, settings: Mapping[str, object], below: Mapping[str, object]) -> dict[str, object]:
+    """Return the settings of a scenario: what a hand did, and what the machine file next to the program lacks."""
+    record, now = play.record, play.now
+    above: dict[str, object] = {
+        key: value for key, value in settings.items() if below.get(key) != value and key != "expect"
+    }
+    above["run.until"] = now if play.result is None else ceil(now) + 1.0
+    done = Record(
+        [each for each in record.changes if each[0] < now or play.result is not None], record.answers
+    )
+    taken = {change.number for _, change in done.changes if change.table == "input"} & play.driven
+    made = [
+        (time, change)
+        for time, change in done.changes
+        if change.table != RELEASE and not (change.table == "input" and change.number in taken)
+    ]
+    made += [(time, Change("answer", 0, text)) for time, text in done.answers]
+    for table, entries in tables_of(tuple(made)).items():
+        assert isinstance(entries, list)
+        given: Sequence[Entry] = settings.get(table, ())  # type: ignore[assignment]
+        numbers = {number_in(table, each) for each in entries}
+        mine = [each for each in given if number_in(table, each) in numbers]
+        others = [each for each in above.get(table, ()) if each not in mine]  # type: ignore[attr-defined]
+        above[table] = [*others, *mine, *entries]
+    if taken:
+        others = [each for each in above.get("input", ()) if each["channel"] not in taken]  # type: ignore[attr-defined]
+        above["input"] = [*others, *_history(play, taken, now)]
+    return above
+
+
+def _history(play: Play, taken: set[int], now: float) -> list[Entry]:
+    """Return all changes of inputs that both the machine file and a hand have changed."""
+    assert play.machine is not None
+    return [
+        {"channel": each.channel, "at": each.time, "value": each.value}
+        for each in play.machine.log.inputs
+        if each.channel in taken and each.time < now
+    ]
+
+
+# ----------------------------------------------------------------------------------------------------- expectations
+
+
+def expected(made: Run) -> list[Entry]:
+    """Return what a run has printed and moved, and how it was when it ended."""
+    prints = [(each.time, text) for each in made.machine.log.prints if (text := _longest(each.text))]
+    if len(prints) > MAX_PRINTS:
+        prints = prints[: MAX_PRINTS // 2] + prints[-MAX_PRINTS // 2 :]
+    found: list[Entry] = [
+        {"prints": text, "after": _rounded(max(time - NEAR, 0.0)), "before": _rounded(time + NEAR)}
+        for time, text in prints
+    ]
+    found.append({"quantity": "moves", "value": len(made.machine.log.moves)})
+    for axis in axes_of(made.controller):
+        moved = made.controller.axes[axis]
+        if moved.is_still:
+            position = round(moved.scale.position_to_user(moved.actual_position), 4)
+            found.append({"axis": axis, "position": position, "within": WITHIN})
+    codes = dict.fromkeys(each.code for each in made.diagnostics if each.severity == "error")
+    found += [{"diagnostic": code} for code in codes]
+    if not codes:
+        found.append({"status": made.status})
+    return found
+
+
+def _longest(text: str) -> str:
+    """Return the longest part of a printed line between sequences for a screen."""
+    return max((each.strip() for each in _SEQUENCE.split(text)), key=len)
+
+
+def _rounded(time: float) -> float:
+    return round(time, 2)
+
+
+def _difference(play: Play, made: Run) -> str:
+    """Return how the run of a scenario differs from the one by hand; "" if it does not."""
+    assert play.machine is not None
+    log, other = play.machine.log, made.machine.log
+    now = play.now
+    printed = [each.text for each in log.prints if each.time < now]
+    again = [each.text for each in other.prints if each.time < now]
+    if printed != again[: len(printed)]:
+        return "it prints other lines"
+    if len(log.moves) != len(other.moves):
+        return f"it makes {len(other.moves)} moves, not {len(log.moves)}"
+    return ""
+
+
+# ------------------------------------------------------------------------------------------------------------- text
+
+
+def text_of(above: Mapping[str, object], expectations: Sequence[Entry]) -> str:
+    """Return the text of a scenario."""
+    keys = {key: value for key, value in above.items() if key not in TABLES and not _is_table(value)}
+    lines = [f"{key} = {toml_value(value)}\n" for key, value in keys.items()]
+    for table, entries in {**above, "expect": expectations}.items():
+        if table not in keys:
+            assert isinstance(entries, (list, tuple))
+            rows = "".join(f"  {inline(_whole(each))},\n" for each in entries)
+            lines.append(f"\n{table} = [\n{rows}]\n")
+    return "".join(lines)
+
+
+def _is_table(value: object) -> bool:
+    return isinstance(value, list) and any(isinstance(each, dict) for each in value)
+
+
+def _whole(entry: Entry) -> Entry:
+    """Return an entry with levels as they are typed: 1 in place of 1.0."""
+    return {
+        key: int(value) if isinstance(value, float) and value.is_integer() and key == "value" else value
+        for key, value in entry.items()
+    }
+
+
+def _free(file: str) -> str:
+    """Return the path of a scenario that does not exist yet; its folder does then."""
+    folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
+    os.makedirs(folder, exist_ok=True)
+    number = 1
+    while os.path.lexists(path := os.path.join(folder, f"hand-{number}.toml")):
+        number += 1
+    return path

@@ -1,0 +1,122 @@
+"""A hand for the tests of the panel: it acts, and waits for what the machine then shows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+from motionlang.commands.panel.session import Cursor, Session
+from motionlang.kernel import Program, ProgramError, Source, dialect_for, settings_next_to
+
+# Seconds of real time after which a test gives up.
+PATIENCE = 30.0
+State = Mapping[str, Any]
+
+# A press: START feeds a part, which a hand has put in; it is off again, or the press waits.
+PRESS = """\
+' IN 1 start  2 part in  3 guard open
+' OUT 1 clamp
+SCALE(0) = 100
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Dim n As Integer
+Loop
+  Pause INX(1)
+  Pause INX(2)
+  OUTX(1) = 1
+  MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+  OUTX(1) = 0
+  n = n + 1
+  Print "part "; n
+  If n = 3 Then Exit
+  Pause INX(1) = 0
+End Loop
+Print "done"
+"""
+
+
+class Hand:
+    """A person at a panel."""
+
+    def __init__(self, session: Session) -> None:
+        self.session, self._cursor = session, Cursor()
+        self.state: State = {}
+        self.contents: State = {}
+        self.text = self.notice = ""
+        self.record: list[tuple[float, str]] = []
+        self.rules: dict[int, str] = {}
+        self.is_changed = False
+
+    def __call__(self, do: str, **request: object) -> None:
+        """Ask for something, as a page does."""
+        self.session.act({"do": do, **request})
+
+    def set(self, number: int, value: float, table: str = "input") -> None:
+        """Change an input, or an element of another table."""
+        self("change", table=table, number=number, value=value)
+
+    def sees(self, holds: Callable[[State], object]) -> State:
+        """Wait until a state has something."""
+        end = monotonic() + PATIENCE
+        while not self.state or not holds(self.state):
+            assert monotonic() < end, f"{self.state} {self.notice}"
+            self._read(1.0)
+        return self.state
+
+    def hears(self, words: str) -> str:
+        """Wait for a notice."""
+        end = monotonic() + PATIENCE
+        while words not in self.notice:
+            assert monotonic() < end, self.notice
+            self._read(1.0)
+        return self.notice
+
+    def rests(self) -> State:
+        """Go on to the next rest."""
+        begin = self.state["t"]
+        self("rest")
+        over = ("ended", "fault", "asks")
+        return self.sees(
+            lambda state: state["mode"] in over or (state["t"] > begin and state["mode"] == "paused")
+        )
+
+    def _read(self, seconds: float) -> None:
+        found = self.session.updates(self._cursor, seconds)
+        if found is None:
+            return
+        if "contents" in found:
+            self.contents, self.text = found["contents"], ""
+        self.state = found["state"]
+        self.text += found["text"]
+        self.record = found.get("record", self.record)
+        self.rules = found.get("rules", self.rules)
+        self.notice = found.get("notice", self.notice)
+        self.is_changed = found["changed"]
+
+
+@contextmanager
+def operated(
+    path: Path, text: str | None = None, overrides: Mapping[str, float | str] | None = None
+) -> Iterator[Hand]:
+    """Write a program, if one is given, and operate it; it is paused at power-up."""
+    if text is not None:
+        path.write_text(text, encoding="utf-8")
+
+    def load() -> tuple[Program, Mapping[str, object]]:
+        source, settings = Source.read(path), settings_next_to(str(path))
+        program = dialect_for(source, None).program(source, settings, is_debug=True)
+        if program.errors:
+            raise ProgramError(program.errors)
+        return program, settings
+
+    session = Session(load, str(path), [str(path)], overrides or {})
+    hand = Hand(session)
+    hand("pause")
+    try:
+        hand("back", time=0)
+        hand.sees(lambda state: state["mode"] == "paused" and state["t"] == 0.0)
+        yield hand
+    finally:
+        session.close()
