@@ -92,8 +92,11 @@ def test_the_commands_quote_a_name_with_blanks(cell: Cell) -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ("feed --until 300", "--new runs nothing: it takes no --until, --seconds, --cycle or --format"),
-        ("feed -q", "--new runs nothing: it takes no --until, --seconds, --cycle or --format"),
+        (
+            "feed --until 300",
+            "--new runs nothing: it takes no --until, --seconds, --cycle, --recording or --format",
+        ),
+        ("feed -q", "--new runs nothing: it takes no --until, --seconds, --cycle, --recording or --format"),
         ("feed.mnt --lang mccl", "feed.mnt is Mint by its extension"),
     ],
 )

@@ -162,7 +162,7 @@ def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[
     rows, more = usable_rows(times, table)
     remarks += more
     if not named:
-        named = {each.target: each for each in _own(table.columns)}
+        named = {each.target: each for each in own_columns(table.columns)}
     if not named:
         raise ProgramError.of(
             "recording",
@@ -197,7 +197,7 @@ def _target(run: Run, target: str) -> tuple[str, int]:
     raise ProgramError.of("recording", problem, hint=hint)
 
 
-def _own(columns: Mapping[str, Array]) -> Iterator[Mapped]:
+def own_columns(columns: Mapping[str, Array]) -> Iterator[Mapped]:
     """Yield the columns that are named like the columns of our own trace.
 
     The measured position precedes the commanded one.

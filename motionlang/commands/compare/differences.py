@@ -52,14 +52,14 @@ def scale_remarks(row: Row, quantity: str, matched: Matched | None, counts: floa
         if matched is not None and quantity == "position":
             pair = max(matched.pairs, key=lambda each: abs(each.run.travel))
             travel = f" ({_size(pair.recorded.travel)} against {_size(pair.run.travel)} uu)"
-        usual = _usual_factor(scale, counts, quantity)
+        usual = usual_factor(scale, counts, quantity)
         yield _warning(
             f"{signal}: {column} moves {scale:.6g} times as far as the run{travel}{usual and ': '}{usual}",
             f"if its unit differs: --map {signal}={column}*{1.0 / scale:.6g}",
         )
 
 
-def _usual_factor(scale: float, counts: float, quantity: str) -> str:
+def usual_factor(scale: float, counts: float, quantity: str) -> str:
     """Return what a factor usually means, "" if it is no usual one."""
     size = abs(scale)
     names = dict(USUAL)

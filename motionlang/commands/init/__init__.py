@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import fsum
 
 from motionlang.commands.explore import (
@@ -40,18 +40,22 @@ MAX_CYCLES = 10
 class Draft:
     """The world of a machine file: its entries by table, the cycle, and a run with them.
 
-    `given` are settings of a person, which are no guesses.
+    `given` are settings of a person or of a recording; those of a recording that was too short are guesses, too.
+    `comments` has what was measured, by the text of the entry.
     """
 
     exploration: Exploration
     world: FoundWorld
     run: Run
     given: Mapping[str, object]
+    comments: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def count(self) -> int:
         """The number of guessed entries and axes."""
-        return sum(len(self.entries(table)) for table in TABLES) + len(self.exploration.switches.axes)
+        found = sum(len(self.entries(table)) for table in TABLES) + len(self.exploration.switches.axes)
+        measured = (each for table in TABLES for each in entries(self.given, table))
+        return found + sum("guess" in each for each in measured)
 
     def entries(self, table: str) -> list[Entry]:
         """Return the guessed entries of a table."""

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from difflib import unified_diff
 from errno import ENOENT
 from time import monotonic
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar, TypeVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
-from motionlang.cli.complaints import no_dialect, unreadable, unwritten
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
+from motionlang.commands.compare.options import mapped
 from motionlang.commands.explore import Entry, Exploration, Interrupted, explore
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
@@ -26,20 +29,29 @@ from motionlang.kernel import (
     STDIN,
     Diagnostic,
     Program,
+    ProgramError,
     Source,
     WrongEntry,
     dialect_of,
     entries,
     language_of,
+    read_machine,
 )
-from motionlang.kernel.files import create
-from motionlang.kernel.tools import count_of, nearest
+from motionlang.kernel.files import create, replacing
+from motionlang.kernel.tools import count_of, nearest, need
 from motionlang.views.progress import Progress
+
+if TYPE_CHECKING:  # which need numpy
+    from motionlang.commands.compare.comparison import Mapped
+    from motionlang.commands.init.recorded.drafting import Measured
+    from motionlang.commands.init.recorded.recording import Recording
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
 # So many cycles are asked about.
 MAX_ASKED = 3
+
+Answer = TypeVar("Answer")
 
 
 @dataclass
@@ -68,6 +80,7 @@ examples:
   motionlang init packer.prg
   motionlang init packer.prg --cycle 2   the world of the next likeliest cycle
   motionlang init old --format none   every program of the folder old
+  motionlang init packer.prg --recording log.csv   measured rules, not guesses
   motionlang init --new feed          write feed.mnt and feed.machine.toml
   motionlang init --new feed.mcl      the same in MCCL
 """
@@ -82,6 +95,19 @@ examples:
         read=machine_time,
         default=UNTIL,
     )
+    recording: str | None = option(
+        "REC",
+        "a recording of the machine, as CSV: its inputs, outputs and positions replace guesses by measured rules",
+    )
+    map: list[Mapped] = option(
+        "WHAT=COLUMN",
+        "assign a column of the recording, by name or number, to input.3, output.1, analogue.0, position.0 or time; "
+        "may be repeated",
+        read=mapped,
+        many=True,
+    )
+    update: bool = flag("print what the recording changes in the machine file that exists, as patch takes it")
+    write: bool = flag("with --update: write the machine file, too")
     cycle: int | None = option(
         "N",
         "write the world of the N-th cycle that the head of the file names",
@@ -93,8 +119,18 @@ examples:
 
     def check(self) -> None:
         super().check()
-        if self.new and (self.typed & {"until", "seconds", "cycle"} or self.format != "text"):
-            raise WrongOption("--new runs nothing: it takes no --until, --seconds, --cycle or --format")
+        if self.new and (self.typed & {"until", "seconds", "cycle", "recording"} or self.format != "text"):
+            raise WrongOption(
+                "--new runs nothing: it takes no --until, --seconds, --cycle, --recording or --format"
+            )
+        if self.update and self.recording is None:
+            raise WrongOption("--update takes what a recording measured: give --recording REC")
+        if self.write and not self.update:
+            raise WrongOption("--write writes what --update prints: give --update, too")
+        if self.map and self.recording is None:
+            raise WrongOption("--map assigns the columns of a recording: give --recording REC")
+        if self.recording is not None and os.path.isdir(self.file):
+            raise WrongOption(f"--recording is that of one program, and {self.file} is a folder")
 
     def run(self) -> int:
         """Write the machine file of a program and run it, or those of a whole folder; return the exit status."""
@@ -127,8 +163,12 @@ examples:
         path = os.path.splitext(file)[0] + MACHINE_SUFFIX
         if language is None:
             raise Refused([no_dialect(file)], file=file, status=2)
+        if self.update:
+            return self._update(language.program(read(file)), path)
         if os.path.lexists(path):
             hint = f"motionlang run {file} runs the program with it"
+            if self.recording is not None:
+                hint = "--update prints what the recording changes in it"
             exists = Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)
             raise Refused([exists], file=file)
         source = read(file)
@@ -137,8 +177,13 @@ examples:
             raise Refused(program.errors, source=source, file=file)
         target = program.target
         board: dict[str, object] = {"controller.model": target.model} if target.model else {}
-        found = self._drafted(program, board)
-        if sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
+        measured: Measured | None = None
+        if self.recording is None:
+            found = self._drafted(program, board)
+        else:
+            measured = self._measured(program, language.program(program.source), board)
+            found = measured.draft
+        if self.recording is None and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
             given = _ask(source, found)
             if given:
                 found = self._drafted(program, board | given)
@@ -157,8 +202,62 @@ examples:
         run.given = self.given
         status = run.start()
         structure = program.on(board).structure
-        sys.stderr.writelines(f"note: {each}\n" for each in notes(structure, found))
+        sentences = [] if measured is None else measured.sentences
+        sys.stderr.writelines(f"note: {each}\n" for each in [*sentences, *notes(structure, found)])
         return max(status, int(motionless(structure, found.run)))
+
+    def _measured(self, program: Program, plain: Program, board: Mapping[str, object]) -> Measured:
+        """Measure the world of a program, a debug build and a plain one, in its recording; raise Refused."""
+        from motionlang.commands.init.recorded.drafting import measure
+
+        return self._in_recording(
+            lambda recording: measure(
+                plain, recording, board, self.until, lambda given: self._drafted(program, dict(given))
+            )
+        )
+
+    def _in_recording(self, question: Callable[[Recording], Answer]) -> Answer:
+        """Return the answer to a question about the recording; raise Refused if it is none."""
+        need("--recording", "numpy")
+        from motionlang.commands.init.recorded.recording import read_recording
+
+        path = self.recording or ""
+        source = read(path)
+        try:
+            recording = read_recording(source, self.map)
+            complain(recording.remarks, source, path)
+            return question(recording)
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=source, file=path) from None
+
+    def _update(self, program: Program, path: str) -> int:
+        """Print what the recording changes in a machine file, write it on request, and return the exit status."""
+        from motionlang.commands.init.recorded.update import update
+
+        if program.errors:
+            raise Refused(program.errors, source=program.source, file=self.file)
+        machine = read(path)
+        try:
+            settings = read_machine(machine)
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=machine, file=path) from None
+        found = self._in_recording(
+            lambda recording: update(program, recording, machine.text, settings, self.until)
+        )
+        sys.stdout.writelines(
+            unified_diff(
+                machine.text.splitlines(keepends=True), found.text.splitlines(keepends=True), path, path
+            )
+        )
+        sys.stderr.writelines(f"note: {each}\n" for each in found.sentences)
+        if self.write and found.text != machine.text:
+            try:
+                with replacing(path) as file:
+                    file.write(found.text.encode())
+            except OSError as error:
+                raise Refused([unwritten(path, error)], file=self.file) from None
+            sys.stdout.write(f"{path}: written\n")
+        return 0
 
     def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""

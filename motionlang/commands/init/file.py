@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
 from math import ceil, floor, isclose
 
 from motionlang.commands.explore import Entry, Exploration, RestState, Transition, entries
@@ -113,9 +112,9 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(exploration.program.structure)]
     for table in (each for each in HEADS if each != "input"):
         guessed = [_guess(each) for each in draft.entries(table)]
-        sections += _table(table, HEADS[table], _lines(draft.given, table) + guessed)
+        sections += _table(table, HEADS[table], _lines(draft, table) + guessed)
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
-        sections.append(_axis(number, switches.get(number, {}), result))
+        sections.append(_axis(number, _switches(draft, number), result))
     if result.status in ("ended", "until", "stopped") or _stop(result):
         folder = f"{os.path.splitext(name)[0]}{FOLDER_SUFFIX}"
         sections.append(EXPECT.format(folder=folder) + _status(result))
@@ -231,7 +230,7 @@ def _inputs(draft: Draft) -> list[str]:
             found += map(_guess, mine[channel])
         elif channel in given:
             found += [
-                line for line in _lines(draft.given, "input") if line.startswith(f"  {{ channel = {channel},")
+                line for line in _lines(draft, "input") if line.startswith(f"  {{ channel = {channel},")
             ]
         else:
             does = _does(exploration, channel) or "take the first # away to switch it on"
@@ -284,9 +283,14 @@ def _unknown(structure: Structure) -> list[str]:
     return [UNKNOWN.format(lines=quoted)] if quoted else []
 
 
-def _lines(settings: Mapping[str, object], table: str) -> list[str]:
-    """Return the lines of the entries that a person has given."""
-    return [f"  {inline(each)}," for each in entries(settings, table)]
+def _lines(draft: Draft, table: str) -> list[str]:
+    """Return the lines of the entries that a person or a recording has given, with what was measured."""
+    texts = [inline(each) for each in entries(draft.given, table)]
+    comments = [draft.comments.get(each, "") for each in texts]
+    return [
+        f"  {text}," + (f"    # {comment}" if comment else "")
+        for text, comment in zip(texts, comments, strict=True)
+    ]
 
 
 def _guess(entry: Entry) -> str:
@@ -297,10 +301,10 @@ def _table(name: str, head: str, lines: list[str]) -> list[str]:
     return [head, f"{name} = [\n", *(f"{line}\n" for line in lines), "]\n"] if lines else []
 
 
-def _axis(number: int, keys: dict[str, object], result: Run) -> str:
+def _axis(number: int, switches: str, result: Run) -> str:
     scale = result.controller.axes[number].scale.counts
     text = f"\n[axis.{number}]    # {scale:.10g} {'count' if scale == 1 else 'counts'} per user unit\n"
-    text += _switches(keys) if keys else ""
+    text += switches
     low, high, speed, rate = (
         _figure(f"{name}.{number}", result) for name in ("lowest", "highest", "peak", "accel")
     )
@@ -334,9 +338,17 @@ def _places(number: int, result: Run) -> int | None:
     return next(exact, None) if ends else None
 
 
-def _switches(keys: dict[str, object]) -> str:
-    lines = [f"{key} = {toml_value(value)}\n" for key, value in keys.items()]
-    return "".join([*lines, "guess = true    # the switches\n"])
+def _switches(draft: Draft, number: int) -> str:
+    """Return the lines of the guessed switches of an axis, with what was measured; "" if there are none."""
+    keys = draft.exploration.switches.axes.get(number, {})
+    lines = []
+    for key, guess in keys.items():
+        name = f"axis.{number}.{key}"
+        comment = draft.comments.get(name, "")
+        lines.append(
+            f"{key} = {toml_value(draft.given.get(name, guess))}{f'    # {comment}' if comment else ''}\n"
+        )
+    return "".join([*lines, "guess = true    # the switches\n"]) if lines else ""
 
 
 def _figure(name: str, result: Run) -> float:

@@ -6,11 +6,12 @@ import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.cli.command import argument, option
+from motionlang.cli.command import argument, flag, option
 from motionlang.cli.readers import columns, real
 from motionlang.cli.run_to_file import RunToFile
 from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
+from motionlang.views.lanes import ChannelLane, lanes
 from motionlang.views.progress import Progress
 
 TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
@@ -29,6 +30,7 @@ class TraceCommand(RunToFile):
 examples:
   motionlang trace pick.mnt pick.csv --rate 500 --columns position,velocity.0
   motionlang trace pick.mcl pick.csv --points
+  motionlang trace pick.mnt log.csv --columns position --channels   as a logger
 """
     out: str = argument("OUT", "the file to write", suffixes=TRACES)
     rate: float | None = option(
@@ -38,6 +40,9 @@ examples:
         "NAME,…",
         "the columns in addition to time, for every axis or for one, such as position,velocity.0",
         read=columns,
+    )
+    channels: bool = flag(
+        "add a column for each input and output, such as in3, out9 and ain0; .vcd and .mcap always have them"
     )
     points: float | None = option(
         "HZ",
@@ -57,8 +62,20 @@ examples:
         trace = result.trace if self.points is None else result.trace.as_controller(self.points)
         if self.columns is not None:
             trace.choose(self.columns)
+        rate = self.rate or (RATE if self.points is None else SERVO_RATE)
         progress = Progress(sys.stderr, self.out)
         try:
-            write_trace(trace, self.out, self.rate or (RATE if self.points is None else SERVO_RATE), progress)
+            write_trace(trace, self.out, rate, progress, _wired(result) if self.channels else ())
         finally:
             progress.done()
+
+
+def _wired(result: Result) -> list[ChannelLane]:
+    """Return the channels of a run that changed, and the inputs that its program reads and that stayed off."""
+    found = {each.name: each for each in lanes(result.controller)}
+    program = result.program or result.dialect.program(result.source)
+    for _, use in program.structure.inputs():
+        if use.channel == "input" and use.number.isdecimal():
+            name = f"in{use.number}"
+            found.setdefault(name, ChannelLane("inputs", name, True, [0.0], [0.0]))
+    return sorted(found.values(), key=lambda lane: (lane.group, len(lane.name), lane.name))

@@ -195,3 +195,33 @@ def test_mcap_has_channels_and_events(programs: Cell) -> None:
         0,
         pytest.approx(50.0),
     )
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".npz", ".parquet"])
+def test_channels_are_columns_of_their_levels(programs: Cell, suffix: str) -> None:
+    """Each row has the level at its time; an input that the program reads and that stays off has a column, too."""
+    programs.write("reads.mnt", SWITCHED + "If INX(5) Then OUTX(2) = 1\n")
+    world = f"reads{suffix}"
+    ran = programs(
+        "trace", "reads.mnt", world, "--machine", "switched.machine.toml", "--rate", "4",
+        "--columns", "position", "--channels",
+    )  # fmt: skip
+    assert ran.status == 0
+    if suffix == ".csv":
+        rows = list(csv.DictReader((programs.folder / world).read_text().splitlines()))
+        found = {name: [float(row[name]) for row in rows] for name in rows[0]}
+    elif suffix == ".npz":
+        found = {name: values.tolist() for name, values in np.load(programs.folder / world).items()}
+    else:
+        from pyarrow.parquet import read_table  # type: ignore[import-untyped]
+
+        found = read_table(programs.folder / world).to_pydict()
+    assert list(found) == ["time_s", "axis0_position_uu", "ain0", "in3", "in5", "in12", "out1"]
+    assert found["time_s"][:4] == [0.0, 0.25, 0.5, 0.75]
+    assert {name: found[name][:4] for name in list(found)[2:]} == {
+        "ain0": [0.0, 0.0, 0.0, 12.5],
+        "in3": [0.0, 1.0, 1.0, 1.0],
+        "in5": [0.0, 0.0, 0.0, 0.0],
+        "in12": [1.0, 1.0, 1.0, 1.0],
+        "out1": [0.0, 1.0, 1.0, 0.0],
+    }

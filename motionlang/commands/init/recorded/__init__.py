@@ -1,0 +1,8 @@
+"""The world of a machine from its recording: the rule that explains each input, with its figures, and a comparison.
+
+recording.py   the columns of the file: changes of channels, positions of axes
+rules.py       the rule that explains the changes of an input
+levels.py      the level of an analogue input
+outcome.py     a run against the recording: power-up, the clock, the cycle
+drafting.py    the draft of the machine file: measured, the rest explored, and run
+"""

@@ -1,0 +1,321 @@
+"""The draft of a machine file from a recording: measured entries, the rest by exploration, and a run that is compared.
+
+A first run, with the rules as they are in the file, shows when in the recording the machine was switched on. The rules
+are then measured from there, and the exploration finds what no column has, such as keys and answers. Its run shows
+whether the clock of the recording is right; if not, everything is measured again in right seconds.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from math import inf
+from typing import NamedTuple
+
+from motionlang.commands.explore import TABLES, Entry, entries
+from motionlang.commands.init import Draft
+from motionlang.commands.init.file import inline
+from motionlang.commands.init.recorded.axes import axis_remarks, switches
+from motionlang.commands.init.recorded.levels import levels_of
+from motionlang.commands.init.recorded.outcome import (
+    SWAPPED,
+    Matched,
+    clock,
+    cycle_text,
+    matched,
+    power_up,
+    recorded_marks,
+    run_marks,
+    running,
+)
+from motionlang.commands.init.recorded.recording import (
+    Recording,
+    short_remarks,
+    since,
+)
+from motionlang.commands.init.recorded.rules import Rule, rule_of
+from motionlang.kernel import Program, ProgramError, Run, run
+from motionlang.kernel.tools import count_of
+
+# Nothing changes any more if it did not for so long, s, and for so many times the longest time between two changes.
+QUIET, QUIET_TIMES = 5.0, 3.0
+
+OTHER_PROGRAM = (
+    "check the program, the columns with --map output.1=NAME, and whether the machine was in trouble"
+)
+
+Drafting = Callable[[Mapping[str, object]], Draft]
+
+
+class Measured(NamedTuple):
+    """The world of a recording: the draft, the rule of each input, and sentences about the recording and the run."""
+
+    draft: Draft
+    rules: dict[int, Rule]
+    sentences: list[str]
+
+
+def measure(
+    program: Program, raw: Recording, board: Mapping[str, object], until: float, drafting: Drafting
+) -> Measured:
+    """Return the world of a recording; raise ProgramError if it is not one of this program.
+
+    `drafting` explores the program with given settings; a run ends at `until`, s.
+    """
+    recording, sentences = power_up_of(program, raw, board)
+    sentences += _unread(program, raw)
+    rules, given, comments = entries_of(recording)
+    draft = drafting({**board, **given})
+    missed = _missed_inputs(draft.run, recording)
+    if missed:
+        sentences += missed.values()
+        seen = {number: each for number, each in recording.inputs.items() if number not in missed}
+        recording = replace(recording, inputs=seen)
+        rules, given, comments = entries_of(recording)
+        draft = drafting({**board, **given})
+    check_program(program, draft.run, recording)
+    recording, more = of_clock(draft.run, recording)
+    if more:
+        sentences += more
+        rules, given, comments = entries_of(recording)
+    measured, texts = switches(draft.run, recording, draft.exploration.switches.axes)
+    if more or measured:
+        comments |= texts
+        draft = _again(program, draft, {**board, **given, **measured}, until)
+    sentences += axis_remarks(draft.run, recording)
+    sentences += outcome(draft.run, recording)
+    sentences += rules_in_words(rules)
+    return Measured(replace(draft, comments=comments), rules, sentences)
+
+
+def power_up_of(program: Program, raw: Recording, board: Mapping[str, object]) -> tuple[Recording, list[str]]:
+    """Return a recording whose times count from power-up, with sentences about it."""
+    _check_axes(program, raw, board)
+    sentences = [*short_remarks(raw)]
+    zero, late = _power_up(program, raw, board)
+    if late:
+        sentences.append(
+            f"the recording begins while the machine runs, since {late}: "
+            "record from before it is switched on, to measure homing and what happens once"
+        )
+    if zero > raw.begin + 2.0 * raw.step:
+        sentences.append(
+            f"the machine is switched on {zero - raw.begin:.4g} s after the begin of the recording"
+        )
+    return since(replace(raw, is_late=bool(late)), zero), sentences
+
+
+def of_clock(result: Run, recording: Recording) -> tuple[Recording, list[str]]:
+    """Return a recording in the seconds of a run, with a sentence if its clock is wrong."""
+    ratio = clock(result, recording)
+    if ratio is None:
+        return recording, []
+    text = f"{100.0 * abs(ratio - 1.0):.2g} % {'fast' if ratio > 1.0 else 'slow'}"
+    return since(recording, 0.0, ratio), [f"the clock of the recording is {text}; its times are corrected"]
+
+
+def check_program(program: Program, result: Run, recording: Recording) -> None:
+    """Raise ProgramError if a recording is not one of the program of a run."""
+    found = matched(result, recording, ("output",))
+    if found.is_other_program:
+        raise ProgramError.of("recording", _other_program(program, found), hint=OTHER_PROGRAM)
+
+
+def entries_of(recording: Recording) -> tuple[dict[int, Rule], dict[str, object], dict[str, str]]:
+    """Return the rules of the inputs, the settings with them, and the comment of each entry."""
+    rules = {number: rule_of(number, each, recording) for number, each in sorted(recording.inputs.items())}
+    comments: dict[str, str] = {}
+    inputs: list[Entry] = []
+    for rule in rules.values():
+        for entry, text in zip(rule.entries, rule.comments, strict=True):
+            made = {**entry, "guess": True} if rule.is_guess else entry
+            inputs.append(made)
+            comments[inline(made)] = text + _missed_text(rule)
+    levels = [
+        each for number, series in sorted(recording.analogue.items()) for each in levels_of(number, series)
+    ]
+    comments |= {inline(entry): text for entry, text in levels}
+    given: dict[str, object] = {"input": inputs} if inputs else {}
+    if levels:
+        given["analogue"] = [entry for entry, _ in levels]
+    return rules, given, comments
+
+
+def _missed_text(rule: Rule) -> str:
+    if not rule.missed:
+        return ""
+    times = ", ".join(f"{each:.4g}" for each in rule.missed[:3])
+    more = f" and {len(rule.missed) - 3} more" if len(rule.missed) > 3 else ""
+    return f"; not after {rule.subject} at {times} s{more}"
+
+
+def _power_up(program: Program, raw: Recording, board: Mapping[str, object]) -> tuple[float, str]:
+    """Return the time of a recording at which the machine was switched on, s, and what shows that it was before.
+
+    It is the begin if nothing shows it.
+    """
+    _, given, _ = entries_of(since(raw, raw.begin))
+    first = program_run(program, {**board, **given}, raw.end - raw.begin)
+    late = running(first, raw)
+    if late:
+        return raw.begin, late
+    inputs = entries(given, "input")
+    times = [at for each in inputs if isinstance(at := each.get("at"), float) and at > 0.0]
+    found = power_up(first, raw, min(times, default=raw.end))
+    return raw.begin if found is None else found, ""
+
+
+def program_run(program: Program, settings: Mapping[str, object], until: float) -> Run:
+    return run(program, machine=dict(settings), until=until)
+
+
+def _again(program: Program, draft: Draft, given: Mapping[str, object], until: float) -> Draft:
+    """Return a draft with other measured settings and the guesses that it has."""
+    settings = {**draft.exploration.switches.settings, **given, **draft.world.settings}
+    for table in TABLES:
+        if entries(given, table):
+            settings[table] = [*entries(given, table), *entries(draft.world.settings, table)]
+    return replace(draft, run=program_run(program, settings, until), given=given)
+
+
+# ------------------------------------------------------------------------------------------ sentences
+
+
+def _unread(program: Program, raw: Recording) -> Iterator[str]:
+    """Yield what the recording has and the program does not read, and the other way round."""
+    uses = [use for _, use in program.structure.inputs()]
+    if any(use.channel != "input" or not use.number.isdecimal() for use in uses):
+        return
+    known = {int(use.number) for use in uses}
+    unused = sorted(raw.inputs.keys() - known)
+    if unused:
+        yield f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}"
+    missing = sorted(known - raw.inputs.keys())
+    if missing:
+        yield f"not recorded: {_list('input', missing)}; the entries are guesses"
+
+
+def _list(one: str, numbers: list[int]) -> str:
+    *most, last = map(str, numbers)
+    return f"{one}s {', '.join(most)} and {last}" if most else f"{one} {last}"
+
+
+def _is(numbers: list[int]) -> str:
+    return "is" if len(numbers) == 1 else "are"
+
+
+def _it(numbers: list[int]) -> str:
+    return "it" if len(numbers) == 1 else "them"
+
+
+def _check_axes(program: Program, raw: Recording, board: Mapping[str, object]) -> None:
+    """Raise ProgramError if an axis is recorded that the controller does not have."""
+    axes = program_run(program, board, 1e-3).controller.axes
+    for axis, path in sorted(raw.positions.items()):
+        if axis not in axes:
+            numbers = ", ".join(map(str, axes))
+            raise ProgramError.of(
+                "recording",
+                f"{path.column} is the position of axis {axis}, and the controller has the axes {numbers}",
+                hint=OTHER_PROGRAM,
+            )
+
+
+def _missed_inputs(result: Run, recording: Recording) -> dict[int, str]:
+    """Return the inputs that the run waits for at its end, and that never change though the machine goes on."""
+    found = matched(result, recording, ("output",))
+    if len(found.theirs) - len(found.pairs) <= SWAPPED:
+        return {}
+    stuck = {number for _, channels in _waits(result) for number in channels}
+    return {
+        number: (
+            f"input {number} is {'on' if channel.first else 'off'} in all of the recording, and the program waits for "
+            f"it: pulses shorter than a row of {recording.step:.3g} s are missed, record faster"
+        )
+        for number, channel in sorted(recording.inputs.items())
+        if number in stuck and not channel.changes
+    }
+
+
+def _waits(result: Run) -> list[tuple[int, set[int]]]:
+    """Return the lines in which a run waits at its end, with the inputs that they read."""
+    scheduler = result.machine.scheduler
+    program = result.program or result.dialect.program(result.source)
+    found = []
+    for task in scheduler.tasks if scheduler is not None else ():
+        if not task.done and task.wait is not None and task.wait.due() == inf:
+            line = result.dialect.locate(result.source, task.at)[0]
+            uses = [use for at, use in program.structure.inputs() if at == line and use.channel == "input"]
+            found.append((line, {int(use.number) for use in uses if use.number.isdecimal()}))
+    return found
+
+
+def _other_program(program: Program, found: Matched) -> str:
+    """Return why a recording is not one of a program."""
+    shared = {each.label[1] for each in found.theirs} & {each.label[1] for each in found.mine}
+    text = f"{len(found.pairs)} of {count_of(len(found.theirs), 'recorded change')} of outputs are in the run"
+    text += "" if shared else ", which switches other outputs"
+    return f"the recording is not one of {program.source.name}: {text}{_first_difference(found)}"
+
+
+def _first_difference(found: Matched) -> str:
+    """Return the first recorded mark that the run has not, and what the run does instead."""
+    paired = {b: a for a, b in found.pairs}
+    for k, each in enumerate(found.theirs):
+        if k not in paired:
+            before = max((a for b, a in found.pairs if b < k), default=-1)
+            mine = found.mine[before + 1] if before + 1 < len(found.mine) else None
+            instead = f", the run {mine}" if mine is not None else ", the run nothing more"
+            after = f" after {found.theirs[k - 1]}" if k else ""
+            return f"; first at {each.time:.4g} s: the recording has {each}{after}{instead}"
+    return ""
+
+
+def outcome(result: Run, recording: Recording) -> Iterator[str]:
+    """Yield how the run agrees with the recording."""
+    text = cycle_text(result, recording)
+    if text is not None:
+        yield text
+    found = matched(result, recording, ("output",))
+    lost = len(found.theirs) - len(found.pairs)
+    if lost > 0 and (difference := _first_difference(found)):
+        yield f"{lost} of {count_of(len(found.theirs), 'recorded change')} of outputs not in the run{difference}"
+    counts = Counter(each.label[1] for each in run_marks(result, recording) if each.label[0] == "output")
+    for number, channel in sorted(recording.outputs.items()):
+        if counts[number] and not channel.changes and not channel.first:
+            yield (
+                f"output {number} ({channel.column}) never changes in the recording, and the run switches it: "
+                f"check its column with --map output.{number}=NAME"
+            )
+    times = [each.time for each in recorded_marks(recording)]
+    times += [each.time for channel in recording.inputs.values() for each in channel.changes]
+    times.sort()
+    if len(times) > 2:
+        longest = max(b - a for a, b in itertools.pairwise(times))
+        if recording.end - times[-1] > max(QUIET, QUIET_TIMES * longest):
+            yield (
+                f"nothing changes from {times[-1]:.4g} s to the end of the recording at {recording.end:.4g} s"
+                + "".join(f"; the run then waits in line {line}" for line, _ in _waits(result)[:1])
+            )
+
+
+def rules_in_words(rules: Mapping[int, Rule]) -> Iterator[str]:
+    for number, rule in rules.items():
+        if not rule.is_explained:
+            count = count_of(len(rule.entries), "change")
+            yield f"input {number}: no rule explains its {count}; they are written as recorded"
+        elif rule.missed:
+            yield (
+                f"input {number} follows {rule.subject}, but{_missed_text(rule).removeprefix(';')}: "
+                "it stays a guess"
+            )
+        if rule.others:
+            names = _names(rule.others)
+            yield f"input {number}: {names} would explain it equally well; {rule.subject} {rule.reason}"
+
+
+def _names(subjects: tuple[str, ...]) -> str:
+    *most, last = subjects
+    return f"{', '.join(most)} and {last}" if most else last

@@ -1,0 +1,375 @@
+"""A run against a recording: power-up in the recording, its clock, and the cycle.
+
+Marks are what both show: an output that is switched, an axis that starts or stops. The marks of both are matched in
+their order. Power-up in the recording is where most of the first marks agree, the clock the ratio of the times between
+marks in which the run waits for no input. Between two marks of the cycle the times are compared, and a difference has
+the wait of the run that lies there.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Sequence
+from difflib import SequenceMatcher
+from itertools import pairwise
+from math import inf, sqrt
+from statistics import fmean, median
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motionlang.commands.init.recorded.recording import (
+    Recording,
+    Series,
+    least_speed,
+    machine_positions,
+    slopes,
+    window_of,
+)
+from motionlang.kernel import Run
+from motionlang.kernel.tools import count_of
+
+# Marks that are tried as those of power-up, and marks of the run that are compared with each.
+FIRST, COMPARED = 4, 60
+# Times of the same mark differ by so many rows and this, s, at most.
+NEAR_ROWS, NEAR = 2.0, 0.01
+# What happens so soon after power-up, s, may be before the first row.
+SOON = 0.05
+# A clock differs by at least this share, and by more than so many rows for each stretch over the time that is compared.
+CLOCK, CLOCK_ROWS = 4e-4, 1.5
+# A program that polls an input answers within this time, s.
+ANSWER = 0.03
+# The marks of a program are in a recording if this share of the recorded ones is matched, in so many at least.
+SAME_PROGRAM, ENOUGH = 0.5, 4
+# A run is compared for this much longer than the recording.
+LONGER = 1.2
+# Marks in the same row can be in another order, so far apart.
+SWAPPED = 3
+# Times of a cycle differ by more than this, s, or by more than so many rows.
+DIFFERS, DIFFERS_ROWS = 2e-3, 1.0
+
+# A cycle that takes so many times as long is two, or was interrupted.
+LONG = 1.5
+
+Label = tuple[str, int, int]
+
+
+class Mark(NamedTuple):
+    """Something that a recording and a run both show."""
+
+    time: float
+    label: Label
+
+    def __str__(self) -> str:
+        kind, number, level = self.label
+        if kind == "output":
+            return f"output {number} {'on' if level else 'off'}"
+        return f"axis {number} {'starts' if level else 'stops'}"
+
+
+def recorded_marks(recording: Recording) -> list[Mark]:
+    """Return the marks of a recording, in its own time."""
+    found = [
+        Mark(each.time, ("output", number, each.level))
+        for number, channel in recording.outputs.items()
+        for each in channel.changes
+    ]
+    for axis, path in recording.positions.items():
+        found += _strokes(axis, path, path)
+    return sorted(found)
+
+
+def run_marks(run: Run, recording: Recording) -> list[Mark]:
+    """Return the marks of a run that the recording can have, sampled like it."""
+    found: list[Mark] = []
+    levels: dict[int, int] = defaultdict(int)
+    for each in run.machine.log.outputs:
+        level = int(bool(each.value))
+        if each.channel in recording.outputs and levels[each.channel] != level:
+            levels[each.channel] = level
+            found.append(Mark(each.time, ("output", each.channel, level)))
+    for axis, path in recording.positions.items():
+        if axis in run.trace.axes:
+            found += _strokes(axis, run_path(run, axis, recording), path)
+    return sorted(found)
+
+
+def run_path(run: Run, axis: int, recording: Recording) -> Series:
+    """Return the positions of an axis in a run, sampled as those of a recording, from the rest before power-up on."""
+    trace, path = run.trace, recording.positions[axis]
+    rest = 2.0 * window_of(path) * recording.step
+    times = np.arange(-rest, min(trace.end, LONGER * recording.end), recording.step)
+    return machine_positions(Series("", times, trace.at(axis, "position", np.maximum(times, 0.0))))
+
+
+def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[Mark]:
+    """Yield where an axis starts and stops, by the slopes that show motion in its recording."""
+    window = window_of(recorded)
+    if len(path.times) < 2 * window + 3 or not float(np.ptp(recorded.values)) > 0.0:
+        return
+    moves = np.abs(slopes(path, window)) > least_speed(slopes(recorded, window))
+    edges = np.flatnonzero(moves[1:] != moves[:-1]).tolist()
+    edges = _without_short(edges, moves, window, is_moving=False)  # a slow part of a move
+    edges = _without_short(edges, moves, window, is_moving=True)  # noise
+    for k in edges:
+        yield Mark(float(path.times[k] + path.times[k + 1]) / 2, ("axis", axis, int(moves[k + 1])))
+
+
+def _without_short(edges: list[int], moves: NDArray[np.bool_], window: int, *, is_moving: bool) -> list[int]:
+    """Return edges without those of moves, or rests, of so few rows."""
+    found: list[int] = []
+    for k in edges:
+        if found and k - found[-1] <= window and moves[found[-1] + 1] == is_moving:
+            found.pop()
+        else:
+            found.append(k)
+    return found
+
+
+def power_up(run: Run, recording: Recording, before: float) -> float | None:
+    """Return the time of the recording at which the run begins, s; None if no mark agrees.
+
+    Marks count up to `before`, and up to the first wait for an input.
+    """
+    waits = [
+        each.until for each in run.machine.log.waits if each.cause == "input" and each.until > each.since
+    ]
+    before = min([before, *waits])
+    mine = [each for each in run_marks(run, recording) if each.time <= before][:COMPARED]
+    theirs = recorded_marks(recording)
+    times: dict[Label, list[float]] = defaultdict(list)
+    for each in theirs:
+        times[each.label].append(each.time)
+    best: tuple[int, float, float] | None = None
+    for label in dict.fromkeys(each.label for each in mine[:FIRST]):
+        first = next(each for each in mine if each.label == label)
+        for time in times[label][:FIRST]:
+            offset = time - first.time
+            count = sum(_has(times[each.label], each.time + offset, recording) for each in mine)
+            if best is None or (count, -abs(offset - recording.begin)) > best[:2]:
+                best = count, -abs(offset - recording.begin), offset
+    if best is None or not best[0]:
+        return None
+    offset = best[2]
+    lags = (_nearest(times[each.label], each.time + offset) - each.time for each in mine)
+    near = [each for each in lags if abs(each - offset) <= _near(recording)]
+    return fmean(near)
+
+
+def _has(times: Sequence[float], time: float, recording: Recording) -> bool:
+    return abs(_nearest(times, time) - time) <= _near(recording)
+
+
+def _near(recording: Recording) -> float:
+    """Return by how much the times of a mark may differ, s."""
+    return NEAR_ROWS * recording.step + NEAR
+
+
+def _nearest(times: Sequence[float], time: float) -> float:
+    at = bisect_left(times, time)
+    return min(times[max(at - 1, 0) : at + 1], key=lambda each: abs(each - time), default=inf)
+
+
+def running(run: Run, recording: Recording) -> str:
+    """Return what a machine does at the begin of its recording, and not so soon after power-up; "" if it is nothing."""
+    soon = {each.label for each in run_marks(run, recording) if each.time <= SOON + recording.step}
+    for number, channel in sorted(recording.outputs.items()):
+        if channel.first and ("output", number, 1) not in soon:
+            return f"output {number} is on"
+    for axis, path in sorted(recording.positions.items()):
+        speeds = slopes(path, window_of(path))
+        if abs(speeds[0]) > 2.0 * least_speed(speeds) and ("axis", axis, 1) not in soon:
+            return f"axis {axis} moves"
+    return ""
+
+
+class Matched(NamedTuple):
+    """Marks of a run with those of the recording, as positions in both lists."""
+
+    mine: list[Mark]
+    theirs: list[Mark]
+    pairs: list[tuple[int, int]]
+
+    @property
+    def is_other_program(self) -> bool:
+        """True if the run does something else than the recording, not less of it."""
+        known = {each.label for each in self.mine}
+        unknown = [each for each in self.theirs if each.label not in known]
+        is_else = len(self.mine) >= SAME_PROGRAM * len(self.theirs)
+        is_unknown = len(unknown) >= SAME_PROGRAM * len(self.theirs)
+        return len(self.pairs) < SAME_PROGRAM * len(self.theirs) and (is_else or is_unknown)
+
+
+def matched(run: Run, recording: Recording, kinds: Sequence[str] = ("output", "axis")) -> Matched:
+    """Match the marks of a run with those of a recording, in order.
+
+    Outputs of the tasks beside the work, such as a lamp that blinks, have no place in that order.
+    """
+    beside = _beside(run)
+    theirs = [each for each in recorded_marks(recording) if _counts(each, kinds, beside)]
+    mine = [each for each in run_marks(run, recording) if _counts(each, kinds, beside)]
+    mine = [each for each in mine if each.time <= LONGER * recording.end]
+    matcher = SequenceMatcher(None, [a.label for a in mine], [b.label for b in theirs], autojunk=False)
+    pairs = {block.b + k: block.a + k for block in matcher.get_matching_blocks() for k in range(block.size)}
+    _pair_swapped(mine, theirs, pairs)
+    return Matched(mine, theirs, sorted((a, b) for b, a in pairs.items()))
+
+
+def _counts(mark: Mark, kinds: Sequence[str], beside: Collection[int]) -> bool:
+    kind, number, _ = mark.label
+    return kind in kinds and not (kind == "output" and number in beside)
+
+
+def _beside(run: Run) -> set[int]:
+    """Return the outputs that only tasks switch which move no axis."""
+    program = run.program or run.dialect.program(run.source)
+    owners = program.structure.owners()
+    working = {owners.get(each.line, "") for each in run.machine.log.moves}
+    by: dict[int, set[str]] = defaultdict(set)
+    for each in run.machine.log.outputs:
+        if each.at >= 0:
+            by[each.channel].add(owners.get(run.source.location(each.at)[0], ""))
+    return {channel for channel, tasks in by.items() if working and not tasks & working}
+
+
+def _pair_swapped(mine: Sequence[Mark], theirs: Sequence[Mark], pairs: dict[int, int]) -> None:
+    """Pair marks of both that are in another order next to each other, since they were recorded in the same row."""
+    used = set(pairs.values())
+    before = -1
+    for k, each in enumerate(theirs):
+        if k in pairs:
+            before = max(before, pairs[k])
+            continue
+        near = range(max(before - SWAPPED, 0), min(before + SWAPPED + 2, len(mine)))
+        found = next((a for a in near if a not in used and mine[a].label == each.label), None)
+        if found is not None:
+            pairs[k] = found
+            used.add(found)
+
+
+def clock(run: Run, recording: Recording) -> float | None:
+    """Return how many seconds the recording counts for one of the run; None if that is not certain.
+
+    Only times between marks that follow each other count, and none in which the run waits for an input. An output that
+    is switched right after an input changes may be the answer of a program that polls it.
+    """
+    outputs = matched(run, recording, ("output",))
+    changes = sorted(each.time for channel in recording.inputs.values() for each in channel.changes)
+    waits = [
+        (each.since, each.until)
+        for each in run.machine.log.waits
+        if each.cause == "input" and each.until > each.since
+    ]
+    ratios: list[tuple[float, float]] = []
+    stretches = 1
+    for (a, b), (c, d) in pairwise(outputs.pairs):
+        begin, end = outputs.mine[a].time, outputs.mine[c].time
+        since, until = outputs.theirs[b].time, outputs.theirs[d].time
+        is_answer = bisect_left(changes, until - ANSWER - recording.step) < bisect_left(changes, until)
+        if c > a + 1 or is_answer or any(each[0] < end and each[1] > begin for each in waits):
+            stretches += 1
+        else:
+            ratios.append((end - begin, until - since))
+    ratios = [(mine, theirs) for mine, theirs in ratios if mine > 10.0 * recording.step]
+    if len(ratios) < ENOUGH:
+        return None
+    usual = median(theirs / mine for mine, theirs in ratios)
+    good = [
+        (mine, theirs) for mine, theirs in ratios if abs(theirs - usual * mine) <= 2.0 * recording.step + 1e-3
+    ]
+    if len(good) < SAME_PROGRAM * len(ratios):
+        return None
+    mine, theirs = (float(np.sum(np.array(each))) for each in zip(*good, strict=True))
+    found = theirs / mine
+    error = CLOCK_ROWS * recording.step * sqrt(stretches) / mine
+    return found if abs(found - 1.0) > max(CLOCK, error) else None
+
+
+# ------------------------------------------------------------------------------------------ the cycle
+
+
+def cycle_text(run: Run, recording: Recording) -> str | None:
+    """Return the cycle of the recording against that of the run, with the largest difference; None if none is known."""
+    cycle = run.cycle
+    if cycle is None:
+        return None
+    for kind in ("output", "axis"):
+        found = matched(run, recording, (kind,))
+        last = max((found.mine[a].time for a, _ in found.pairs), default=0.0)
+        labels = _regular(found.mine, [each for each in pairwise(cycle.times) if each[1] <= last])
+        pairs: dict[Label, list[tuple[float, float]]] = defaultdict(list)
+        for a, b in found.pairs:
+            pairs[found.mine[a].label].append((found.mine[a].time, found.theirs[b].time))
+        for label in sorted(labels, key=lambda each: labels[each]):
+            own = [each for each in pairs[label] if cycle.times[0] <= each[0]]
+            periods = [
+                (b[1] - a[1], b[0] - a[0]) for a, b in pairwise(own) if abs(b[0] - a[0]) < LONG * cycle.period
+            ]
+            if periods:
+                theirs, mine = (_middle(each) for each in zip(*periods, strict=True))
+                text = f"cycle {theirs:.4g} s recorded, {mine:.4g} s run ({count_of(len(periods), 'cycle')})"
+                differences = _differences(run, recording, labels, pairs)
+                return f"{text}: {differences}" if differences else text
+    return None
+
+
+def _middle(values: Sequence[float]) -> float:
+    """Return the mean of values without the quarter at each end."""
+    ordered = sorted(values)
+    cut = len(ordered) // 4
+    return fmean(ordered[cut : len(ordered) - cut])
+
+
+def _regular(marks: Sequence[Mark], spans: Sequence[tuple[float, float]]) -> dict[Label, float]:
+    """Return the labels that occur once in each cycle, with the usual time after its begin."""
+    found: dict[Label, float] = {}
+    for label in dict.fromkeys(each.label for each in marks):
+        times = [each.time for each in marks if each.label == label]
+        inside = [[t - begin for t in times if begin <= t < end] for begin, end in spans]
+        if inside and all(len(each) == 1 for each in inside):
+            found[label] = median(each[0] for each in inside)
+    return found
+
+
+def _differences(
+    run: Run,
+    recording: Recording,
+    labels: dict[Label, float],
+    pairs: dict[Label, list[tuple[float, float]]],
+) -> str:
+    """Return the largest difference of a time between two marks of the cycle, with what the run waits for there."""
+    ordered = sorted(labels, key=lambda each: labels[each])
+    worst: tuple[float, str] = (0.0, "")
+    least = max(DIFFERS, DIFFERS_ROWS * recording.step)
+    for before, after in pairwise(ordered):
+        theirs, mine, spans = [], [], []
+        ends = [each[0] for each in pairs[after]]
+        for a in pairs[before]:
+            k = bisect_left(ends, a[0])
+            if k < len(ends) and ends[k] - a[0] <= labels[after] - labels[before] + 0.5:
+                theirs.append(pairs[after][k][1] - a[1])
+                mine.append(ends[k] - a[0])
+                spans.append((a[0], ends[k]))
+        if not theirs:
+            continue
+        change = median(theirs) - median(mine)
+        if abs(change) > max(least, abs(worst[0])):
+            worst = change, _where(run, spans[0], Mark(0.0, before), Mark(0.0, after), change)
+    return worst[1]
+
+
+def _where(run: Run, span: tuple[float, float], before: Mark, after: Mark, change: float) -> str:
+    milliseconds = float(f"{abs(change) * 1000.0:.3g}")
+    size = f"{milliseconds:.10g} ms {'longer' if change > 0.0 else 'shorter'}"
+    waits = [
+        (min(each.until, span[1]) - max(each.since, span[0]), each)
+        for each in run.machine.log.waits
+        if each.since < span[1] and each.until > span[0] and each.cause == "input"
+    ]
+    if waits:
+        _, wait = max(waits, key=lambda each: each[0])
+        line = run.source.location(wait.at)[0]
+        return f"line {line} waits {size} (input {', '.join(map(str, wait.what))})"
+    return f"{size} from {before} to {after}"

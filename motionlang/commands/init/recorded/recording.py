@@ -1,0 +1,318 @@
+"""The recording of a machine: changes of inputs and outputs, levels of analogue inputs, positions of axes.
+
+A sampled channel has changed between two rows, so a change has the middle of both as its time, and half of the distance
+as its uncertainty. A contact bounces: several changes within `BOUNCE` are one change, at the first of them. Positions
+are those of the machine: a new zero that the program gives an axis at rest is a step of the recorded position, and is
+taken out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motionlang.commands.compare.comparison import GAP, Mapped, own_columns
+from motionlang.commands.compare.recording import (
+    RecordedColumns,
+    read_table,
+    seconds,
+    time_column,
+    usable_rows,
+)
+from motionlang.kernel import Diagnostic, ProgramError, Source
+from motionlang.kernel.tools import count_of
+
+Array = NDArray[np.float64]
+
+# Changes of a contact within this time, s, are one change.
+BOUNCE = 0.02
+# A channel is digital if at most this share of its values lies between its two levels.
+BETWEEN = 0.05
+# A step of a position is a new zero if it is so many times as large as the steps around it.
+STEP = 8.0
+# An axis moves above this share of its largest speed. The slope of its position has this share of noise at most, given
+# by so many standard deviations; rows of a rough slope, and of the widest one.
+MOVING, NOISE, ROUGH, MAX_WINDOW = 0.02, 6.0, 5, 100
+# A motion of less than this share of the range is none.
+LEAST = 1e-5
+# The median of a second difference of noise, in standard deviations.
+SECOND = 1.65
+# A pulse of fewer rows may have been missed elsewhere.
+SHORT_ROWS = 2.5
+# Kinds of columns, and the names that a logger gives them, with a number.
+KINDS = ("input", "output", "analogue", "position")
+_NAMES = {
+    "input": re.compile(r"(?:d?in|inx|input|di|e)[ _.]?(\d{1,3})", re.IGNORECASE),
+    "output": re.compile(r"(?:d?out|outx|output|do|a)[ _.]?(\d{1,3})", re.IGNORECASE),
+    "analogue": re.compile(r"(?:ain|adc|ai|analogue)[ _.]?(\d{1,3})", re.IGNORECASE),
+}
+
+
+class Change(NamedTuple):
+    """A change of a channel to a level; it lies within `within` of `time`, s."""
+
+    time: float
+    level: int
+    within: float
+
+
+class Digital(NamedTuple):
+    """A digital channel: the column, the first level, and its changes; `bounces` of them were taken as one each."""
+
+    column: str
+    first: int
+    changes: tuple[Change, ...]
+    bounces: int
+
+    @property
+    def shortest(self) -> float:
+        """The shortest time between two changes, s."""
+        return min((b.time - a.time for a, b in pairwise(self.changes)), default=float("inf"))
+
+
+class Series(NamedTuple):
+    """Sampled values of a column."""
+
+    column: str
+    times: Array
+    values: Array
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What a file has of a machine, by number; times in s, `step` is the usual one from row to row.
+
+    `is_late` is True if it begins after power-up.
+    """
+
+    name: str
+    begin: float
+    end: float
+    step: float
+    inputs: dict[int, Digital] = field(default_factory=dict)
+    outputs: dict[int, Digital] = field(default_factory=dict)
+    analogue: dict[int, Series] = field(default_factory=dict)
+    positions: dict[int, Series] = field(default_factory=dict)
+    is_late: bool = False
+    gaps: tuple[tuple[float, float], ...] = ()
+    remarks: tuple[Diagnostic, ...] = ()
+
+    def has_gap(self, begin: float, end: float) -> bool:
+        """True if rows are missing between two times."""
+        return any(a < end and b > begin for a, b in self.gaps)
+
+
+def read_recording(source: Source, mapping: Sequence[Mapped]) -> Recording:
+    """Return what a recording has of a machine; raise ProgramError if that is nothing."""
+    table = read_table(source)
+    targets = {each.target: each for each in mapping}
+    clock = targets.pop("time", None)
+    name = time_column(table, source, clock.column if clock else None)
+    times = seconds(table, name, clock.factor if clock else None)
+    rows, remarks = usable_rows(times, table)
+    times = times[rows]
+    if len(times) < 3 or not times[-1] > times[0]:
+        raise ProgramError.of("recording", f"{source.name} has fewer than three rows with a time")
+    columns = {each.target: each for each in _own(table)} | targets
+    if not columns:
+        raise ProgramError.of(
+            "recording",
+            f"no column of {source.name} is an input, an output or a position",
+            hint=f"--map input.3=NAME --map output.1=NAME; its columns are {', '.join(table.columns)}",
+        )
+    steps = np.diff(times)
+    usual = float(np.median(steps))
+    wide = np.flatnonzero(steps > GAP * usual)
+    gaps = tuple((float(times[k]), float(times[k + 1])) for k in wide)
+    found = Recording(
+        source.name,
+        float(times[0]),
+        float(times[-1]),
+        usual,
+        gaps=gaps,
+        remarks=(*table.remarks, *remarks, *_gap_remarks(gaps)),
+    )
+    for target, each in columns.items():
+        kind, number = _kind(target)
+        column = table.find(each.column, source)
+        values = table.columns[column][rows]
+        good = np.isfinite(values)
+        if good.sum() < 3:
+            raise ProgramError.of("recording", f"{column} has fewer than three numbers")
+        series = Series(column, times[good], values[good])
+        if kind in ("input", "output"):
+            channel = _digital(series, is_inverted=each.factor is not None and each.factor < 0.0)
+            (found.inputs if kind == "input" else found.outputs)[number] = channel
+        else:
+            scaled = series._replace(values=series.values * (1.0 if each.factor is None else each.factor))
+            if kind == "analogue":
+                found.analogue[number] = scaled
+            else:
+                found.positions[number] = machine_positions(scaled)
+    return found
+
+
+def since(recording: Recording, zero: float, clock: float = 1.0) -> Recording:
+    """Return what was recorded from a time on, s, which becomes 0; the recording counts `clock` seconds for one."""
+
+    def digital(channel: Digital) -> Digital:
+        before = [each.level for each in channel.changes if each.time <= zero]
+        changes = tuple(
+            Change((each.time - zero) / clock, each.level, each.within / clock)
+            for each in channel.changes
+            if each.time > zero
+        )
+        return Digital(channel.column, before[-1] if before else channel.first, changes, channel.bounces)
+
+    def series(each: Series) -> Series:
+        later = each.times >= zero
+        return Series(each.column, (each.times[later] - zero) / clock, each.values[later])
+
+    return replace(
+        recording,
+        begin=max(recording.begin - zero, 0.0) / clock,
+        end=(recording.end - zero) / clock,
+        step=recording.step / clock,
+        inputs={number: digital(each) for number, each in recording.inputs.items()},
+        outputs={number: digital(each) for number, each in recording.outputs.items()},
+        analogue={number: series(each) for number, each in recording.analogue.items()},
+        positions={number: series(each) for number, each in recording.positions.items()},
+        gaps=tuple(((a - zero) / clock, (b - zero) / clock) for a, b in recording.gaps),
+    )
+
+
+def _own(table: RecordedColumns) -> Iterator[Mapped]:
+    """Yield the columns whose names say what they are."""
+    yield from (each for each in own_columns(table.columns) if each.target.startswith("position"))
+    for column in table.columns:
+        for kind, names in _NAMES.items():
+            found = names.fullmatch(column.strip())
+            if found is not None:
+                yield Mapped(f"{kind}.{int(found[1])}", column, None)
+                break
+
+
+def _kind(target: str) -> tuple[str, int]:
+    kind, _, number = target.partition(".")
+    if kind in KINDS and number.isdecimal():
+        return kind, int(number)
+    hint = "write input.3, output.1, analogue.0, position.0 or time"
+    raise ProgramError.of("recording", f"{target!r} is nothing that init reads from a recording", hint=hint)
+
+
+def _digital(series: Series, *, is_inverted: bool) -> Digital:
+    """Return the changes of a channel that has two levels, of any voltage."""
+    low, high = float(series.values.min()), float(series.values.max())
+    if high > low:
+        share = (series.values - low) / (high - low)
+        between = (share > 1 / 3) & (share < 2 / 3)
+        if between.mean() > BETWEEN:
+            raise ProgramError.of(
+                "recording",
+                f"{series.column} has {count_of(len(np.unique(series.values)), 'value')} "
+                f"from {low:.6g} to {high:.6g}, and no two levels",
+                hint="choose the column of a digital channel with --map input.3=NAME",
+            )
+        known = np.flatnonzero(~between)
+        levels, times = share[known] > 0.5, series.times[known]
+    else:
+        levels, times = np.full(len(series.values), low > 0.5), series.times
+    levels = levels != is_inverted
+    changes = [
+        Change(float(times[k] + times[k + 1]) / 2, int(levels[k + 1]), float(times[k + 1] - times[k]) / 2)
+        for k in np.flatnonzero(levels[1:] != levels[:-1])
+    ]
+    settled, bounces = _settled(changes)
+    return Digital(series.column, int(levels[0]), tuple(settled), bounces)
+
+
+def _settled(changes: Sequence[Change]) -> tuple[list[Change], int]:
+    """Return changes without those of a bouncing contact, and how many changes bounced."""
+    found: list[Change] = []
+    bounces = k = 0
+    while k < len(changes):
+        last = k
+        while last + 1 < len(changes) and changes[last + 1].time - changes[k].time <= BOUNCE:
+            last += 1
+        count = last - k + 1
+        if count >= 3:
+            bounces += 1
+            found.append(changes[k])
+            if count % 2 == 0:  # a pulse that bounces
+                found.append(changes[last])
+        else:
+            found += changes[k : last + 1]
+        k = last + 1
+    return found, bounces
+
+
+def machine_positions(series: Series) -> Series:
+    """Return positions of the machine, without the steps at which the program gives an axis a new zero."""
+    steps = np.diff(series.values)
+    size = np.abs(steps)
+    before, after = np.append(0.0, steps[:-1]), np.append(steps[1:], 0.0)
+    noise = float(np.median(size)) + LEAST * float(np.ptp(series.values))
+    times = np.diff(series.times)
+    jumps = size > STEP * (np.maximum(np.abs(before), np.abs(after)) + noise)
+    jumps &= times < GAP * np.median(times)
+    moved = np.where(jumps, (before + after) / 2.0, steps)
+    return series._replace(values=series.values[0] + np.append(0.0, np.cumsum(moved)))
+
+
+def noise_of(path: Series, times: float) -> float:
+    """Return so many standard deviations of the noise of a position, or a small share of its range."""
+    noise = float(np.median(np.abs(np.diff(path.values, 2)))) / SECOND
+    return max(times * noise, LEAST * float(np.ptp(path.values)))
+
+
+def window_of(path: Series) -> int:
+    """Return over how many rows to each side a slope shows motion above the noise."""
+    if len(path.values) < 2 * ROUGH:
+        return 1
+    noise = noise_of(path, 1.0)
+    fastest = float(np.abs(path.values[ROUGH:] - path.values[:-ROUGH]).max()) / ROUGH
+    return int(np.clip(np.ceil(NOISE * noise / (MOVING * fastest)), 1, MAX_WINDOW)) if fastest else 1
+
+
+def slopes(path: Series, window: int) -> Array:
+    """Return the speed of an axis at each row, between the rows so many before and after it."""
+    rows = np.arange(len(path.times))
+    before, after = np.maximum(rows - window, 0), np.minimum(rows + window, len(rows) - 1)
+    found: Array = (path.values[after] - path.values[before]) / (path.times[after] - path.times[before])
+    return found
+
+
+def least_speed(speeds: Array) -> float:
+    """Return the speed above which an axis moves."""
+    return MOVING * float(np.abs(speeds).max())
+
+
+def _gap_remarks(gaps: Sequence[tuple[float, float]]) -> Iterator[Diagnostic]:
+    if gaps:
+        begin, end = max(gaps, key=lambda gap: gap[1] - gap[0])
+        yield Diagnostic(
+            "recording",
+            f"{count_of(len(gaps), 'gap')}, the longest {end - begin:.6g} s from {begin:.6g} s on",
+            severity="warning",
+            hint="changes in a gap are not measured",
+        )
+
+
+def short_remarks(recording: Recording) -> Iterator[str]:
+    """Yield a sentence for each channel whose pulses are too short for the rows, or that bounces."""
+    for kind, channels in (("input", recording.inputs), ("output", recording.outputs)):
+        for number, each in sorted(channels.items()):
+            if each.shortest < SHORT_ROWS * recording.step:
+                yield (
+                    f"{kind} {number}: pulses as short as {each.shortest:.3g} s, and a row every "
+                    f"{recording.step:.3g} s; shorter ones are missed: record faster"
+                )
+            if each.bounces:
+                groups = count_of(each.bounces, "group")
+                yield f"{kind} {number} bounces: {groups} of changes within {BOUNCE:g} s count as one change"

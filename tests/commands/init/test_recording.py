@@ -1,0 +1,64 @@
+"""`motionlang init --recording`: the rules of the world in which a recording was made come back."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from motionlang.kernel import Run, Source, read_machine
+from tests.cli.programs import Cell
+from tests.commands.init.recordings import FOLDER, PROGRAMS, Logger, csv_of, machine_run, world_of
+
+Entry = dict[str, object]
+
+
+@cache
+def made(program: str) -> Run:
+    return machine_run(FOLDER / program)
+
+
+def measured(cell: Cell, program: str, logger: Logger) -> tuple[list[Entry], str]:
+    """Return the inputs of the machine file that init writes from a recording, and its notes."""
+    cell.write(program, (FOLDER / program).read_text())
+    cell.write("rec.csv", csv_of(logger.table(made(program))))
+    ran = cell("init", program, "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    machine = (cell.folder / program).with_suffix(".machine.toml")
+    return read_machine(Source.read(str(machine)))["input"], ran.err  # type: ignore[return-value]
+
+
+def rules(entries: list[Entry], step: float) -> list[Entry]:
+    """Return entries without marks, with figures that are right within the sampling rounded to those of the world."""
+    found = []
+    for entry in entries:
+        made_of = {key: value for key, value in entry.items() if key not in ("times", "guess", "level")}
+        if made_of != {"channel": entry["channel"], "at": 0.0, "value": 0}:
+            found.append(made_of)
+    return found
+
+
+def assert_same(found: list[Entry], world: list[Entry], step: float, speed: float) -> None:
+    """Assert that the rules are those of a world, times within the sampling, positions within its distance."""
+    assert [set(each) for each in rules(found, step)] == [set(each) for each in rules(world, step)]
+    for mine, right in zip(rules(found, step), rules(world, step), strict=True):
+        for key, value in right.items():
+            near = speed * step if key in ("between", "below", "above") or "axis" in right else step
+            assert mine[key] == pytest.approx(value, abs=near + 0.003), (mine, right)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("step", [0.001, 0.005, 0.02])
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_the_rules_of_the_world_come_back(cell: Cell, program: str, step: float) -> None:
+    found, notes = measured(cell, program, Logger(step, jitter=0.5, noise=0.01, before=1.7))
+    assert_same(found, world_of(FOLDER / program)["input"], step, 300.0)  # type: ignore[arg-type]
+    (on,) = re.findall(r"the machine is switched on (\S+) s after the begin of the recording", notes)
+    assert float(on) == pytest.approx(1.7, abs=step + 0.003)
+    assert "note: cycle " in notes
+
+
+def test_what_happens_once_stays_a_guess(cell: Cell) -> None:
+    found, _ = measured(cell, "saw.mccl", Logger(0.005))
+    assert [each["channel"] for each in found if "guess" in each] == [6]
