@@ -8,6 +8,7 @@ from html import escape
 
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import need
+from motionlang.views.documents import picture
 from motionlang.views.figure import Figure
 from motionlang.views.figure_layout import Point, Shape, TextLine, layout
 
@@ -38,16 +39,7 @@ def svg(figure: Figure) -> str:
     """Return a figure as an SVG document."""
     width, height, items = layout(figure)
     lines = [_text(each) if isinstance(each, TextLine) else _shape(each) for each in items]
-    return "\n".join(
-        [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}pt" height="{_number(height)}pt" '
-            f'viewBox="0 0 {_number(width)} {_number(height)}" font-family="{FONT}" stroke-linejoin="round">',
-            "<desc>motionlang</desc>",
-            f'<rect width="{_number(width)}" height="{_number(height)}" fill="#ffffff"/>',
-            *lines,
-            "</svg>\n",
-        ]
-    )
+    return picture(_number(width), _number(height), FONT, lines, ' stroke-linejoin="round"')
 
 
 def _shape(shape: Shape) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from html import escape
 
+from motionlang.views.documents import page, picture
 from motionlang.views.terminal import cells
 
 # Returns the content of a file from a text and the name of the file.
@@ -17,10 +18,7 @@ SIZE, ADVANCE, LEADING, MARGIN = 10.0, 6.02, 13.0, 12.0
 
 def html(text: str, name: str) -> str:
     """Return a page with a text."""
-    return (
-        f'<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>{escape(name)}</title>\n'
-        f"<style>body{{margin:2rem}}pre{{font:14px/1.3 {MONOSPACED}}}</style>\n<pre>{escape(text)}</pre></html>\n"
-    )
+    return page(name, f"<pre>{escape(text)}</pre>", f"body{{margin:2rem}}pre{{font:14px/1.3 {MONOSPACED}}}")
 
 
 def markdown(text: str, name: str) -> str:
@@ -36,21 +34,14 @@ def svg(text: str, name: str) -> str:
     lines = text.rstrip().split("\n")
     width = 2.0 * MARGIN + ADVANCE * max(map(cells, lines))
     height = 2.0 * MARGIN + LEADING * len(lines)
-    return "\n".join(
-        [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}pt" height="{height:.0f}pt" '
-            f'viewBox="0 0 {width:.0f} {height:.0f}" font-family="{MONOSPACED}" font-size="{SIZE:.0f}">',
-            f"<title>{escape(name)}</title>",
-            '<rect width="100%" height="100%" fill="#ffffff"/>',
-            *(
-                f'<text x="{MARGIN:.0f}" y="{MARGIN + LEADING * (number + 0.75):.2f}" xml:space="preserve">'
-                f"{escape(line, quote=False)}</text>"
-                for number, line in enumerate(lines)
-                if line.strip()
-            ),
-            "</svg>\n",
-        ]
+    rows = (
+        f'<text x="{MARGIN:.0f}" y="{MARGIN + LEADING * (number + 0.75):.2f}" xml:space="preserve">'
+        f"{escape(line, quote=False)}</text>"
+        for number, line in enumerate(lines)
+        if line.strip()
     )
+    named = [f"<title>{escape(name)}</title>", *rows]
+    return picture(f"{width:.0f}", f"{height:.0f}", MONOSPACED, named, f' font-size="{SIZE:.0f}"')
 
 
 PAGES: dict[str, Page] = {".html": html, ".md": markdown, ".svg": svg}

@@ -8,6 +8,7 @@ from urllib.parse import quote
 
 from motionlang.commands.cover import Coverage, ranges
 from motionlang.kernel.tools import total as total_of
+from motionlang.views import documents
 from motionlang.views.html_table import data_cell, html_table
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
@@ -119,10 +120,7 @@ def page(found: Sequence[Coverage]) -> str:
     table = html_table(files_table(found), _cell)
     programs = "".join(map(_program, found))
     title = f"Coverage: {percentage(found):.0f} %"
-    return (
-        f"<!doctype html><html lang='en'><meta charset='utf-8'><title>{title}</title><style>{_STYLE}</style>"
-        f"<h1>{title}</h1>{table}{programs}</html>\n"
-    )
+    return documents.page(title, f"<h1>{title}</h1>{table}{programs}", _STYLE)
 
 
 _STYLE = (

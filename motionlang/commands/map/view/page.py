@@ -10,6 +10,7 @@ from importlib.resources import files
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.text import cycle_line, headline, world_lines
+from motionlang.views import documents
 from motionlang.views.html_table import html_table
 from motionlang.views.table import Table
 
@@ -47,12 +48,10 @@ def page(made: ProgramMap, timing: str = "") -> str:
         links.append((table.name, table.head))
     body += ['<h2 id="program">Program</h2>', *_program(made)]
     nav = "".join(f'<a href="#{key}">{title}</a>' for key, title in [*links, ("program", "Program")])
-    head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+    head = '<meta name="viewport" content="width=device-width">'
     style = files(__name__.rpartition(".")[0]).joinpath("style.css").read_text(encoding="utf-8")
-    return (
-        f'<!doctype html>\n<html lang="en"><head>{head}<title>Map of {name}</title><style>{style}</style></head>\n'
-        f"<body><nav>{nav}</nav><main>\n" + "\n".join(body) + "\n</main></body></html>\n"
-    )
+    main = "\n".join(["<main>", *body, "</main>"])
+    return documents.page(f"Map of {made.source.name}", f"<nav>{nav}</nav>{main}", style, head=head)
 
 
 def _table(table: Table) -> list[str]:
