@@ -22,7 +22,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel", "moves report report_types result"):
         "a run makes its report on request, and a report is made from a run",
     ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",
-    ("commands/check", "axis_state facts reach"):
+    ("commands/check", "axis_state reach rule_facts"):
         "the state of the axes is one of the facts, and is worked out from the others",
     ("kernel/controller", "axis feedback joined motion_listener state watch"):
         "a controller owns its axes, and an axis knows it, its watches and its motor",
@@ -30,6 +30,8 @@ GROUPS: dict[tuple[str, str], str] = {
     ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
     ("ide/debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("hosts/mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
+    ("kernel/lang", "structure wait_analysis"):
+        "a structure has the analysis of its waits, which reads the structure",
     ("kernel/lang", "dialect literals program"):
         "a dialect makes a program, whose literals have the addresses of a program",
     ("kernel/lang", "debugging loop_log loops step_task"):

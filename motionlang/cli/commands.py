@@ -16,7 +16,7 @@ PROGRAM = "motionlang"
 GROUPS = {
     "run a program": {
         "run": ("commands.run.command:RunCommand", "run a program and report what it did"),
-        "panel": ("commands.panel.command:Panel", "operate the machine of a program in a browser"),
+        "panel": ("commands.panel.command:PanelCommand", "operate the machine of a program in a browser"),
         "trace": ("commands.trace.command:TraceCommand", "sample the motion of a run into a file"),
         "plot": ("commands.plot.command:Plot", "draw the motion of a run into a file"),
         "profile": (

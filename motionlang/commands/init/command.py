@@ -44,7 +44,7 @@ from motionlang.views.progress import Progress
 if TYPE_CHECKING:  # which need numpy
     from motionlang.commands.compare.comparison import Mapped
     from motionlang.commands.init.recorded.drafting import Measured
-    from motionlang.commands.init.recorded.recording import Recording
+    from motionlang.commands.init.recorded.recording import MeasuredRecording
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
@@ -216,7 +216,7 @@ examples:
             )
         )
 
-    def _in_recording(self, question: Callable[[Recording], Answer]) -> Answer:
+    def _in_recording(self, question: Callable[[MeasuredRecording], Answer]) -> Answer:
         """Return the answer to a question about the recording; raise Refused if it is none."""
         need("--recording", "numpy")
         from motionlang.commands.init.recorded.recording import read_recording

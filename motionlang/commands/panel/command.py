@@ -14,12 +14,12 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.readers import whole
 from motionlang.cli.run_command import Prepared
 from motionlang.commands.panel.server import PanelServer
-from motionlang.commands.panel.session import Session
+from motionlang.commands.panel.session import PanelSession
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, Program, Terminated
 
 
 @dataclass
-class Panel(Prepared):
+class PanelCommand(Prepared):
     """Operate the machine of a program in a browser."""
 
     title: ClassVar[str] = "page"
@@ -54,7 +54,7 @@ examples:
     def run(self) -> int:
         machine = self.machine_path()
         watched = [self.file, machine or os.path.splitext(self.file)[0] + ".machine.toml"]
-        session = Session(self._load, self.file, watched, self.overrides())
+        session = PanelSession(self._load, self.file, watched, self.overrides())
         try:
             server = PanelServer(session, self.port)
         except OSError as error:

@@ -31,7 +31,7 @@ from time import monotonic
 
 from motionlang.commands.explore import Change
 from motionlang.commands.explore.trials import tables_of
-from motionlang.commands.panel.rest import SHADOW, Awaited, Watch
+from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 
 # Changes are made at multiples of 1 / so many seconds.
@@ -50,15 +50,15 @@ class Abandoned(BaseException):
 
 
 @dataclass
-class Record:
+class PlayRecord:
     """What a hand has done: changes with their times, in order, and answers with the time of their question."""
 
     changes: list[tuple[float, Change]] = field(default_factory=list)
     answers: list[tuple[float, str]] = field(default_factory=list)
 
-    def until(self, time: float) -> Record:
+    def until(self, time: float) -> PlayRecord:
         """Return what was done up to a time."""
-        return Record(
+        return PlayRecord(
             [each for each in self.changes if each[0] <= time],
             [each for each in self.answers if each[0] <= time],
         )
@@ -79,7 +79,7 @@ class Play:
         program: Program,
         settings: Mapping[str, object],
         overrides: Mapping[str, float | str],
-        record: Record,
+        record: PlayRecord,
         publish: Callable[[Play], object],
         *,
         until: float = 0.0,
@@ -101,7 +101,7 @@ class Play:
         # The inputs that a hand has taken from the machine file.
         self.held: set[int] = set()
         self.text: list[str] = []
-        self.watch = Watch(program)
+        self.watch = RestWatch(program)
         self.watch.stop = self._stop
         self._publish = publish
         self._posted: deque[Callable[[], object]] = deque()
@@ -115,7 +115,7 @@ class Play:
         self._steps_after_event = False
         # When a run to the next rest began, in machine time, infinite if there is none, and what was awaited then.
         self._seeks_rest = inf
-        self._awaited: list[Awaited] = []
+        self._awaited: list[PanelWait] = []
         # True while the run waits for real time.
         self._is_in_time = False
         # The real time at which machine time was 0 at the present speed, and that of the last publication.

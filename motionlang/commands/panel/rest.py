@@ -32,7 +32,7 @@ TABLE_OF = {
 }
 
 
-class Awaited(NamedTuple):
+class PanelWait(NamedTuple):
     """A channel that a program at rest looks at, by its table and number, and the line that reads it."""
 
     table: str
@@ -40,7 +40,7 @@ class Awaited(NamedTuple):
     line: int
 
 
-class Watch(Hook):
+class RestWatch(Hook):
     """The statements of a run, and the inputs that they read, each with the time of the last one."""
 
     def __init__(self, program: Program) -> None:
@@ -109,11 +109,11 @@ class Watch(Hook):
         last = self._last.get(task.name, task.at)
         return self._machine.clock.now - self._repeated.get(last, -inf) <= RECENT
 
-    def awaited(self, machine: Machine) -> list[Awaited]:
+    def awaited(self, machine: Machine) -> list[PanelWait]:
         """Return what the statements read that tasks repeat or wait at."""
         now = machine.clock.now
         found = [
-            Awaited("input", channel, self.line(at))
+            PanelWait("input", channel, self.line(at))
             for channel, (time, at) in self._read.items()
             if now - time <= QUIET
         ]
@@ -132,11 +132,11 @@ def _tasks(machine: Machine) -> list[Task]:
     return [] if scheduler is None else scheduler.interrupts[-1:] or scheduler.tasks
 
 
-def _read_by(statement: Statement, line: int) -> Iterator[Awaited]:
+def _read_by(statement: Statement, line: int) -> Iterator[PanelWait]:
     """Yield the channels that a statement reads, but for inputs, which a run reports by itself."""
     for use in statement.channels:
         if use.access == READ and use.channel in TABLE_OF:
-            yield Awaited(TABLE_OF[use.channel], number_of(use), line)
+            yield PanelWait(TABLE_OF[use.channel], number_of(use), line)
 
 
 def number_of(use: ChannelUse) -> int:
@@ -144,7 +144,7 @@ def number_of(use: ChannelUse) -> int:
     return int(use.number) if use.number.isdecimal() else 0
 
 
-def tasks_of(machine: Machine, watch: Watch, stopped: Mapping[Task, int]) -> list[tuple[str, int, str]]:
+def tasks_of(machine: Machine, watch: RestWatch, stopped: Mapping[Task, int]) -> list[tuple[str, int, str]]:
     """Return name, line and wait of each task; `stopped` has the next statement of one that is stepped."""
     return [
         (

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from motionlang.commands.explore import TABLES, Change, Entry, tables_of
 from motionlang.commands.explore.trials import number_in
 from motionlang.commands.init.file import inline, toml_value
-from motionlang.commands.panel.play import RELEASE, Play, Record
+from motionlang.commands.panel.play import RELEASE, Play, PlayRecord
 from motionlang.commands.scenarios import FOLDER_SUFFIX, Scenario, unmet
 from motionlang.kernel import Program, ProgramError, Run, Source, read_machine, run, settings_next_to
 from motionlang.kernel.files import create
@@ -84,7 +84,7 @@ def world_of(play: Play, settings: Mapping[str, object], below: Mapping[str, obj
         key: value for key, value in settings.items() if below.get(key) != value and key != "expect"
     }
     above["run.until"] = now if play.result is None else ceil(now) + 1.0
-    done = Record(
+    done = PlayRecord(
         [each for each in record.changes if each[0] < now or play.result is not None], record.answers
     )
     taken = {change.number for _, change in done.changes if change.table == "input"} & play.driven

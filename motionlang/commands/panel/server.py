@@ -18,7 +18,7 @@ from socketserver import TCPServer
 from time import monotonic, sleep
 from typing import Any
 
-from motionlang.commands.panel.session import Cursor, Session, Wrong
+from motionlang.commands.panel.session import Cursor, PanelSession, WrongAction
 from motionlang.hosts.address import LOOPBACK
 
 # The files of the page, by the last part of the address.
@@ -48,7 +48,7 @@ class PanelServer(ThreadingHTTPServer):
     # On Windows two servers could have one port otherwise.
     allow_reuse_address = sys.platform != "win32"
 
-    def __init__(self, session: Session, port: int = 0) -> None:
+    def __init__(self, session: PanelSession, port: int = 0) -> None:
         self.session, self.secret = session, token_urlsafe(12)
         self.over = threading.Event()
         self.pages = 0
@@ -118,7 +118,7 @@ class Handler(BaseHTTPRequestHandler):
         try:
             request = json.loads(self.rfile.read(int(length)))
             if not isinstance(request, dict):
-                raise Wrong("an action is an object")
+                raise WrongAction("an action is an object")
             self.server.session.act(request)
         except ValueError as error:
             self._refuse(HTTPStatus.BAD_REQUEST, str(error))

@@ -12,7 +12,7 @@ from motionlang.cli.command import Refused
 from motionlang.commands.explore import TABLES, Change, Entry
 from motionlang.commands.explore.switches import FoundSwitches
 from motionlang.commands.explore.trials import TEXTS, tables_of
-from motionlang.commands.panel.play import PER_SECOND, RELEASE, Play, Record
+from motionlang.commands.panel.play import PER_SECOND, RELEASE, Play, PlayRecord
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of
@@ -30,7 +30,7 @@ MIN_SPEED, MAX_SPEED = 0.1, 100.0
 CHECK = 1.0
 
 
-class Wrong(ValueError):
+class WrongAction(ValueError):
     """A page has asked for what cannot be done."""
 
 
@@ -42,7 +42,7 @@ class Cursor:
         self.record = -1, -1
 
 
-class Session:
+class PanelSession:
     """The run that the pages show; `act` is called with what a page asks for.
 
     `file` is the path of the program, `watched` are the files that are checked for changes.
@@ -68,13 +68,13 @@ class Session:
         self._notice = ""
         self._seen = self._stamps()
         self._is_changed = False
-        self._play = self._new(Record())
+        self._play = self._new(PlayRecord())
         self._play.start()
 
     def _made(self) -> Data:
         return contents(self.program, dialect(self.program.language), self.settings)
 
-    def _new(self, record: Record, until: float = 0.0, *, goes_on: bool = True) -> Play:
+    def _new(self, record: PlayRecord, until: float = 0.0, *, goes_on: bool = True) -> Play:
         """Return another run, from now on the present one, which ends the one before."""
         before: Play | None = getattr(self, "_play", None)
         if before is not None:
@@ -170,7 +170,7 @@ class Session:
         with self._acts:
             act = self._handlers().get(str(request.get("do", "")))
             if act is None:
-                raise Wrong("unknown action")
+                raise WrongAction("unknown action")
             act(request)
 
     def _handlers(self) -> dict[str, Callable[[Mapping[str, Any]], object]]:
@@ -193,29 +193,29 @@ class Session:
     def _set_speed(self, request: Mapping[str, Any]) -> None:
         speed, play = _number(request, "speed"), self._play
         if not MIN_SPEED <= speed <= MAX_SPEED:
-            raise Wrong(f"the speed is {MIN_SPEED:g} to {MAX_SPEED:g}")
+            raise WrongAction(f"the speed is {MIN_SPEED:g} to {MAX_SPEED:g}")
         play.post(lambda: play.set_speed(speed))
 
     def _change(self, request: Mapping[str, Any]) -> None:
         table, number, play = str(request.get("table", "")), int(_number(request, "number")), self._play
         if table == RELEASE:
             if number not in play.driven:
-                raise Wrong(f"the machine file does not drive input {number}")
+                raise WrongAction(f"the machine file does not drive input {number}")
             change = Change(RELEASE, number, 0.0)
         elif table in TABLES and table != "answer":
             value = str(request.get("value", "")) if table in TEXTS else _number(request, "value")
             change = Change(table, number, value)
             mistake = first_mistake(tables_of(((0.0, change),)))
             if mistake:
-                raise Wrong(mistake)
+                raise WrongAction(mistake)
         else:
-            raise Wrong(f"nothing changes {table or 'this'}")
+            raise WrongAction(f"nothing changes {table or 'this'}")
         play.post(lambda: play.change(change))
 
     def _reply(self, request: Mapping[str, Any]) -> None:
         text, play = str(request.get("text", "")), self._play
         if len(text) > MAX_LINE or not text.isprintable():
-            raise Wrong("this is no line")
+            raise WrongAction("this is no line")
         play.post(lambda: play.reply(text))
 
     def _go_back(self, time: float) -> None:
@@ -236,7 +236,7 @@ class Session:
         except (Refused, ProgramError) as error:
             first = error.diagnostics[0]
             where = f"line {first.line}: " if first.line else ""
-            raise Wrong(f"the old program stays: {where}{first.message}") from None
+            raise WrongAction(f"the old program stays: {where}{first.message}") from None
         self.settings = {**settings, **self._given}
         self._seen, self._is_changed = stamps, False
         self._contents = self._made()
@@ -244,7 +244,7 @@ class Session:
             self._new(before.record.until(before.now), before.now).start()
             self.say(f"started again, with {_actions(len(before.record))} up to {before.now:.2f} s")
         else:
-            self._new(Record()).start()
+            self._new(PlayRecord()).start()
             self.say("started again")
 
     def _put_switch(self) -> None:
@@ -265,7 +265,7 @@ class Session:
         """Let an input follow the output that explains what a hand did to it, and repeat the run."""
         play, entry = self._play, self._rules.get(number)
         if entry is None:
-            raise Wrong(f"no output explains the changes of input {number}")
+            raise WrongAction(f"no output explains the changes of input {number}")
         given = self.settings.get("input", ())
         others = [each for each in given if each["channel"] != number]  # type: ignore[attr-defined]
         self._given = {**self._given, "input": [*others, entry]}
@@ -276,7 +276,7 @@ class Session:
             for each in play.record.changes
             if (each[1].table, each[1].number) not in (("input", number), (RELEASE, number))
         ]
-        self._new(Record(changes, play.record.answers), play.now, goes_on=not play.is_paused).start()
+        self._new(PlayRecord(changes, play.record.answers), play.now, goes_on=not play.is_paused).start()
         self.say(f"repeated: input {number} {in_words(entry)}")
 
     def _save(self) -> None:
@@ -292,7 +292,7 @@ class Session:
             self.say(f"saved {saved.path}{differs}; motionlang verify {self._file} runs it")
 
 
-def _in_words(record: Record) -> list[tuple[float, str]]:
+def _in_words(record: PlayRecord) -> list[tuple[float, str]]:
     """Return the last entries of a record in words, with their times."""
     words = [(time, _word(change)) for time, change in record.changes[-MAX_RECORD:]]
     words += [(time, f"answer {text}") for time, text in record.answers[-MAX_RECORD:]]
@@ -310,7 +310,7 @@ def _actions(count: int) -> str:
 def _number(request: Mapping[str, Any], key: str) -> float:
     value = request.get(key)
     if not isinstance(value, (int, float)) or not isfinite(value):
-        raise Wrong(f"{key} is a number")
+        raise WrongAction(f"{key} is a number")
     return value
 
 

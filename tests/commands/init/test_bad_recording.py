@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motionlang.commands.init.recorded.recording import Change, Digital, Recording
+from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording, RecordedChange
 from motionlang.commands.init.recorded.rules import rule_of
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell, Outcome
@@ -154,15 +154,17 @@ def test_another_scale(cell: Cell) -> None:
 def test_a_machine_in_trouble() -> None:
     """Parts are missing: the rule stays a guess, and names the times."""
     on = [1.0 + 2.0 * k for k in range(10)]
-    valve = [Change(at + later, level, 0.001) for at in on for later, level in ((0.0, 1), (1.0, 0))]
+    valve = [RecordedChange(at + later, level, 0.001) for at in on for later, level in ((0.0, 1), (1.0, 0))]
     seen = [
-        Change(at + later, level, 0.001)
+        RecordedChange(at + later, level, 0.001)
         for k, at in enumerate(on)
         for later, level in ((0.3, 1), (1.3, 0))
         if k not in (4, 5)
     ]
     part = Digital("in3", 0, tuple(seen), 0)
-    recording = Recording("rec.csv", 0.0, 21.5, 0.002, {3: part}, {9: Digital("out9", 0, tuple(valve), 0)})
+    recording = MeasuredRecording(
+        "rec.csv", 0.0, 21.5, 0.002, {3: part}, {9: Digital("out9", 0, tuple(valve), 0)}
+    )
     rule = rule_of(3, part, recording)
     assert [{**each} for each in rule.entries] == [{"channel": 3, "output": 9, "delay": 0.3}]
     assert rule.missed == (9.0, 11.0)

@@ -8,7 +8,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from motionlang.commands.panel.session import Cursor, Session
+from motionlang.commands.panel.session import Cursor, PanelSession
 from motionlang.kernel import Program, ProgramError, Source, dialect_for, settings_next_to
 
 # Seconds of real time after which a test gives up.
@@ -40,7 +40,7 @@ Print "done"
 class Hand:
     """A person at a panel."""
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: PanelSession) -> None:
         self.session, self._cursor = session, Cursor()
         self.state: State = {}
         self.contents: State = {}
@@ -111,7 +111,7 @@ def operated(
             raise ProgramError(program.errors)
         return program, settings
 
-    session = Session(load, str(path), [str(path)], overrides or {})
+    session = PanelSession(load, str(path), [str(path)], overrides or {})
     hand = Hand(session)
     hand("pause")
     try:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.panel.session import Wrong
+from motionlang.commands.panel.session import WrongAction
 from tests.commands.panel.hands import PRESS, State, operated
 
 HOST = """\
@@ -187,7 +187,7 @@ def test_a_changed_file_is_run_again_with_the_same_actions(tmp_path: Path) -> No
         hand.hears("started again, with 1 action")
         hand.sees(lambda state: state["waits"] == [("input", 3, 8)])
         path.write_text("Pause INX(\n", encoding="utf-8")
-        with pytest.raises(Wrong, match="the old program stays: line 1"):
+        with pytest.raises(WrongAction, match="the old program stays: line 1"):
             hand("restart", keep=True)
 
 
@@ -229,7 +229,7 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
     ],
 )
 def test_what_no_page_may_ask_for_is_refused(tmp_path: Path, asked: dict[str, object], why: str) -> None:
-    with operated(tmp_path / "press.mnt", PRESS) as hand, pytest.raises(Wrong, match=why):
+    with operated(tmp_path / "press.mnt", PRESS) as hand, pytest.raises(WrongAction, match=why):
         hand.session.act(asked)
 
 

@@ -215,14 +215,14 @@ import multiprocessing, os, signal
 from motionlang.commands.sweep import Sweep, job, pool
 from motionlang.kernel.source import Source
 
-result = job.Worker.result
+result = job.SweepWorker.result
 
 def fatal(self, variant):
     if variant[0] == 30 and multiprocessing.parent_process() is not None:
         os.kill(os.getpid(), signal.SIGKILL)
     return result(self, variant)
 
-job.Worker.result = fatal
+job.SweepWorker.result = fatal
 pool.ALONE = pool.WORTH = 0.0
 if __name__ == "__main__":
     source = Source("a.mnt", "Const rate = 1000 : ACCEL(0) = rate : MOVER(0) = 20 : GO(0)")

@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motionlang.commands.compare.differences import usual_factor
-from motionlang.commands.init.recorded.outcome import Mark, matched, run_path
-from motionlang.commands.init.recorded.recording import Recording, Series, noise_of
+from motionlang.commands.init.recorded.outcome import OutcomeMark, matched, run_path
+from motionlang.commands.init.recorded.recording import MeasuredRecording, Series, noise_of
 from motionlang.kernel import Run
 
 # An axis rests if it does not move for so long, s; it moves by at least so many standard deviations of the noise.
@@ -34,7 +34,7 @@ EDGE = 2
 
 
 def switches(
-    run: Run, recording: Recording, guessed: Mapping[int, Mapping[str, object]]
+    run: Run, recording: MeasuredRecording, guessed: Mapping[int, Mapping[str, object]]
 ) -> tuple[dict[str, object], dict[str, str]]:
     """Return the settings of the guessed switches as measured, each with a comment."""
     found: dict[str, object] = {}
@@ -106,7 +106,7 @@ class _Stroke(NamedTuple):
     theirs: tuple[float, float]
 
 
-def axis_remarks(run: Run, recording: Recording) -> Iterator[str]:
+def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
     """Yield the axes whose scale or speed in the recording is not that of the run."""
     for axis, path in sorted(recording.positions.items()):
         strokes = [*_strokes(run, axis, path, recording)]
@@ -135,7 +135,7 @@ def axis_remarks(run: Run, recording: Recording) -> Iterator[str]:
             )
 
 
-def _strokes(run: Run, axis: int, path: Series, recording: Recording) -> Iterator[_Stroke]:
+def _strokes(run: Run, axis: int, path: Series, recording: MeasuredRecording) -> Iterator[_Stroke]:
     """Yield the strokes of an axis that a run and a recording both have, and that end where the next mark is."""
     found = matched(run, recording, ("axis",))
     ends = {("axis", axis, level) for level in (0, 1)}
@@ -150,7 +150,7 @@ def _strokes(run: Run, axis: int, path: Series, recording: Recording) -> Iterato
                 yield _Stroke(begin.time, own, theirs)
 
 
-def _figures(path: Series, begin: Mark, end: Mark) -> tuple[float, float] | None:
+def _figures(path: Series, begin: OutcomeMark, end: OutcomeMark) -> tuple[float, float] | None:
     """Return the travel of a stroke and its top speed; None if it has too few rows."""
     first, last = np.searchsorted(path.times, [begin.time, end.time])
     times = path.times[max(first - EDGE, 0) : last + EDGE]

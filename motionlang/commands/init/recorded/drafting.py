@@ -21,7 +21,7 @@ from motionlang.commands.init.recorded.axes import axis_remarks, switches
 from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.outcome import (
     SWAPPED,
-    Matched,
+    MatchedMarks,
     clock,
     cycle_text,
     matched,
@@ -31,11 +31,11 @@ from motionlang.commands.init.recorded.outcome import (
     running,
 )
 from motionlang.commands.init.recorded.recording import (
-    Recording,
+    MeasuredRecording,
     short_remarks,
     since,
 )
-from motionlang.commands.init.recorded.rules import Rule, rule_of
+from motionlang.commands.init.recorded.rules import MeasuredRule, rule_of
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.tools import count_of
 
@@ -53,12 +53,12 @@ class Measured(NamedTuple):
     """The world of a recording: the draft, the rule of each input, and sentences about the recording and the run."""
 
     draft: Draft
-    rules: dict[int, Rule]
+    rules: dict[int, MeasuredRule]
     sentences: list[str]
 
 
 def measure(
-    program: Program, raw: Recording, board: Mapping[str, object], until: float, drafting: Drafting
+    program: Program, raw: MeasuredRecording, board: Mapping[str, object], until: float, drafting: Drafting
 ) -> Measured:
     """Return the world of a recording; raise ProgramError if it is not one of this program.
 
@@ -90,7 +90,9 @@ def measure(
     return Measured(replace(draft, comments=comments), rules, sentences)
 
 
-def power_up_of(program: Program, raw: Recording, board: Mapping[str, object]) -> tuple[Recording, list[str]]:
+def power_up_of(
+    program: Program, raw: MeasuredRecording, board: Mapping[str, object]
+) -> tuple[MeasuredRecording, list[str]]:
     """Return a recording whose times count from power-up, with sentences about it."""
     _check_axes(program, raw, board)
     sentences = [*short_remarks(raw)]
@@ -107,7 +109,7 @@ def power_up_of(program: Program, raw: Recording, board: Mapping[str, object]) -
     return since(replace(raw, is_late=bool(late)), zero), sentences
 
 
-def of_clock(result: Run, recording: Recording) -> tuple[Recording, list[str]]:
+def of_clock(result: Run, recording: MeasuredRecording) -> tuple[MeasuredRecording, list[str]]:
     """Return a recording in the seconds of a run, with a sentence if its clock is wrong."""
     ratio = clock(result, recording)
     if ratio is None:
@@ -116,14 +118,16 @@ def of_clock(result: Run, recording: Recording) -> tuple[Recording, list[str]]:
     return since(recording, 0.0, ratio), [f"the clock of the recording is {text}; its times are corrected"]
 
 
-def check_program(program: Program, result: Run, recording: Recording) -> None:
+def check_program(program: Program, result: Run, recording: MeasuredRecording) -> None:
     """Raise ProgramError if a recording is not one of the program of a run."""
     found = matched(result, recording, ("output",))
     if found.is_other_program:
         raise ProgramError.of("recording", _other_program(program, found), hint=OTHER_PROGRAM)
 
 
-def entries_of(recording: Recording) -> tuple[dict[int, Rule], dict[str, object], dict[str, str]]:
+def entries_of(
+    recording: MeasuredRecording,
+) -> tuple[dict[int, MeasuredRule], dict[str, object], dict[str, str]]:
     """Return the rules of the inputs, the settings with them, and the comment of each entry."""
     rules = {number: rule_of(number, each, recording) for number, each in sorted(recording.inputs.items())}
     comments: dict[str, str] = {}
@@ -143,7 +147,7 @@ def entries_of(recording: Recording) -> tuple[dict[int, Rule], dict[str, object]
     return rules, given, comments
 
 
-def _missed_text(rule: Rule) -> str:
+def _missed_text(rule: MeasuredRule) -> str:
     if not rule.missed:
         return ""
     times = ", ".join(f"{each:.4g}" for each in rule.missed[:3])
@@ -151,7 +155,7 @@ def _missed_text(rule: Rule) -> str:
     return f"; not after {rule.subject} at {times} s{more}"
 
 
-def _power_up(program: Program, raw: Recording, board: Mapping[str, object]) -> tuple[float, str]:
+def _power_up(program: Program, raw: MeasuredRecording, board: Mapping[str, object]) -> tuple[float, str]:
     """Return the time of a recording at which the machine was switched on, s, and what shows that it was before.
 
     It is the begin if nothing shows it.
@@ -183,7 +187,7 @@ def _again(program: Program, draft: Draft, given: Mapping[str, object], until: f
 # ------------------------------------------------------------------------------------------ sentences
 
 
-def _unread(program: Program, raw: Recording) -> Iterator[str]:
+def _unread(program: Program, raw: MeasuredRecording) -> Iterator[str]:
     """Yield what the recording has and the program does not read, and the other way round."""
     uses = [use for _, use in program.structure.inputs()]
     if any(use.channel != "input" or not use.number.isdecimal() for use in uses):
@@ -210,7 +214,7 @@ def _it(numbers: list[int]) -> str:
     return "it" if len(numbers) == 1 else "them"
 
 
-def _check_axes(program: Program, raw: Recording, board: Mapping[str, object]) -> None:
+def _check_axes(program: Program, raw: MeasuredRecording, board: Mapping[str, object]) -> None:
     """Raise ProgramError if an axis is recorded that the controller does not have."""
     axes = program_run(program, board, 1e-3).controller.axes
     for axis, path in sorted(raw.positions.items()):
@@ -223,7 +227,7 @@ def _check_axes(program: Program, raw: Recording, board: Mapping[str, object]) -
             )
 
 
-def _missed_inputs(result: Run, recording: Recording) -> dict[int, str]:
+def _missed_inputs(result: Run, recording: MeasuredRecording) -> dict[int, str]:
     """Return the inputs that the run waits for at its end, and that never change though the machine goes on."""
     found = matched(result, recording, ("output",))
     if len(found.theirs) - len(found.pairs) <= SWAPPED:
@@ -252,7 +256,7 @@ def _waits(result: Run) -> list[tuple[int, set[int]]]:
     return found
 
 
-def _other_program(program: Program, found: Matched) -> str:
+def _other_program(program: Program, found: MatchedMarks) -> str:
     """Return why a recording is not one of a program."""
     shared = {each.label[1] for each in found.theirs} & {each.label[1] for each in found.mine}
     text = f"{len(found.pairs)} of {count_of(len(found.theirs), 'recorded change')} of outputs are in the run"
@@ -260,7 +264,7 @@ def _other_program(program: Program, found: Matched) -> str:
     return f"the recording is not one of {program.source.name}: {text}{_first_difference(found)}"
 
 
-def _first_difference(found: Matched) -> str:
+def _first_difference(found: MatchedMarks) -> str:
     """Return the first recorded mark that the run has not, and what the run does instead."""
     paired = {b: a for a, b in found.pairs}
     for k, each in enumerate(found.theirs):
@@ -273,7 +277,7 @@ def _first_difference(found: Matched) -> str:
     return ""
 
 
-def outcome(result: Run, recording: Recording) -> Iterator[str]:
+def outcome(result: Run, recording: MeasuredRecording) -> Iterator[str]:
     """Yield how the run agrees with the recording."""
     text = cycle_text(result, recording)
     if text is not None:
@@ -301,7 +305,7 @@ def outcome(result: Run, recording: Recording) -> Iterator[str]:
             )
 
 
-def rules_in_words(rules: Mapping[int, Rule]) -> Iterator[str]:
+def rules_in_words(rules: Mapping[int, MeasuredRule]) -> Iterator[str]:
     for number, rule in rules.items():
         if not rule.is_explained:
             count = count_of(len(rule.entries), "change")

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.commands.init.recorded.recording import (
-    Recording,
+    MeasuredRecording,
     Series,
     least_speed,
     machine_positions,
@@ -56,7 +56,7 @@ LONG = 1.5
 Label = tuple[str, int, int]
 
 
-class Mark(NamedTuple):
+class OutcomeMark(NamedTuple):
     """Something that a recording and a run both show."""
 
     time: float
@@ -69,10 +69,10 @@ class Mark(NamedTuple):
         return f"axis {number} {'starts' if level else 'stops'}"
 
 
-def recorded_marks(recording: Recording) -> list[Mark]:
+def recorded_marks(recording: MeasuredRecording) -> list[OutcomeMark]:
     """Return the marks of a recording, in its own time."""
     found = [
-        Mark(each.time, ("output", number, each.level))
+        OutcomeMark(each.time, ("output", number, each.level))
         for number, channel in recording.outputs.items()
         for each in channel.changes
     ]
@@ -81,22 +81,22 @@ def recorded_marks(recording: Recording) -> list[Mark]:
     return sorted(found)
 
 
-def run_marks(run: Run, recording: Recording) -> list[Mark]:
+def run_marks(run: Run, recording: MeasuredRecording) -> list[OutcomeMark]:
     """Return the marks of a run that the recording can have, sampled like it."""
-    found: list[Mark] = []
+    found: list[OutcomeMark] = []
     levels: dict[int, int] = defaultdict(int)
     for each in run.machine.log.outputs:
         level = int(bool(each.value))
         if each.channel in recording.outputs and levels[each.channel] != level:
             levels[each.channel] = level
-            found.append(Mark(each.time, ("output", each.channel, level)))
+            found.append(OutcomeMark(each.time, ("output", each.channel, level)))
     for axis, path in recording.positions.items():
         if axis in run.trace.axes:
             found += _strokes(axis, run_path(run, axis, recording), path)
     return sorted(found)
 
 
-def run_path(run: Run, axis: int, recording: Recording) -> Series:
+def run_path(run: Run, axis: int, recording: MeasuredRecording) -> Series:
     """Return the positions of an axis in a run, sampled as those of a recording, from the rest before power-up on."""
     trace, path = run.trace, recording.positions[axis]
     rest = 2.0 * window_of(path) * recording.step
@@ -104,7 +104,7 @@ def run_path(run: Run, axis: int, recording: Recording) -> Series:
     return machine_positions(Series("", times, trace.at(axis, "position", np.maximum(times, 0.0))))
 
 
-def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[Mark]:
+def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[OutcomeMark]:
     """Yield where an axis starts and stops, by the slopes that show motion in its recording."""
     window = window_of(recorded)
     if len(path.times) < 2 * window + 3 or not float(np.ptp(recorded.values)) > 0.0:
@@ -114,7 +114,7 @@ def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[Mark]:
     edges = _without_short(edges, moves, window, is_moving=False)  # a slow part of a move
     edges = _without_short(edges, moves, window, is_moving=True)  # noise
     for k in edges:
-        yield Mark(float(path.times[k] + path.times[k + 1]) / 2, ("axis", axis, int(moves[k + 1])))
+        yield OutcomeMark(float(path.times[k] + path.times[k + 1]) / 2, ("axis", axis, int(moves[k + 1])))
 
 
 def _without_short(edges: list[int], moves: NDArray[np.bool_], window: int, *, is_moving: bool) -> list[int]:
@@ -128,7 +128,7 @@ def _without_short(edges: list[int], moves: NDArray[np.bool_], window: int, *, i
     return found
 
 
-def power_up(run: Run, recording: Recording, before: float) -> float | None:
+def power_up(run: Run, recording: MeasuredRecording, before: float) -> float | None:
     """Return the time of the recording at which the run begins, s; None if no mark agrees.
 
     Marks count up to `before`, and up to the first wait for an input.
@@ -147,7 +147,7 @@ def power_up(run: Run, recording: Recording, before: float) -> float | None:
         first = next(each for each in mine if each.label == label)
         for time in times[label][:FIRST]:
             offset = time - first.time
-            count = sum(_has(times[each.label], each.time + offset, recording) for each in mine)
+            count = [_has(times[each.label], each.time + offset, recording) for each in mine].count(True)
             if best is None or (count, -abs(offset - recording.begin)) > best[:2]:
                 best = count, -abs(offset - recording.begin), offset
     if best is None or not best[0]:
@@ -158,11 +158,11 @@ def power_up(run: Run, recording: Recording, before: float) -> float | None:
     return fmean(near)
 
 
-def _has(times: Sequence[float], time: float, recording: Recording) -> bool:
+def _has(times: Sequence[float], time: float, recording: MeasuredRecording) -> bool:
     return abs(_nearest(times, time) - time) <= _near(recording)
 
 
-def _near(recording: Recording) -> float:
+def _near(recording: MeasuredRecording) -> float:
     """Return by how much the times of a mark may differ, s."""
     return NEAR_ROWS * recording.step + NEAR
 
@@ -172,7 +172,7 @@ def _nearest(times: Sequence[float], time: float) -> float:
     return min(times[max(at - 1, 0) : at + 1], key=lambda each: abs(each - time), default=inf)
 
 
-def running(run: Run, recording: Recording) -> str:
+def running(run: Run, recording: MeasuredRecording) -> str:
     """Return what a machine does at the begin of its recording, and not so soon after power-up; "" if it is nothing."""
     soon = {each.label for each in run_marks(run, recording) if each.time <= SOON + recording.step}
     for number, channel in sorted(recording.outputs.items()):
@@ -185,11 +185,11 @@ def running(run: Run, recording: Recording) -> str:
     return ""
 
 
-class Matched(NamedTuple):
+class MatchedMarks(NamedTuple):
     """Marks of a run with those of the recording, as positions in both lists."""
 
-    mine: list[Mark]
-    theirs: list[Mark]
+    mine: list[OutcomeMark]
+    theirs: list[OutcomeMark]
     pairs: list[tuple[int, int]]
 
     @property
@@ -202,7 +202,9 @@ class Matched(NamedTuple):
         return len(self.pairs) < SAME_PROGRAM * len(self.theirs) and (is_else or is_unknown)
 
 
-def matched(run: Run, recording: Recording, kinds: Sequence[str] = ("output", "axis")) -> Matched:
+def matched(
+    run: Run, recording: MeasuredRecording, kinds: Sequence[str] = ("output", "axis")
+) -> MatchedMarks:
     """Match the marks of a run with those of a recording, in order.
 
     Outputs of the tasks beside the work, such as a lamp that blinks, have no place in that order.
@@ -214,10 +216,10 @@ def matched(run: Run, recording: Recording, kinds: Sequence[str] = ("output", "a
     matcher = SequenceMatcher(None, [a.label for a in mine], [b.label for b in theirs], autojunk=False)
     pairs = {block.b + k: block.a + k for block in matcher.get_matching_blocks() for k in range(block.size)}
     _pair_swapped(mine, theirs, pairs)
-    return Matched(mine, theirs, sorted((a, b) for b, a in pairs.items()))
+    return MatchedMarks(mine, theirs, sorted((a, b) for b, a in pairs.items()))
 
 
-def _counts(mark: Mark, kinds: Sequence[str], beside: Collection[int]) -> bool:
+def _counts(mark: OutcomeMark, kinds: Sequence[str], beside: Collection[int]) -> bool:
     kind, number, _ = mark.label
     return kind in kinds and not (kind == "output" and number in beside)
 
@@ -234,7 +236,7 @@ def _beside(run: Run) -> set[int]:
     return {channel for channel, tasks in by.items() if working and not tasks & working}
 
 
-def _pair_swapped(mine: Sequence[Mark], theirs: Sequence[Mark], pairs: dict[int, int]) -> None:
+def _pair_swapped(mine: Sequence[OutcomeMark], theirs: Sequence[OutcomeMark], pairs: dict[int, int]) -> None:
     """Pair marks of both that are in another order next to each other, since they were recorded in the same row."""
     used = set(pairs.values())
     before = -1
@@ -249,7 +251,7 @@ def _pair_swapped(mine: Sequence[Mark], theirs: Sequence[Mark], pairs: dict[int,
             used.add(found)
 
 
-def clock(run: Run, recording: Recording) -> float | None:
+def clock(run: Run, recording: MeasuredRecording) -> float | None:
     """Return how many seconds the recording counts for one of the run; None if that is not certain.
 
     Only times between marks that follow each other count, and none in which the run waits for an input. An output that
@@ -290,7 +292,7 @@ def clock(run: Run, recording: Recording) -> float | None:
 # ------------------------------------------------------------------------------------------ the cycle
 
 
-def cycle_text(run: Run, recording: Recording) -> str | None:
+def cycle_text(run: Run, recording: MeasuredRecording) -> str | None:
     """Return the cycle of the recording against that of the run, with the largest difference; None if none is known."""
     cycle = run.cycle
     if cycle is None:
@@ -322,7 +324,7 @@ def _middle(values: Sequence[float]) -> float:
     return fmean(ordered[cut : len(ordered) - cut])
 
 
-def _regular(marks: Sequence[Mark], spans: Sequence[tuple[float, float]]) -> dict[Label, float]:
+def _regular(marks: Sequence[OutcomeMark], spans: Sequence[tuple[float, float]]) -> dict[Label, float]:
     """Return the labels that occur once in each cycle, with the usual time after its begin."""
     found: dict[Label, float] = {}
     for label in dict.fromkeys(each.label for each in marks):
@@ -335,7 +337,7 @@ def _regular(marks: Sequence[Mark], spans: Sequence[tuple[float, float]]) -> dic
 
 def _differences(
     run: Run,
-    recording: Recording,
+    recording: MeasuredRecording,
     labels: dict[Label, float],
     pairs: dict[Label, list[tuple[float, float]]],
 ) -> str:
@@ -356,11 +358,13 @@ def _differences(
             continue
         change = median(theirs) - median(mine)
         if abs(change) > max(least, abs(worst[0])):
-            worst = change, _where(run, spans[0], Mark(0.0, before), Mark(0.0, after), change)
+            worst = change, _where(run, spans[0], OutcomeMark(0.0, before), OutcomeMark(0.0, after), change)
     return worst[1]
 
 
-def _where(run: Run, span: tuple[float, float], before: Mark, after: Mark, change: float) -> str:
+def _where(
+    run: Run, span: tuple[float, float], before: OutcomeMark, after: OutcomeMark, change: float
+) -> str:
     milliseconds = float(f"{abs(change) * 1000.0:.3g}")
     size = f"{milliseconds:.10g} ms {'longer' if change > 0.0 else 'shorter'}"
     waits = [

@@ -54,7 +54,7 @@ _NAMES = {
 }
 
 
-class Change(NamedTuple):
+class RecordedChange(NamedTuple):
     """A change of a channel to a level; it lies within `within` of `time`, s."""
 
     time: float
@@ -67,7 +67,7 @@ class Digital(NamedTuple):
 
     column: str
     first: int
-    changes: tuple[Change, ...]
+    changes: tuple[RecordedChange, ...]
     bounces: int
 
     @property
@@ -85,7 +85,7 @@ class Series(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Recording:
+class MeasuredRecording:
     """What a file has of a machine, by number; times in s, `step` is the usual one from row to row.
 
     `is_late` is True if it begins after power-up.
@@ -108,7 +108,7 @@ class Recording:
         return any(a < end and b > begin for a, b in self.gaps)
 
 
-def read_recording(source: Source, mapping: Sequence[Mapped]) -> Recording:
+def read_recording(source: Source, mapping: Sequence[Mapped]) -> MeasuredRecording:
     """Return what a recording has of a machine; raise ProgramError if that is nothing."""
     table = read_table(source)
     targets = {each.target: each for each in mapping}
@@ -130,7 +130,7 @@ def read_recording(source: Source, mapping: Sequence[Mapped]) -> Recording:
     usual = float(np.median(steps))
     wide = np.flatnonzero(steps > GAP * usual)
     gaps = tuple((float(times[k]), float(times[k + 1])) for k in wide)
-    found = Recording(
+    found = MeasuredRecording(
         source.name,
         float(times[0]),
         float(times[-1]),
@@ -158,13 +158,13 @@ def read_recording(source: Source, mapping: Sequence[Mapped]) -> Recording:
     return found
 
 
-def since(recording: Recording, zero: float, clock: float = 1.0) -> Recording:
+def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> MeasuredRecording:
     """Return what was recorded from a time on, s, which becomes 0; the recording counts `clock` seconds for one."""
 
     def digital(channel: Digital) -> Digital:
         before = [each.level for each in channel.changes if each.time <= zero]
         changes = tuple(
-            Change((each.time - zero) / clock, each.level, each.within / clock)
+            RecordedChange((each.time - zero) / clock, each.level, each.within / clock)
             for each in channel.changes
             if each.time > zero
         )
@@ -225,16 +225,18 @@ def _digital(series: Series, *, is_inverted: bool) -> Digital:
         levels, times = np.full(len(series.values), low > 0.5), series.times
     levels = levels != is_inverted
     changes = [
-        Change(float(times[k] + times[k + 1]) / 2, int(levels[k + 1]), float(times[k + 1] - times[k]) / 2)
+        RecordedChange(
+            float(times[k] + times[k + 1]) / 2, int(levels[k + 1]), float(times[k + 1] - times[k]) / 2
+        )
         for k in np.flatnonzero(levels[1:] != levels[:-1])
     ]
     settled, bounces = _settled(changes)
     return Digital(series.column, int(levels[0]), tuple(settled), bounces)
 
 
-def _settled(changes: Sequence[Change]) -> tuple[list[Change], int]:
+def _settled(changes: Sequence[RecordedChange]) -> tuple[list[RecordedChange], int]:
     """Return changes without those of a bouncing contact, and how many changes bounced."""
-    found: list[Change] = []
+    found: list[RecordedChange] = []
     bounces = k = 0
     while k < len(changes):
         last = k
@@ -304,7 +306,7 @@ def _gap_remarks(gaps: Sequence[tuple[float, float]]) -> Iterator[Diagnostic]:
         )
 
 
-def short_remarks(recording: Recording) -> Iterator[str]:
+def short_remarks(recording: MeasuredRecording) -> Iterator[str]:
     """Yield a sentence for each channel whose pulses are too short for the rows, or that bounces."""
     for kind, channels in (("input", recording.inputs), ("output", recording.outputs)):
         for number, each in sorted(channels.items()):

@@ -31,9 +31,9 @@ from numpy.typing import NDArray
 
 from motionlang.commands.explore import Entry
 from motionlang.commands.init.recorded.recording import (
-    Change,
     Digital,
-    Recording,
+    MeasuredRecording,
+    RecordedChange,
     Series,
     least_speed,
     slopes,
@@ -60,7 +60,7 @@ MARKS = 1000
 PLACES = 3
 
 
-class Figure(NamedTuple):
+class MeasuredFigure(NamedTuple):
     """Measured values of one quantity: the figure to write, the least and the largest, and the unit."""
 
     value: float
@@ -75,7 +75,7 @@ class Figure(NamedTuple):
         return f"{low} {self.unit}, {times}" if low == high else f"{low} to {high} {self.unit}, {times}"
 
 
-class Rule(NamedTuple):
+class MeasuredRule(NamedTuple):
     """Why an input changes: entries of the machine file, each with a comment, and how well they explain it.
 
     `subject` names the cause. `seen` counts the changes that agree, `missed` has the times at which the cause had no
@@ -101,12 +101,12 @@ class Rule(NamedTuple):
         return self.seen < SEEN or bool(self.missed) or not self.is_explained
 
 
-def rule_of(number: int, channel: Digital, recording: Recording) -> Rule:
+def rule_of(number: int, channel: Digital, recording: MeasuredRecording) -> MeasuredRule:
     """Return the rule that explains an input."""
     if not channel.changes:
         text = f"{'on' if channel.first else 'off'} in all of the recording"
         constant: Entry = {"channel": number, "at": 0.0, **({} if channel.first else {"value": 0})}
-        return Rule("", (constant,), (text,), SEEN, 0.0, 0)
+        return MeasuredRule("", (constant,), (text,), SEEN, 0.0, 0)
     found = [*_following(number, channel, recording), *_along_axes(number, channel, recording)]
     found += [*_every(number, channel, recording), *_once(number, channel, recording)]
     if not found:
@@ -125,11 +125,11 @@ def rule_of(number: int, channel: Digital, recording: Recording) -> Rule:
     return chosen._replace(others=tuple(others), reason=reason)
 
 
-def _figure(values: Sequence[float], unit: str = "s") -> Figure:
-    return Figure(round(fmean(values), PLACES), min(values), max(values), len(values), unit)
+def _figure(values: Sequence[float], unit: str = "s") -> MeasuredFigure:
+    return MeasuredFigure(round(fmean(values), PLACES), min(values), max(values), len(values), unit)
 
 
-def _tolerance(value: float, recording: Recording) -> float:
+def _tolerance(value: float, recording: MeasuredRecording) -> float:
     """Return by how much a measured time may vary around its median, s."""
     return max(SPREAD_SHARE * abs(value), SPREAD, SPREAD_ROWS * recording.step)
 
@@ -140,15 +140,17 @@ def _tolerance(value: float, recording: Recording) -> float:
 class _Pairs(NamedTuple):
     """Changes of an input with those of an output that led to them, and those of the output without an effect."""
 
-    pairs: list[tuple[Change, Change]]
-    missed: list[Change]
+    pairs: list[tuple[RecordedChange, RecordedChange]]
+    missed: list[RecordedChange]
 
     def delays(self, level: int) -> list[float]:
         """Return the delays to one level of the input, s."""
         return [max(after.time - before.time, 0.0) for before, after in self.pairs if after.level == level]
 
 
-def _paired(changes: Sequence[Change], causes: Sequence[Change], recording: Recording) -> _Pairs | None:
+def _paired(
+    changes: Sequence[RecordedChange], causes: Sequence[RecordedChange], recording: MeasuredRecording
+) -> _Pairs | None:
     """Pair each change of an input with the last cause before it; None if one has no cause at a usual time before.
 
     `causes` have the level that they lead to. A change without a cause may come from before the recording, or from a
@@ -156,8 +158,8 @@ def _paired(changes: Sequence[Change], causes: Sequence[Change], recording: Reco
     """
     by_level = {level: [each for each in causes if each.level == level] for level in (0, 1)}
     times = {level: [each.time for each in by_level[level]] for level in (0, 1)}
-    found: list[tuple[Change, Change]] = []
-    without: list[Change] = []
+    found: list[tuple[RecordedChange, RecordedChange]] = []
+    without: list[RecordedChange] = []
     for each in changes:
         at = bisect_right(times[each.level], each.time + each.within + recording.step / 2) - 1
         if at < 0:
@@ -169,7 +171,7 @@ def _paired(changes: Sequence[Change], causes: Sequence[Change], recording: Reco
         for level in (0, 1)
         if (leads := [b.time - a.time for a, b in found if b.level == level])
     }
-    pairs: list[tuple[Change, Change]] = []
+    pairs: list[tuple[RecordedChange, RecordedChange]] = []
     for cause, each in found:
         lead = each.time - cause.time
         if abs(lead - usual[each.level]) <= _tolerance(usual[each.level], recording):
@@ -193,11 +195,11 @@ def _paired(changes: Sequence[Change], causes: Sequence[Change], recording: Reco
     return _Pairs(pairs, missed)
 
 
-def _causes(output: Digital, *, is_inverted: bool) -> list[Change]:
+def _causes(output: Digital, *, is_inverted: bool) -> list[RecordedChange]:
     return [each._replace(level=each.level ^ is_inverted) for each in output.changes]
 
 
-def _following(number: int, channel: Digital, recording: Recording) -> Iterator[Rule]:
+def _following(number: int, channel: Digital, recording: MeasuredRecording) -> Iterator[MeasuredRule]:
     """Yield the rules by which an input follows an output: both of its changes, or pulses after one of them."""
     for output, switched in sorted(recording.outputs.items()):
         for is_inverted in (False, True):
@@ -211,11 +213,11 @@ def _followed(
     number: int,
     channel: Digital,
     output: int,
-    causes: list[Change],
-    recording: Recording,
+    causes: list[RecordedChange],
+    recording: MeasuredRecording,
     *,
     is_inverted: bool,
-) -> Iterator[Rule]:
+) -> Iterator[MeasuredRule]:
     paired = _paired(channel.changes, causes, recording)
     if paired is None or not paired.pairs:
         return
@@ -237,7 +239,7 @@ def _followed(
         figure = _figure(delays)
         entry = base | inverted | {"delay": figure.value}
         # A pair of changes, each with its own cause, agrees with itself.
-        yield Rule(
+        yield MeasuredRule(
             subject,
             (entry,),
             (str(figure),),
@@ -261,10 +263,10 @@ def _followed(
             comments.append(f"{'on' if level else 'off'} after {figure}")
         spread = max(max(own) - min(own) for _, own in parts)
         lead = max(median(to_on), median(to_off))
-        yield Rule(subject, tuple(entries), tuple(comments), len(delays), spread, 2, lead, missed)
+        yield MeasuredRule(subject, tuple(entries), tuple(comments), len(delays), spread, 2, lead, missed)
 
 
-def _effective(missed: Sequence[Change], channel: Digital) -> Iterator[Change]:
+def _effective(missed: Sequence[RecordedChange], channel: Digital) -> Iterator[RecordedChange]:
     """Yield the causes after which the input should have had another level than it had at that time."""
     for each in missed:
         if _level(channel, each.time) != each.level:
@@ -280,11 +282,11 @@ def _pulses(
     number: int,
     channel: Digital,
     output: int,
-    causes: list[Change],
-    recording: Recording,
+    causes: list[RecordedChange],
+    recording: MeasuredRecording,
     *,
     is_inverted: bool,
-) -> Iterator[Rule]:
+) -> Iterator[MeasuredRule]:
     active = 1 - channel.first
     starts = [each for each in channel.changes if each.level == active]
     lengths = [b.time - a.time for a, b in pairwise(channel.changes) if a.level == active]
@@ -302,22 +304,24 @@ def _pulses(
     entry |= {} if active else {"value": 0}
     spread = max(delay.most - delay.least, length.most - length.least)
     comment = f"{delay}; for {length}"
-    yield Rule(f"output {output}", (entry,), (comment,), len(starts), spread, 3, delay.value, missed)
+    yield MeasuredRule(f"output {output}", (entry,), (comment,), len(starts), spread, 3, delay.value, missed)
 
 
-def _agree(times: Sequence[float], recording: Recording) -> bool:
+def _agree(times: Sequence[float], recording: MeasuredRecording) -> bool:
     return max(times) - min(times) <= _tolerance(median(times), recording)
 
 
 # ------------------------------------------------------------------------------------------ positions
 
 
-def _along_axes(number: int, channel: Digital, recording: Recording) -> Iterator[Rule]:
+def _along_axes(number: int, channel: Digital, recording: MeasuredRecording) -> Iterator[MeasuredRule]:
     for axis, path in sorted(recording.positions.items()):
         yield from _along(number, channel, axis, path, recording)
 
 
-def _along(number: int, channel: Digital, axis: int, path: Series, recording: Recording) -> Iterator[Rule]:
+def _along(
+    number: int, channel: Digital, axis: int, path: Series, recording: MeasuredRecording
+) -> Iterator[MeasuredRule]:
     """Yield the rule by which an input follows the position of an axis, if there is one."""
     if len(channel.changes) < SEEN or not float(np.ptp(path.values)) > 0.0:
         return
@@ -341,11 +345,11 @@ def _along(number: int, channel: Digital, axis: int, path: Series, recording: Re
             entry: Entry = {"channel": number, "axis": axis, **keys, **({} if active else {"value": 0})}
             if _agrees(entry, active, channel, path, recording):
                 seconds = spread / float(np.median(np.abs(speed[moves])))
-                yield Rule(f"axis {axis}", (entry,), (texts,), len(pairs), seconds, 1)
+                yield MeasuredRule(f"axis {axis}", (entry,), (texts,), len(pairs), seconds, 1)
 
 
 def _regions(
-    lows: list[float], highs: list[float], tolerance: float, recording: Recording
+    lows: list[float], highs: list[float], tolerance: float, recording: MeasuredRecording
 ) -> Iterator[tuple[Entry, float, str]]:
     """Yield the keys of a region with these ends, their spread in user units, and the comment."""
     spread = max(max(each) - min(each) for each in (lows, highs) if each)
@@ -408,7 +412,7 @@ def _off(values: Sequence[float], phase: float, every: float) -> float:
     return max(offs) - min(offs)
 
 
-def _agrees(entry: Entry, active: int, channel: Digital, path: Series, recording: Recording) -> bool:
+def _agrees(entry: Entry, active: int, channel: Digital, path: Series, recording: MeasuredRecording) -> bool:
     """True if the input has the level of a region in all rows but those around its changes."""
     inside = _region(entry)(path.values)
     times = [each.time for each in channel.changes]
@@ -434,7 +438,7 @@ def _region(entry: Entry) -> Callable[[Array], NDArray[np.bool_]]:
 # ------------------------------------------------------------------------------------------ times
 
 
-def _every(number: int, channel: Digital, recording: Recording) -> Iterator[Rule]:
+def _every(number: int, channel: Digital, recording: MeasuredRecording) -> Iterator[MeasuredRule]:
     """Yield the rule of an input that is active again and again."""
     starts = [each.time for each in channel.changes if each.level != channel.first]
     lengths = [b.time - a.time for a, b in pairwise(channel.changes) if a.level != channel.first]
@@ -450,10 +454,10 @@ def _every(number: int, channel: Digital, recording: Recording) -> Iterator[Rule
     if starts[-1] + 1.5 * mean < recording.end:
         entry["times"] = len(starts)
     spread = max(period.most - period.least, length.most - length.least)
-    yield Rule("time", (entry,), (f"every {period}; for {length}",), len(starts), spread, 4)
+    yield MeasuredRule("time", (entry,), (f"every {period}; for {length}",), len(starts), spread, 4)
 
 
-def _once(number: int, channel: Digital, recording: Recording) -> Iterator[Rule]:
+def _once(number: int, channel: Digital, recording: MeasuredRecording) -> Iterator[MeasuredRule]:
     """Yield the rule of an input that changes once, or is active once."""
     changes = channel.changes
     if len(changes) > 2:
@@ -465,19 +469,19 @@ def _once(number: int, channel: Digital, recording: Recording) -> Iterator[Rule]
         entries += [
             {"channel": number, "at": round(each.time, PLACES), "value": each.level} for each in changes
         ]
-        yield Rule("time", tuple(entries), ("", *["once"] * len(changes)), 1, 0.0, 5)
+        yield MeasuredRule("time", tuple(entries), ("", *["once"] * len(changes)), 1, 0.0, 5)
     elif len(changes) == 1:
-        yield Rule("time", (entry,), ("once",), 1, 0.0, 1)
+        yield MeasuredRule("time", (entry,), ("once",), 1, 0.0, 1)
     else:
         length = round(changes[1].time - first.time, PLACES)
-        yield Rule("time", ({**entry, "for": length},), ("once",), 1, 0.0, 1)
+        yield MeasuredRule("time", ({**entry, "for": length},), ("once",), 1, 0.0, 1)
 
 
-def _one_by_one(number: int, channel: Digital) -> Rule:
+def _one_by_one(number: int, channel: Digital) -> MeasuredRule:
     """Return the recorded changes of an input that no rule explains."""
     entries: list[Entry] = [{"channel": number, "at": 0.0}] if channel.first else []
     entries += [
         {"channel": number, "at": round(each.time, PLACES), "value": each.level} for each in channel.changes
     ]
     comments = ("as recorded: no rule explains it", *[""] * (len(entries) - 1))
-    return Rule("", tuple(entries), comments, 0, 0.0, 9, is_explained=False)
+    return MeasuredRule("", tuple(entries), comments, 0, 0.0, 9, is_explained=False)

@@ -23,7 +23,7 @@ from motionlang.commands.init.recorded.drafting import (
     program_run,
     rules_in_words,
 )
-from motionlang.commands.init.recorded.recording import Recording
+from motionlang.commands.init.recorded.recording import MeasuredRecording
 from motionlang.kernel import Program
 
 MEASURED = ("input", "analogue")
@@ -33,7 +33,7 @@ _SECTION = re.compile(r"\s*\[axis\.(\d+)\]")
 _TABLE = re.compile(r"\s*(input|analogue)\s*=\s*\[")
 
 
-class Update(NamedTuple):
+class FileUpdate(NamedTuple):
     """The new text of a machine file, and sentences about the recording and the run with it."""
 
     text: str
@@ -41,8 +41,8 @@ class Update(NamedTuple):
 
 
 def update(
-    program: Program, raw: Recording, text: str, settings: Mapping[str, object], until: float
-) -> Update:
+    program: Program, raw: MeasuredRecording, text: str, settings: Mapping[str, object], until: float
+) -> FileUpdate:
     """Return a machine file, given as text and settings, with what a recording measured."""
     base = {key: value for key, value in settings.items() if key not in MEASURED}
     recording, sentences = power_up_of(program, raw, base)
@@ -70,7 +70,7 @@ def update(
             if mine and not _is_guess(mine) and not _agree(mine, theirs):
                 shown = " and ".join(map(inline, theirs))
                 sentences.append(f"{table} {channel} stays as it is; the recording has {shown}")
-    return Update(_text(text, settings, measured, found, comments), sentences)
+    return FileUpdate(_text(text, settings, measured, found, comments), sentences)
 
 
 def _with(settings: Mapping[str, object], measured: Mapping[str, object]) -> dict[str, object]:
