@@ -51,7 +51,7 @@ class Abandoned(BaseException):
 
 @dataclass
 class PlayRecord:
-    """What a hand has done: changes with their times, in order, and answers with the time of their question."""
+    """The actions of a person: changes with their times, in order, and answers with the time of their question."""
 
     changes: list[tuple[float, Change]] = field(default_factory=list)
     answers: list[tuple[float, str]] = field(default_factory=list)

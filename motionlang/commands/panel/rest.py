@@ -1,4 +1,4 @@
-"""What a running program waits for: its tasks, whether they rest, and the channels that they look at.
+"""The waits of a running program: its tasks, if they are at rest, and the channels that they read.
 
 A loop that polls is no wait of the scheduler, so rest is a matter of time: no statement begins that is not one of the
 last second, no move begins, and no axis is on its way to an end.

@@ -1,4 +1,4 @@
-"""What all pages of a panel share: the present run, its state, and what a person does with it."""
+"""The session that all pages of a panel share: the present run, its state, and the actions of its users."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class WrongAction(ValueError):
 
 
 class Cursor:
-    """What a page has been sent: the number of the run, the characters of its output, the record, the notice."""
+    """The data that a page has: the number of the run, the characters of its output, the record, the notice."""
 
     def __init__(self) -> None:
         self.run = self.text = self.notice = self.state = -1
@@ -166,7 +166,7 @@ class PanelSession:
     # ---------------------------------------------------------------------------------------- what pages ask for
 
     def act(self, request: Mapping[str, Any]) -> None:
-        """Do what a page asks for; raise Wrong if that is not possible."""
+        """Do what a page asks for; raise WrongAction if that is not possible."""
         with self._acts:
             act = self._handlers().get(str(request.get("do", "")))
             if act is None:

@@ -189,7 +189,7 @@ class Structure:
 
     @cached_property
     def waits(self) -> WaitAnalysis:
-        """What the waits and loops of the program depend on."""
+        """The analysis of its waits and loops."""
         return WaitAnalysis(self)
 
     @property

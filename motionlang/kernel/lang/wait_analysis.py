@@ -1,13 +1,13 @@
-"""What the waits and loops of a program depend on, found from its steps, for both languages.
+"""The dependencies of the waits and loops of a program, found from its steps, for both languages.
 
 Problem. Hints, the map, the profile and the exploration ask what a wait or a loop may wait for: inputs, axes, time,
 other tasks. A loop polls in many forms: While, Goto, a jump of MCCL, a call of a sub that reads the input.
 
 Idea. A statement reads what the column `reads` of its keywords says (`keyword.py`), and what it calls reads. A loop is
 what lies between an edge back and its target: the points below the target that lead to the edge. It ends at the points
-that lead out, and at the branches that decide whether an iteration comes to them. A variable that one of these tests
-stands for what the loop assigns to it, and for the branches that decide whether it does so. A variable that only other
-tasks assign stands for these, unless the loop counts.
+that lead out, and at the branches that decide whether an iteration comes to them. For a variable in one of these tests,
+the values that the loop assigns to it count, and the branches that decide whether it does so. A variable that only
+other tasks assign counts as a reading of these tasks, unless the loop counts to a limit.
 
     While Not done              leads out: it tests `done`
       If INX(2) Then            decides whether `done` is assigned: the loop waits for input 2

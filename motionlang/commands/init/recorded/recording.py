@@ -86,7 +86,7 @@ class Series(NamedTuple):
 
 @dataclass(frozen=True)
 class MeasuredRecording:
-    """What a file has of a machine, by number; times in s, `step` is the usual one from row to row.
+    """The recorded channels and axes of a machine, by number; times in s, `step` is the usual one from row to row.
 
     `is_late` is True if it begins after power-up.
     """

@@ -70,7 +70,7 @@ class Channels:
 
     @contextmanager
     def supposing(self, changed: Iterable[int]) -> Iterator[None]:
-        """Give some digital channels their other level in the block, which nobody else notices."""
+        """Give some digital channels their other level in the block; no listener is called, and nothing is logged."""
         before, self.is_supposed = self._values, True
         self._values = before | {each: 1 - before.get(each, 0) for each in changed}
         try:
