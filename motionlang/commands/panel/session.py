@@ -92,7 +92,8 @@ class PanelSession:
         )
         with self._news:
             self._runs, self._explained, self._rules = self._runs + 1, -1, {}
-            self._text, self._length = "", 0
+            # Nothing of the run before is shown as the state of this one.
+            self._state, self._text, self._length = {}, "", 0
         return self._play
 
     def close(self) -> None:
@@ -122,10 +123,12 @@ class PanelSession:
 
     def updates(self, cursor: Cursor, seconds: float) -> Data | None:
         """Return what is new to a page, after at most so many seconds; None if nothing is."""
+
+        def is_news() -> bool:
+            return bool(self._state) and (cursor.state, cursor.notice) != (self._states, self._notices)
+
         with self._news:
-            if cursor.state == self._states and cursor.notice == self._notices:
-                self._news.wait(seconds)
-            if cursor.state == self._states and cursor.notice == self._notices:
+            if not self._news.wait_for(is_news, seconds):
                 return None
             found: Data = {"state": self._state}
             if cursor.run != self._runs:

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.panel.session import WrongAction
+from motionlang.commands.panel.play import PlayRecord
+from motionlang.commands.panel.session import Cursor, WrongAction
 from tests.commands.panel.hands import PRESS, State, operated
 
 HOST = """\
@@ -42,6 +43,15 @@ def test_a_program_runs_from_rest_to_rest(tmp_path: Path) -> None:
         assert state["axes"][0][:3] == [20.0, 0.0, None]
         assert hand.text == "part 1\n"
         assert [words for _, words in hand.record] == ["input 1 on", "input 2 on"]
+
+
+def test_a_page_is_never_shown_the_run_before_as_the_present_one(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        begun = hand.session._new(PlayRecord(), goes_on=False)
+        assert hand.session.updates(Cursor(), 0.0) is None
+        begun.start()
+        hand.sees(lambda state: state["t"] == 0.0)
 
 
 def test_what_the_page_has_comes_from_comments_and_statements(tmp_path: Path) -> None:
