@@ -13,8 +13,6 @@ OPERATIONS: dict[str, str] = {
     "set_limit_action": "Say what an axis does at a limit.",
     "lock": "Say with which faults an axis takes no motion.",
     "set_brake": "Set or lift the brake of an axis by hand.",
-    "follow_profiles": "Subscribe to each profile that an axis begins.",
-    "warn_of_error": "Subscribe to following errors that exceed a limit.",
     "forget_history": "Drop data that is no longer needed.",
     "set_fault_handler": "Subscribe to errors between statements.",
     "set_servo_model": "Say whose gains those of a servo loop are.",

@@ -7,7 +7,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING
 
 from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.fact_evidence import of_word
+from motionlang.commands.probe.fact_evidence import is_remembered
 from motionlang.kernel.assumptions.used import is_of
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.mint.keywords.switchable import name_of, with_default
@@ -55,7 +55,7 @@ def written() -> str:
         "REMEMBERED = {\n",
     ]
     for language, table in tables.items():
-        names = [row.name for row in table if of_word(language, row)["meaning"].strength == "memory low"]
+        names = [row.name for row in table if is_remembered(row, language)]
         lines.append(f'    "{language}": {_text(names)},\n')
     return "".join((*lines, "}\n"))
 

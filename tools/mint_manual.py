@@ -37,7 +37,7 @@ CHAPTERS = {
     ),
     "Errors": (
         "onerror onerror_registers onerror_at_the_end reading_errors machine/error_numbers machine/error_lines"
-        " machine/monitoring machine/warnings machine/never"
+        " machine/error_masks machine/never"
     ),
     "Axes and moves": (
         "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
@@ -58,7 +58,7 @@ CHAPTERS = {
         "machine/latches machine/wrapped_latch machine/latch_settings machine/fastaux machine/compare"
         " machine/wrapped_compare"
     ),
-    "Motors": "machine/servo machine/torque machine/captures machine/captured_motor",
+    "Motors": "machine/servo machine/torque",
     "Communication": (
         "machine/comms machine/packed_texts machine/comms_esb machine/modbus_own machine/modbus_client"
         " machine/modbus_unknown machine/remote machine/other_nodes machine/bus_events machine/dual_port"

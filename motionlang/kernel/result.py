@@ -132,6 +132,28 @@ def report_keywords_without_effect(result: Run) -> None:
     """Report keywords without full effect, with the lines that use them."""
     _note_keywords(result, "keywords without effect here", result.machine.without_effect)
     _note_keywords(result, "unknown values, 0 or empty here", result.machine.assumed)
+    _warn_of_decisions(result)
+
+
+def _warn_of_decisions(result: Run) -> None:
+    """Warn where the program has decided by a value that is 0 or empty because it is not simulated."""
+    assumed = result.machine.assumed
+    statements = result.program.structure.statements.values() if assumed and result.program else ()
+    for made in statements:
+        for use in made.uses if made.condition or made.waits else ():
+            if use.role != "read" or use.row is None or use.row.name not in assumed:
+                continue
+            line, column, length = result.dialect.locate(result.source, use.at)
+            if line in assumed[use.row.name]:
+                read = "is empty" if use.row.unit == "text" else "reads 0"
+                message = f"the program decides by {use.row.word}, which is not simulated and {read} here"
+                value = '"…"' if use.row.unit == "text" else "1"
+                hint = f"give it in the machine file: [{result.dialect.name}.values] {use.row.name} = {value}"
+                result.diagnostics.append(
+                    Diagnostic(
+                        "not-simulated", message, line, column, length=length, hint=hint, severity="warning"
+                    )
+                )
 
 
 def _note_keywords(result: Run, what: str, words: Mapping[str, list[int]]) -> None:

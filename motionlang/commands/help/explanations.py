@@ -117,18 +117,6 @@ EXAMPLES: dict[str, Pair] = {
     ),
     "never": _run("PAUSE INX(2)\nPRINT 1\n", "PAUSE IDLE(0)\nPRINT 1\n"),
     "not-primed": _run("PRINT ERRCODE\n", "If ERRORPRESENT(0, 0) Then PRINT ERRORREADNEXT(0, 0)\n"),
-    "capture-running": _run(
-        "CAPTUREDURATION = 100\nCAPTURE = 1\nCAPTURE = 1\n", "CAPTUREDURATION = 100\nCAPTURE = 1\n"
-    ),
-    "capture-points": _run("CAPTURENUMPOINTS = 0\nCAPTURE = 1\n", "CAPTURENUMPOINTS = 10\nCAPTURE = 1\n"),
-    "capture-stopped": _run(
-        "CAPTURETRIGGER\n",
-        "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n",
-    ),
-    "capture-triggered": _run(
-        "CAPTURE = 1\nCAPTURETRIGGER\n",
-        "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n",
-    ),
     "event": _run(
         "EVENTPEND(99, 0, 0)\n", "EVENTPEND(5, 0, 0)\nWAIT = 5\nEnd\nEvent TIMER\n  OUTX(1) = 1\nEnd Event\n"
     ),
@@ -213,10 +201,6 @@ FIXES: dict[str, str] = {
     "never": "start the motion that the program waits for; if the machine ends the wait, --input 2=1@0.5 or the "
     "machine file says when",
     "not-primed": "read an error with ERRORREADNEXT first",
-    "capture-running": "end the capture first, with CAPTURE = 0",
-    "capture-points": "record at least one point",
-    "capture-stopped": "begin a capture before you trigger it",
-    "capture-triggered": "trigger a capture only while it waits for its trigger",
     "event": "raise an event that exists and has a handler",
     "recursion": "end the recursion with a condition",
     "limit": "end the run sooner with --until, or allow a larger log with run.log",

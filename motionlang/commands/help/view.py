@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 
 from motionlang.commands.probe.fact_evidence import of_word
-from motionlang.commands.probe.keyword_facts import facts
+from motionlang.commands.probe.keyword_facts import facts, standing
 from motionlang.kernel import Keyword
 from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Table
@@ -21,7 +21,6 @@ FIRST = {
     "PRINT",
     "mccl": "MR MA GO WS ST SV SA DS MN MF US TP TV CN CF WN WF WA RP",
 }
-UNSIMULATED = "not simulated: the keyword is recognised, and a program that uses it gets a message."
 
 
 def listing(
@@ -120,11 +119,13 @@ def _wrapped(text: str, width: int, indent: int = 2) -> list[str]:
 
 def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
-    lines = [title, "", *_wrapped(row.help, min(width, 88))]
-    if not row.simulated:
-        first, *more = _wrapped(UNSIMULATED, min(width, 88))
+    lines = [title, ""]
+    about = standing(row, dialect)
+    if about:
+        first, *more = _wrapped(about, min(width, 88))
         begin, end = first.split(":", 1)
-        lines += ["", f"  {styled(begin.strip(), 'warning', colour)}:{end}", *more]
+        lines += [f"  {styled(begin.strip(), 'warning', colour)}:{end}", *more, ""]
+    lines += _wrapped(row.help, min(width, 88))
     known = [(name, text) for name, text in facts(row, dialect) if text]
     label = max(len(name) for name, _ in known)
     lines.append("")

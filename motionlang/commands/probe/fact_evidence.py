@@ -44,6 +44,11 @@ def of_word(language: str, row: Keyword) -> dict[str, Evidence]:
     return {fact: known.get((row.name, fact), UNKNOWN) for fact in facts_of(row)}
 
 
+def is_remembered(row: Keyword, language: str) -> bool:
+    """True if a keyword is simulated by a meaning that no document states."""
+    return row.simulated and of_word(language, row)["meaning"].strength == "memory low"
+
+
 def facts_of(row: Keyword) -> list[str]:
     """Return the facts that a row has."""
     has = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.commands.probe.fact_evidence import Evidence, of_word
+from motionlang.commands.probe.fact_evidence import Evidence, is_remembered, of_word
 from motionlang.kernel import Keyword
 from motionlang.kernel import dialect as language
 
@@ -62,6 +62,17 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
         ("group", row.group),
         ("known from", source),
     ]
+
+
+def standing(row: Keyword, dialect: str) -> str:
+    """Return what a reader should know of a keyword first: that it is not simulated, or only remembered; or ""."""
+    if is_remembered(row, dialect):
+        return "as remembered, not as printed: no document that could be read says what it does."
+    return (
+        f"{row.lack}: the keyword is recognised, and a program that uses it gets a message."
+        if row.lack
+        else ""
+    )
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from motionlang.commands.map.program_map import channels_of
-from motionlang.commands.probe.keyword_facts import facts
+from motionlang.commands.probe.keyword_facts import facts, standing
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Keyword, ProgramError
 from motionlang.kernel.lang import Definition, Span
@@ -73,10 +73,12 @@ def definition_page(page: Page, definition: Definition) -> str:
 
 def keyword_page(row: Keyword, language: str) -> str:
     """Return the page of a keyword: help, facts with their evidence, an example."""
-    lines = [f"**{row.name}** · {row.kind}", "", row.help.translate(_SIGNS)]
-    if not row.simulated:
-        lines += ["", "*not simulated*: the keyword is recognised, and a program that uses it gets a message"]
-    lines.append("")
+    lines = [f"**{row.name}** · {row.kind}", ""]
+    about = standing(row, language)
+    if about:
+        begin, end = about.split(":", 1)
+        lines += [f"*{begin}*:{end}", ""]
+    lines += [row.help.translate(_SIGNS), ""]
     lines += [f"- {name}: {text.translate(_SIGNS)}" for name, text in facts(row, language) if text]
     if row.example:
         lines += ["", f"```{language}", row.example, "```"]

@@ -98,8 +98,6 @@ class Feedback:
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
-        self.warn_limit, self.warning = INFINITY, False  # reported once, until it is cleared
-        self.warned: Callable[[], None] = lambda: None
         self.closed = True
         self.demand_shift = 0.0  # total distance by which the demand was moved to the motor, counts
         # All changes to the loop, by time, as a replay needs them.
@@ -303,11 +301,6 @@ class Feedback:
         self.error_limit = limit
         self.search_again()
 
-    def set_warn_limit(self, limit: float) -> None:
-        """Set and arm the following error, counts, that causes a warning; inf for none."""
-        self.warn_limit, self.warning = limit, False
-        self.search_again()
-
     def search_again(self) -> None:
         """Search the samples again after a change of a limit or watch, or a cleared fault."""
         if self._servo is None:
@@ -497,9 +490,8 @@ class Feedback:
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(samples) if sample is not None]
         lo = self.scanned + 1 - samples.first
-        limits = [self.error_limit] * self._is_armed + [self.warn_limit] * (self.closed and not self.warning)
-        if min(limits, default=INFINITY) < INFINITY:
-            beyond = np.flatnonzero(np.abs(samples.error[lo:]) > min(limits))
+        if self._is_armed:
+            beyond = np.flatnonzero(np.abs(samples.error[lo:]) > self.error_limit)
             found += [samples.first + lo + int(k) for k in beyond[:1]]
         for window in self.windows.values():
             if window.announced:
@@ -527,17 +519,11 @@ class Feedback:
         assert samples is not None
         passed = [(watch, side) for watch, at, side in self._passes(samples) if at == sample]
         trips = self._is_armed and abs(samples.error[sample - samples.first]) > self.error_limit
-        warns = (
-            self.closed and not self.warning and abs(samples.error[sample - samples.first]) > self.warn_limit
-        )
         self.scanned = sample
         for watch, side in passed:
             before, watch.side = watch.side, side
             if before and watch in self._axis.watches:
                 watch.call(side)
-        if warns:
-            self.warning = True
-            self.warned()
         if trips and self._is_armed:
             self.tripped()
 

@@ -526,25 +526,6 @@ class Controller(Readings):
 
     # -------------------------------------------------------------------------------------- subscriptions
 
-    def follow_profiles(self, axis: int, call: Callable[[Profile], None]) -> Callable[[], None]:
-        """Call `call(profile)` with each profile that an axis begins.
-
-        The returned function ends the subscription.
-        """
-        followers = self.axes[axis].followers
-        followers.append(call)
-        return lambda: followers.remove(call)
-
-    def warn_of_error(self, axis: int, limit: float, call: Callable[[], None]) -> None:
-        """Call `call()` if the following error of a simulated motor exceeds `limit`.
-
-        An infinite limit disables it.
-        """
-        feedback = self.axes[axis].feedback
-        if feedback is not None:
-            feedback.warned = call
-            feedback.set_warn_limit(limit)
-
     def set_fault_handler(self, handles: Callable[[Rejected], bool]) -> None:
         """Set the handler of run-time faults between statements.
 

@@ -41,6 +41,9 @@ _TOPICS_BY_GROUP = {"limits": "limit", "homing": "home", "following": "master", 
 # Units of integers. A time in ms may still be written with a fraction.
 WHOLE_UNITS = frozenset(("integer", "bool", "bits", "counts", "ms"))
 
+# The group of keywords whose value is stored and read back, and has no effect.
+KEPT = "kept, not simulated"
+
 # The effects of a statement on the axes it names. A keyword has at most one of the first group, its role in a
 # program that is followed step by step; the others add details.
 ROLES = {
@@ -207,6 +210,11 @@ class Keyword:
             return None
         hint = "" if self.low is None or self.high is None else f"it takes {low:.10g} to {high:.10g}"
         return f"{self.word} cannot be {value:.10g}", hint
+
+    @property
+    def lack(self) -> str:
+        """What is missing: "not simulated", "kept, not simulated", or "" for a simulated keyword."""
+        return "" if self.simulated else KEPT if self.group == KEPT else "not simulated"
 
     @property
     def accepted(self) -> str:

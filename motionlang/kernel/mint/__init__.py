@@ -22,10 +22,10 @@ from motionlang.kernel.source import Source
 if TYPE_CHECKING:
     from motionlang.kernel.mint.interactive import MintInteractive as MintInteractive
     from motionlang.kernel.mint.keywords import table as table
-    from motionlang.kernel.mint.keywords.identity import VIRTUAL as VIRTUAL
     from motionlang.kernel.mint.keywords.switchable import name_of as name_of
     from motionlang.kernel.mint.keywords.switchable import row_with_default as row_with_default
     from motionlang.kernel.mint.keywords.switchable import with_default as with_default
+    from motionlang.kernel.mint.models import VIRTUAL as VIRTUAL
     from motionlang.kernel.mint.models import named as named
     from motionlang.kernel.mint.program import MintProgram as MintProgram
     from motionlang.kernel.mint.runtime.errors import NUMBERS as NUMBERS
@@ -33,9 +33,8 @@ if TYPE_CHECKING:
 
 
 PUBLIC = {
-    "models": "named",
+    "models": "VIRTUAL named",
     "keywords": "table",
-    "keywords.identity": "VIRTUAL",
     "interactive": "MintInteractive",
     "program": "MintProgram",
     "runtime.errors": "NUMBERS",

@@ -45,6 +45,9 @@ ABSENT: dict[str, tuple[str, ...]] = {
 }
 LARGEST: dict[str, tuple[float, tuple[str, ...]]] = {"gearing": (20000.0, _PROGRAMMED)}
 
+# The name that WorkBench's library gives its own simulated controller.
+VIRTUAL = "Virtual Controller"
+
 
 def named(model: str) -> str | None:
     """Return the product that a name refers to, None if there is none.

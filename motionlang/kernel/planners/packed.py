@@ -11,7 +11,6 @@ from math import inf
 from motionlang.kernel.planners.curve import Profile, hold
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.ramps import Curve
-from motionlang.kernel.planners.rate import Rate
 from motionlang.kernel.planners.reparametrised import Reparametrised
 from motionlang.kernel.planners.sequence import ProfileSequence
 from motionlang.kernel.planners.superposition import Superposed
@@ -61,7 +60,6 @@ _COMPONENTS = {
     "Extrapolated": ("profile", "lead"),
     "ProfileSequence": ("shape", "segments", "name"),
     "Reparametrised": ("along", "path", "shape", "lift"),
-    "Rate": ("profile",),
     "Superposed": ("first", "second", "shape"),
 }
 
@@ -86,7 +84,6 @@ def _formula(name: str, components: tuple[object, ...]) -> Profile:
         "Extrapolated": Extrapolated,
         "ProfileSequence": ProfileSequence,
         "Reparametrised": Reparametrised,
-        "Rate": Rate,
         "Superposed": Superposed,
     }[name](*components)
     return made

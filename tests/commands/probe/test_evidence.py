@@ -55,9 +55,9 @@ PRINTED: dict[str, tuple[float | None, tuple[float, float] | None]] = {
 # Assumptions about the line or bus of a host, which no program on a controller can settle.
 ON_THE_LINE = 20
 # Open assumptions about a controller without an alternative, and those without a probe.
-WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 185 + ON_THE_LINE
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 178 + ON_THE_LINE
 # The number of assumptions that no controller can confirm, because they are choices of this program.
-OWN = 63
+OWN = 62
 # The assumptions about PMC's library for hosts. A log that it records answers them, not a program on a controller.
 OF_HOSTS = 24
 
@@ -98,11 +98,11 @@ def test_the_short_page_is_short() -> None:
 
 
 def test_the_alternatives_to_a_default_are_the_other_values_if_they_are_few() -> None:
-    """HOMESTATUS is 0 or 1; STOPINPUTMODE is 3 of 0 to 3; ADCERRORMODE has six values."""
+    """HOMESTATUS is 0 or 1; STOPINPUTMODE is 3 of 0 to 3; ERRORINPUTMODE has six values."""
     for name, alternatives in (
         ("mint.homestatus-default", ["1"]),
         ("mint.stopinputmode-default", ["0", "1", "2"]),
-        ("mint.adcerrormode-default", ["any other number"]),
+        ("mint.errorinputmode-default", ["any other number"]),
     ):
         assert list(assumptions()[name].alternatives) == alternatives
 

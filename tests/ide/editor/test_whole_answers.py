@@ -45,8 +45,9 @@ PAGES = (
     ("mccl", "; no\n  \n  ; up\nMD3,1MN\nMC3|\n", "```mccl\nMD3,1MN\n```\n\nup\n\nmacro · used once", "3"),
     (
         "mint", "MOVERTES|T(0, 1) = 3\n",
-        "**MOVERTEST** · setting\n\nlisted by the type library without a meaning\n\n"
-        "*not simulated*: the keyword is recognised, and a program that uses it gets a message\n\n"
+        "**MOVERTEST** · setting\n\n"
+        "*not simulated*: the keyword is recognised, and a program that uses it gets a message.\n\n"
+        "listed by the type library without a meaning\n\n"
         "- use: read and write\n- for: axis, param (code, Mint ActiveX type library, build 5626)\n"
         "- unit: number (code, Mint ActiveX type library, build 5626)\n"
         "- group: where it moves or decides, the run ends\n"
@@ -56,7 +57,9 @@ PAGES = (
     ),
     (
         "mint", "I|f 1 Then Print 2\n",
-        "**If** · statement\n\nDo statements when a condition is true.\n\n- use: command\n- group: language\n"
+        "**If** · statement\n\n"
+        "*as remembered, not as printed*: no document that could be read says what it does.\n\n"
+        "Do statements when a condition is true.\n\n- use: command\n- group: language\n"
         "- known from: MN1955 contents (from memory with low confidence, not checked against a manual)\n\n"
         '```mint\nIf 1 < 2 Then PRINT "yes" Else PRINT "no"\n```',
         "If",

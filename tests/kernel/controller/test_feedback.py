@@ -103,22 +103,11 @@ def test_positions_are_known_at_the_samples_that_are_stored(readings: Readings) 
 
 @pytest.mark.parametrize("share", [0.6, 0.95])
 def test_the_sample_at_which_a_following_error_is_too_large(readings: Readings, share: float) -> None:
-    """The warning comes once until it is armed again; the fault opens the loop."""
+    """The fault opens the loop."""
     most = max(abs(error) for _, error, _ in readings)
     wanted = first(readings, [abs(error) > share * most for _, error, _ in readings])
     controller, feedback = moving()
     found: list[tuple[str, float]] = []
-    feedback.warned = lambda: found.append(("warned", controller.clock.now))
-    feedback.tripped = lambda: found.append(("tripped", controller.clock.now))
-    feedback.set_warn_limit(share * most)
-    controller.clock.advance(0.001 * COUNT)
-    assert found == [("warned", found[0][1])]
-    assert found[0][1] == pytest.approx(wanted)
-    assert feedback.warning
-    feedback.set_warn_limit(inf)
-    assert not feedback.warning
-    controller, feedback = moving()
-    found.clear()
 
     def trip() -> None:
         found.append(("tripped", controller.clock.now))

@@ -27,7 +27,6 @@ from motionlang.kernel.planners import (
 from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.leadscrew import Leadscrew
 from motionlang.kernel.planners.pieces import position_in, recentred, transformed
-from motionlang.kernel.planners.rate import Rate
 from motionlang.kernel.planners.sequence import ProfileSequence, chained
 from motionlang.kernel.planners.superposition import added
 from motionlang.kernel.planners.table_motion import table_curve
@@ -127,14 +126,6 @@ def test_a_lead_adds_its_share_of_each_derivative() -> None:
     assert (ahead.start, ahead.end, ahead.duration) == pytest.approx((0.0, 100.0, 1.1))
     endless = Extrapolated(plan_velocity("trapezoid", 3.0, 50.0, 50.0, 10.0, 10.0), 0.2)
     assert (endless.start, endless.end, endless.end_velocity) == (13.0, inf, 50.0)
-
-
-def test_a_rate_begins_with_the_acceleration() -> None:
-    rate = Rate(MOVE)
-    assert (rate.start, rate.end, rate.start_velocity, rate.end_velocity) == (0.0, 0.0, 1000.0, 0.0)
-    state = rate.at(0.05)
-    assert (state.position, state.velocity, state.acceleration) == pytest.approx((50.0, 1000.0, 0.0))
-    assert Rate(hold(5.0).cut(0.0)).start_velocity == 0.0
 
 
 def test_a_sequence_runs_one_profile_after_the_other() -> None:

@@ -13,8 +13,8 @@ ORDER = """
 correction presets hold_to_analogue torque jogging drives
 axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
 table_motion_cams table_motion_splines state timing tasks terminal
-camboxes captures auxiliary_latches monitoring event_flags relays steppers
-io_inputs io_outputs io_signals comms modbus remote network network_groups serial limits limits_switches
+camboxes auxiliary_latches error_masks event_flags relays steppers
+io_inputs io_outputs io_signals comms modbus remote network serial limits limits_switches
 limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
 no_effect identity legacy factory_defaults units constants language library
 """

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from motionlang.kernel.controller.faults import (
     ABORT,
-    ANALOGUE_LIMIT,
     ERROR_INPUT,
     FOLLOWING_ERROR,
     LIMIT_FORWARD,
@@ -35,7 +34,6 @@ ERRORS: dict[str, tuple[int, ...]] = {
     "FOLERRORMODE": (FOLLOWING_ERROR,),
     "ERRORINPUTMODE": (ERROR_INPUT,),
     "ABORTMODE": (ABORT,),
-    "ADCERRORMODE": (ANALOGUE_LIMIT,),
 }
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
 
@@ -49,7 +47,7 @@ class AxisErrors(StoredSettings):
         super().__init__(environment)
         self._world = environment.machine.world
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
-        self._inputs: dict[tuple[int, int, int], Undirected] = {}
+        self._inputs: dict[tuple[int, int], Undirected] = {}
         self._going_off: set[int] = set()
         self.controller.listeners.append(self._on_event, "fault", "idle")
 
@@ -63,7 +61,7 @@ class AxisErrors(StoredSettings):
             if self._world is not None:
                 self._world.actions[axis, bit] = ACTIONS[mode]
             self.controller.set_limit_action(axis, bit, ACTIONS[mode])
-            for (number, about, _), condition in self._inputs.items():
+            for (number, about), condition in self._inputs.items():
                 if (number, about) == (axis, bit):
                     condition.action = ACTIONS[mode]
 
@@ -100,17 +98,14 @@ class AxisErrors(StoredSettings):
         physical = bit in (LIMIT_FORWARD, LIMIT_REVERSE)
         return self.controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
-    def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
-        """Set or clear an error that an input causes in both directions of motion.
-
-        `channel` distinguishes several inputs that cause the same error; each of them counts separately.
-        """
-        found = self._inputs.get((axis, bit, channel))
+    def set_input(self, axis: int, bit: int, active: bool) -> None:
+        """Set or clear an error that an input causes in both directions of motion."""
+        found = self._inputs.get((axis, bit))
         if found is None:
             if not active:
                 return
             found = Undirected(self.controller.axes[axis], bit, self.action(axis, bit))
-            self._inputs[axis, bit, channel] = found
+            self._inputs[axis, bit] = found
         found.set_active(active)
 
     def is_active(self, axis: int, bit: int) -> bool:
@@ -180,7 +175,7 @@ def do_line(environment: Environment, row: Keyword) -> Operation:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-ERROR_MODE = Actions(read=setting_reader(AxisErrors), write=repeatable(setting_writer(AxisErrors)))
+_MODE = Actions(read=setting_reader(AxisErrors), write=repeatable(setting_writer(AxisErrors)))
 _SOFT = Actions(read=of_word(AxisErrors, read_soft), write=repeatable(of_word(AxisErrors, write_soft)))
 _ERROR = Actions(
     read=of(Environment, lambda e, axis: e.controller.faults(axis)),
@@ -191,7 +186,7 @@ _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT 
 
 
 def _mode(name: str, help: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "integer", ERROR_MODE,
+    return Keyword(name, "", "setting", "RW", "axis", "integer", _MODE,
                    f"{help}: one of _emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, "
                    "_emERROR_DECEL_DISABLE, _emCALL_EVENT.",
                    f"{name}(0) = _emERROR_DECEL\nPRINT {name}(0)", default=float(MODES[name]), low=0, high=5,

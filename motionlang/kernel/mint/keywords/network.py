@@ -8,12 +8,11 @@ from __future__ import annotations
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.kernel.mint.keywords.io_inputs import checked
-from motionlang.kernel.mint.keywords.remote import ERROR_REGISTER, LAST_CHANNEL, Nodes
-from motionlang.kernel.mint.runtime.binding import Maker, of
+from motionlang.kernel.mint.keywords.remote import LAST_CHANNEL, Nodes
+from motionlang.kernel.mint.runtime.binding import of
 from motionlang.kernel.mint.runtime.changes import repeatable
 
 LAST_OBJECT, LAST_SUB = 0xFFFF, 255
-STATUS_REGISTER = 0x1002
 # CANopen data types: the number of bits, and True if the type is signed.
 _TYPES = {
     1: (1, False),
@@ -118,20 +117,6 @@ def write_object(nodes: Nodes, bus: int, node: int, index: int, sub: int, type: 
     nodes.node(bus, node).write_object(_object(index, sub), _of_type(value, type))
 
 
-def register(index: int) -> Maker:
-    """Make an operation that reads an integer object of a node, by its index."""
-
-    def read(nodes: Nodes, bus: int, node: int) -> int:
-        value = nodes.node(bus, node).objects.get((index, 0), 0)
-        return 0 if isinstance(value, str) else int(value)
-
-    return of(Nodes, read)
-
-
-def write_status(nodes: Nodes, bus: int, node: int, value: int) -> None:
-    nodes.node(bus, node).write_object((STATUS_REGISTER, 0), value)
-
-
 def read_emergency_stop(nodes: Nodes, bus: int, node: int) -> int:
     return int(nodes.node(bus, node).written.get(("estop",), 0))
 
@@ -186,7 +171,6 @@ _FIRST_BUS_COMMS = Actions(
         of(Nodes, lambda nodes, node, element, value: write_real(nodes, 1, node, element, value))
     ),
 )
-_EMERGENCY = Actions(read=of(Nodes, lambda nodes, bus, node: nodes.node(bus, node, silent=True).emergency))
 
 _CODES = (
     ("NONE", 0, "nothing has happened"),
@@ -275,16 +259,6 @@ ROWS = (
           Actions(read=of(Nodes, read_text), write=of(Nodes, write_value)),
           "An object of a node's dictionary that is a text.",
           'REMOTEOBJECTSTRING(1, 2, 0x1008, 0) = "IO8"\nPRINT REMOTEOBJECTSTRING(1, 2, 0x1008, 0)'),
-    network_row("REMOTEERROR", "R", "bus, node", "bits", Actions(read=register(ERROR_REGISTER)),
-          "The error register of a node, which is object 0x1001; 1 after an emergency message until it is reset.",
-          "PRINT REMOTEERROR(1, 2)"),
-    network_row("REMOTESTATUS", "RW", "bus, node", "bits",
-          Actions(read=register(STATUS_REGISTER), write=of(Nodes, write_status)),
-          "The status register of a node, which is object 0x1002.",
-          "REMOTESTATUS(1, 2) = 0\nPRINT REMOTESTATUS(1, 2)"),
-    network_row("REMOTEEMERGENCYMESSAGE", "R", "bus, node", "integer", _EMERGENCY,
-          "Code of the last emergency message of a node, 0 when there was none.",
-          "PRINT REMOTEEMERGENCYMESSAGE(1, 2)"),
     network_row("REMOTEESTOP", "RW", "bus, node", "bool",
           Actions(read=of(Nodes, read_emergency_stop), write=of(Nodes, write_emergency_stop)),
           "The emergency stop that the program asks of a node; what the node then does is not simulated.",

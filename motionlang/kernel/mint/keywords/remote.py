@@ -37,7 +37,6 @@ BUS_CODES = {
     "transmit-overrun": 13,
 }
 NODE_CODES = {"dead": 5, "live": 6, "emergency": 11}
-ERROR_REGISTER = 0x1001
 
 
 class RemoteBus:
@@ -82,7 +81,6 @@ class BusNode:
         self.memory = HostMemory()
         self.encoders: dict[int, int] = {}
         self.objects: dict[tuple[int, int], float | str] = {}
-        self.emergency = 0
         self.written: dict[tuple[str | int, ...], float | str] = {}
 
     def write_object(self, where: tuple[int, int], value: float | str) -> None:
@@ -123,9 +121,9 @@ class Nodes:
             found = self._buses[bus] = RemoteBus(checked_bus(bus), self._happened)
         return found
 
-    def node(self, bus: int, node: int, silent: bool = False) -> BusNode:
-        """Return a node; raise Rejected if it does not answer, unless `silent`."""
-        if not (silent or self.answers(bus, node)):
+    def node(self, bus: int, node: int) -> BusNode:
+        """Return a node; raise Rejected if it does not answer."""
+        if not self.answers(bus, node):
             raise Rejected(
                 "no-connection",
                 f"node {node} of bus {bus} does not answer",
@@ -159,9 +157,7 @@ class Nodes:
 
     def reset(self, bus: int, node: int) -> None:
         """REMOTERESET: reset a node."""
-        found = self.node(bus, node)
-        found.emergency = 0
-        found.objects[ERROR_REGISTER, 0] = 0
+        self.node(bus, node)
         for kind in KINDS[2:]:
             self._put_into(bus, node, kind).clear()
         self.bus(bus).add_event(NODE_CODES["live"], node)
@@ -198,7 +194,7 @@ class Nodes:
         bus, node, value = entry.get("bus", 1), entry["node"], entry.get("value", 1)
         found = self._nodes[bus, node]
         if "event" in entry:
-            self._at(entry, partial(self._become, bus, node, entry["event"], int(value)))
+            self._at(entry, partial(self._become, bus, node, entry["event"]))
         elif "encoder" in entry:
             self._at(entry, partial(found.encoders.__setitem__, entry["encoder"], int(value)))
         elif "element" in entry:
@@ -219,14 +215,10 @@ class Nodes:
             at = max(float(entry.get("at", 0.0)), self._clock.now)
             self._clock.at(at + entry["for"], partial(put, 0))
 
-    def _become(self, bus: int, node: int, event: str, value: int) -> None:
+    def _become(self, bus: int, node: int, event: str) -> None:
         """Apply an event from the machine file to a node."""
-        found = self._nodes[bus, node]
-        if event == "emergency":
-            found.emergency = value
-            found.objects[ERROR_REGISTER, 0] = 1
-        else:
-            found.live = event == "live"
+        if event != "emergency":
+            self._nodes[bus, node].live = event == "live"
         self.bus(bus).add_event(NODE_CODES[event], node)
 
 

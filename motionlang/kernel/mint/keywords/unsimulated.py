@@ -113,7 +113,6 @@ GROUPS = {
     COMMAND: "without an effect",
     MOTION: "where it moves or decides, the run ends",
 }
-STORED_GROUP = "stored without an effect"
 
 
 def written(row: Keyword) -> Keyword:

@@ -28,9 +28,10 @@ def word(row: Keyword) -> str:
 @cases("row", [row for row in OTHERS if "W" in row.access and row not in MOTION], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     read = f"PRINT {word(row)}" if "R" in row.access else ""
-    result = ran(f"{word(row)} = {VALUES.get(row.unit, '1')}", read, 'PRINT "on"')
+    value, shown = ("0", "0") if row.high == 0 else (VALUES.get(row.unit, "1"), SHOWN.get(row.unit, "1"))
+    result = ran(f"{word(row)} = {value}", read, 'PRINT "on"')
     assert result.status == "ended"
-    assert result.output == [*([SHOWN.get(row.unit, "1")] if read else []), "on"]
+    assert result.output == [*([shown] if read else []), "on"]
     assert f"{row.name} (line 1)" in result.notes[0]
 
 
