@@ -100,7 +100,7 @@ for (const name of ["chromium", "firefox"]) {
       assert.equal(await page.title(), "press.mnt · panel");
       await page.fill("#moment", String(before - 0.02));
       await page.click("#back");
-      await says(page, "1 action after it cut off");
+      await says(page, "1 later action cut off");
       await page.waitForFunction(() => document.querySelector("#mode").textContent === "paused");
       assert.ok((await seconds(page)) < before);
       const text = readFileSync(join(folder, "press.scenarios", "hand-1.toml"), "utf-8");
@@ -110,6 +110,49 @@ for (const name of ["chromium", "firefox"]) {
       assert.deepEqual([page.wrong, page.refused], [[], []]);
       await page.context().close();
       assert.equal(await stop(), 0);
+    });
+
+    test("pause, hold, go to the next rest, step, change the speed, and restart after the file has changed", async () => {
+      const text = PRESS.replace('Input "How many", n', "n = 1");
+      const page = await open(browser, await start(text));
+      const mode = (words) => page.waitForFunction((text) => document.querySelector("#mode").textContent === text, words);
+      const hold = page.getByRole("switch", { name: "input 1 start, hold" });
+      await waits(page, "waits for input 1 (start), line 7");
+      await page.click("#run");
+      await mode("paused");
+      await hold.click();
+      await page.click("#rest");
+      await waits(page, "waits for input 1 (start), line 10");
+      await mode("paused");
+      await hold.click();
+      await page.locator('#record button:has-text("input 1 off")').waitFor();
+      await page.click("#step");
+      await page.locator('#program .at:has-text("If INX(3)")').waitFor();
+      await page.selectOption("#speed", "10");
+      await page.click("#run");
+      await waits(page, "waits for a key");
+      assert.equal(await page.locator("#speed").inputValue(), "10");
+      writeFileSync(join(folder, "press.mnt"), `${text}' longer\n`);
+      await says(page, "press.mnt or its machine file has changed");
+      await page.click("#again");
+      await says(page, "started again, with 2 actions");
+      await waits(page, "waits for a key");
+      assert.equal(await page.locator("#changed").isVisible(), false);
+      await page.context().close();
+    });
+
+    test("an input that follows an output becomes a rule", async () => {
+      const page = await open(browser, await start(`${"OUTX(1) = 1\nPause INX(2)\nOUTX(1) = 0\nPause INX(2) = 0\n".repeat(2)}Pause INX(5)\n`));
+      const hold = page.getByRole("switch", { name: "input 2, hold" });
+      await waits(page, "input 2, line 2");
+      await hold.click();
+      await waits(page, "input 2, line 4");
+      await hold.click();
+      await waits(page, "input 2, line 6");
+      await page.getByRole("button", { name: /^as a rule: follows output 1 after/ }).click();
+      await waits(page, "input 5, line 9");
+      assert.match(await page.locator("#inputs").innerText(), /follows output 1 after/);
+      await page.context().close();
     });
 
     test("the terminal knows where LOCATE and CLS put a text", async () => {

@@ -16,6 +16,7 @@ from motionlang.cli.run_command import Prepared
 from motionlang.commands.panel.server import PanelServer
 from motionlang.commands.panel.session import PanelSession
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, Program, Terminated
+from motionlang.kernel.files import reason
 
 
 @dataclass
@@ -30,8 +31,8 @@ input the program waits for. "Save" writes what was done by hand as a scenario
 into FILE.scenarios, which motionlang verify runs again. Only this computer can
 open the address. Ctrl-C ends it.
 
-exit status: 0 it was ended; 1 the program has an error, or the port is in use;
-2 the command line is invalid
+exit status: 0 ended by Ctrl-C; 1 the program has an error, or the port is in
+use; 2 the command line is invalid
 
 examples:
   motionlang panel packer.prg --open
@@ -60,12 +61,12 @@ examples:
         except OSError as error:
             session.close()
             hint = "leave out --port, which takes any free one"
-            found = Diagnostic("address", f"port {self.port} cannot be used: {error.strerror}", hint=hint)
+            found = Diagnostic("address", f"port {self.port} cannot be used: {reason(error)}", hint=hint)
             raise Refused([found]) from None
-        sys.stdout.write(f"{server.address}\n")
+        sys.stdout.write(f"{server.address}\nopen this address in a browser; Ctrl-C ends the panel\n")
         sys.stdout.flush()
         if self.open and not (_has_display() and webbrowser.open(server.address)):
-            sys.stderr.write("note: there is no browser to open it in\n")
+            sys.stderr.write("note: --open finds no browser here\n")
         thread = Thread(target=server.serve, daemon=True)
         thread.start()
         try:
@@ -83,7 +84,8 @@ examples:
         if model and "controller.model" not in settings:
             settings = CheckedSettings({**settings, "controller.model": model})
             program = program.on(settings)
-        program.require()
+        if program.errors:
+            raise Refused(program.errors, file=self.file, source=program.source)
         return program, settings
 
 

@@ -23,7 +23,7 @@ async function send(request) {
     const answer = await fetch("act", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request) });
     if (!answer.ok) say((await answer.json()).error);
   } catch {
-    say("motionlang panel does not answer any more");
+    say("motionlang panel does not answer: see whether it still runs");
   }
 }
 
@@ -108,8 +108,8 @@ function print(text) {
 const name = (row) => (row.name ? `${row.title} ${row.name}` : row.title);
 const key = (row) => `${row.table} ${row.number}`;
 
-function change(row, value) {
-  send({ do: "change", table: row.table, number: row.number, value });
+function change(row, value, more = {}) {
+  send({ do: "change", table: row.table, number: row.number, value, ...more });
 }
 
 function level(row) {
@@ -122,7 +122,7 @@ function toggle(label, row) {
   return made;
 }
 
-const release = (row) => send({ do: "change", table: "release", number: row.number });
+const release = (row, more = {}) => send({ do: "change", table: "release", number: row.number, ...more });
 
 // A button that is on as long as it is pressed, by pointer or keyboard; then the machine file drives it again.
 function push(row) {
@@ -131,8 +131,9 @@ function push(row) {
   const set = (value) => {
     if (value === isDown) return;
     isDown = value;
-    if (row.driven && !value) release(row);
-    else change(row, value ? 1 : 0);
+    if (value) change(row, 1);
+    else if (row.driven) release(row, { button_up: true });
+    else change(row, 0, { button_up: true });
   };
   made.addEventListener("pointerdown", (event) => event.button === 0 && (set(true), made.setPointerCapture(event.pointerId)));
   for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) made.addEventListener(end, () => set(false));
@@ -246,6 +247,7 @@ function axis(row, index) {
   colour.style.background = COLOURS[index % COLOURS.length];
   title.prepend(colour);
   line.append(title, position, target, speed, words);
+  if (row.range) line.append(element("small", `limits ${row.range.join(" to ")}`));
   const track = element("div", "", { class: "track", "aria-hidden": "true" });
   const fill = element("i");
   const aim = element("b");
@@ -345,23 +347,25 @@ function mark() {
   }
 }
 
-// "input 1 (start), line 62" for each channel that the program waits for.
+// "waits for input 1 (start), line 62", and what else keeps the program from going on.
 function waiting() {
-  if (state.mode === "asks") return `the program asks: ${state.question.trim()}; machine time stands until you answer`;
+  if (state.mode === "asks") return `the program asks: ${state.question.trim()}; machine time stops until you answer`;
   if (state.end) return state.end;
-  if (state.pending.length) return `${state.pending.join(", ")}: at the next multiple of 0.02 s`;
-  const found = state.waits.map(([table, number, line]) => {
+  const lines = new Map();
+  for (const [table, number, line] of state.waits) {
     const row = views.get(`${table} ${number}`)?.row;
     const what = row ? row.title + (row.name ? ` (${row.name})` : "") : table === "key" ? "a key" : `${table} ${number}`;
-    return [what, line];
-  });
-  if (!found.length) return "";
-  const lines = new Map();
-  for (const [what, line] of found) lines.set(line, [...(lines.get(line) ?? []), what]);
-  return `waits for ${[...lines].map(([line, what]) => `${what.join(", ")}, line ${line}`).join("; ")}`;
+    lines.set(line, [...(lines.get(line) ?? []), what]);
+  }
+  const found = [...lines].map(([line, what]) => `${what.join(", ")}, line ${line}`);
+  return [
+    state.pending.length ? `when it goes on: ${state.pending.join(", ")}` : "",
+    state.homing.length ? `axis ${state.homing.join(" and axis ")} finds no switch or index mark: give it one` : "",
+    found.length ? `waits for ${found.join("; ")}` : "",
+  ].filter(Boolean).join("; ");
 }
 
-const MODES = { runs: "runs", paused: "paused", asks: "asks", ended: "ended", fault: "fault", replays: "goes back", starts: "starts" };
+const MODES = { runs: "runs", paused: "paused", asks: "asks", ended: "ended", fault: "fault", replays: "replays", starts: "starts" };
 
 // ----------------------------------------------------------------------------------------------------- all of it
 
@@ -378,7 +382,7 @@ function build() {
   axisViews.push(...lamps);
   find("program").replaceChildren(...contents.lines.map((line) => element("li", line)));
   find("keys").hidden = !contents.keys;
-  find("chart").hidden = !contents.axes.length;
+  for (const id of ["axes", "outputs"]) find(id).parentElement.hidden = !contents[id].length;
   marked = [];
   shownLine = 0;
 }
@@ -493,7 +497,10 @@ function listen() {
   window.addEventListener("blur", released);
   const events = new EventSource("events");
   events.addEventListener("message", (event) => show(JSON.parse(event.data)));
-  events.addEventListener("error", () => say("the connection to motionlang panel is lost; it comes back by itself if the panel runs"));
+  events.addEventListener("error", () => {
+    put(find("mode"), "not connected");
+    say("motionlang panel does not answer: see whether it still runs");
+  });
 }
 
 listen();

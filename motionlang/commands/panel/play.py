@@ -16,21 +16,25 @@ A question of INPUT stops machine time until it is answered, as a run on a termi
 statement; what a hand does there is made at the next event.
 
 Invariants.
-- Only the thread of the run touches the machine; other threads `post` functions, which it calls while it waits.
-- An abandoned run ends at its next event, and publishes nothing any more.
+- Only the thread of the present run touches its machine, and only that thread replaces the run by another.
+- Other threads post actions. The run takes them in their order while it waits; the run that replaces it takes the rest.
+- An abandoned run publishes nothing and takes no action any more.
 """
 
 from __future__ import annotations
 
 import threading
+from bisect import insort
 from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from math import inf
+from math import ceil, inf
+from operator import itemgetter
 from time import monotonic
 
 from motionlang.commands.explore import Change
 from motionlang.commands.explore.trials import tables_of
+from motionlang.commands.panel.real_time import RealTime
 from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 
@@ -38,11 +42,16 @@ from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 PER_SECOND = 50
 # The state is published so often, in seconds of real time, and at once after a change.
 PUBLISH = 0.04
-# Real time that is lost if the computer is slower than the machine, s, and a wait that is not worth while.
-LATE, SHORT = 0.25, 0.002
+# A wait that is not worth while, s.
+SHORT = 0.002
 # A table of changes that the machine file does not have: a hand lets go of an input that the machine file drives.
 RELEASE = "release"
 STACK_SIZE = 64 * 1024 * 1024
+
+
+def in_words(change: Change) -> str:
+    """Return a change of a hand in words."""
+    return f"input {change.number} let go" if change.table == RELEASE else str(change)
 
 
 class Abandoned(BaseException):
@@ -67,6 +76,26 @@ class PlayRecord:
         return len(self.changes) + len(self.answers)
 
 
+class ActionQueue:
+    """What pages have asked for: any thread posts, and the thread of the present run takes."""
+
+    def __init__(self) -> None:
+        self._posted: deque[Action] = deque()
+        self._changed = threading.Condition()
+
+    def post(self, action: Action) -> None:
+        """Let the present run do something; a run that replaces it before does it instead."""
+        with self._changed:
+            self._posted.append(action)
+            self._changed.notify()
+
+    def take(self, seconds: float) -> Action | None:
+        """Return the next action, after at most so many seconds; None if there is none."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._posted, None if seconds == inf else seconds)
+            return self._posted.popleft() if self._posted else None
+
+
 class Play:
     """A run with the changes of a record, to which a hand adds others.
 
@@ -80,6 +109,7 @@ class Play:
         settings: Mapping[str, object],
         overrides: Mapping[str, float | str],
         record: PlayRecord,
+        actions: ActionQueue,
         publish: Callable[[Play], object],
         *,
         until: float = 0.0,
@@ -87,9 +117,9 @@ class Play:
         goes_on: bool = True,
     ) -> None:
         self.program, self.settings, self.overrides, self.record = program, settings, overrides, record
-        self.until, self.speed = until, speed
-        self.is_paused = False
-        self._pauses = not goes_on
+        self.until, self.real = until, RealTime(speed)
+        # True if the run waits, or will at `until`.
+        self.is_paused = not goes_on
         # The result of a run that is over.
         self.result: Run | None = None
         self.machine: Machine | None = None
@@ -97,29 +127,26 @@ class Play:
         self.question: str | None = None
         # The task and the statement before which a step has ended.
         self.stopped: dict[Task, int] = {}
-        self.is_late = False
         # The inputs that a hand has taken from the machine file.
         self.held: set[int] = set()
         self.text: list[str] = []
         self.watch = RestWatch(program)
         self.watch.stop = self._stop
-        self._publish = publish
-        self._posted: deque[Callable[[], object]] = deque()
-        self._changed = threading.Condition()
+        self._actions, self._publish = actions, publish
         self._is_abandoned = False
+        # The number of the present event, or of the next one between two.
         self._ticks = 0
+        # The changes of the record that are made, and the answers that are given.
         self._made = self._answered = 0
         self._answer: str | None = None
-        # Changes of a hand that are made at the next event, since the run is stopped between two.
-        self._pending: list[Change] = []
         self._steps_after_event = False
         # When a run to the next rest began, in machine time, infinite if there is none, and what was awaited then.
         self._seeks_rest = inf
         self._awaited: list[PanelWait] = []
         # True while the run waits for real time.
         self._is_in_time = False
-        # The real time at which machine time was 0 at the present speed, and that of the last publication.
-        self._zero = self._published = -inf
+        # The real time of the last publication.
+        self._published = -inf
         self._thread = threading.Thread(target=self._run, name="panel run", daemon=True)
 
     def start(self) -> None:
@@ -130,20 +157,9 @@ class Play:
         finally:
             threading.stack_size(before)
 
-    def abandon(self) -> None:
-        """End the run; nothing of it is published any more."""
-        self._is_abandoned = True
-        self.post(lambda: None)
-
     def join(self, seconds: float) -> None:
         """Wait for the end of the thread."""
         self._thread.join(seconds)
-
-    def post(self, call: Callable[[], object]) -> None:
-        """Let the thread of the run call a function; may be called from any thread."""
-        with self._changed:
-            self._posted.append(call)
-            self._changed.notify()
 
     @property
     def now(self) -> float:
@@ -151,23 +167,52 @@ class Play:
         return 0.0 if self.machine is None else self.machine.clock.now
 
     @property
+    def moment(self) -> float:
+        """The machine time that it has come to, or will without waiting, s."""
+        return max(self.now, self.until)
+
+    @property
     def shown(self) -> float:
         """The machine time that a page shows, s: that of real time, which comes to the next event."""
         if not self._is_in_time:
             return self.now
-        due = (monotonic() - self._zero) * self.speed
-        return min(self.now, max(due, self.now - 1.0 / PER_SECOND))
+        return min(self.now, max(self.real.machine_time, self.now - 1.0 / PER_SECOND))
 
-    # ----------------------------------------------------------------------------------- called by `post`
+    @property
+    def pending(self) -> list[str]:
+        """The changes that are made at the next event, since the run is stopped, in words."""
+        if not self._is_between and not self.is_paused:
+            return []
+        return [in_words(change) for _, change in self.record.changes[self._made :]]
 
-    def change(self, change: Change) -> None:
-        """Make a change now; at the next event if the run is stopped between two, or when it has come to `until`."""
-        if self.stopped or self.question is not None or self.now < self.until:
-            self._pending.append(change)
-        else:
-            self.record.changes.append((self.now, change))
-            self._made += 1
-            self._make(change)
+    @property
+    def driven(self) -> set[int]:
+        """The inputs that the machine file drives."""
+        entries = self.settings.get("input", ())
+        return {each["channel"] for each in entries}  # type: ignore[attr-defined]
+
+    # -------------------------------------------------------------------------- actions, in the thread of the run
+
+    def abandon(self) -> None:
+        """End the run; nothing of it is published any more."""
+        self._is_abandoned = True
+
+    def change(self, change: Change, *, is_button_up: bool = False) -> None:
+        """Make a change now; at the next event if the run is stopped between two, or when it has come to `until`.
+
+        A button comes up an event after it was pressed at least, so that the program sees a press of any length.
+        """
+        event = max(self._ticks, ceil(self.until * PER_SECOND - 1e-6))
+        if is_button_up and any(
+            time == event / PER_SECOND and each.number == change.number and each.table == "input"
+            for time, each in self.record.changes
+        ):
+            event += 1
+        insort(self.record.changes, (event / PER_SECOND, change), key=itemgetter(0))
+        if self.result is not None:
+            self._make_until(inf)
+        elif self.now >= self.until and not self._is_between:
+            self._make_until(self.now)
 
     def reply(self, text: str) -> None:
         """Answer the question of an INPUT."""
@@ -175,21 +220,18 @@ class Play:
             self._answer = text
 
     def pause(self) -> None:
-        self.is_paused = self._pauses = True
-        self._seeks_rest = inf
+        self.is_paused, self._seeks_rest = True, inf
+        self.real.restart()
 
     def go_on(self) -> None:
-        self.is_paused = self._pauses = False
+        self.is_paused, self._seeks_rest = False, inf
         self.watch.limit = inf
-        self._zero = -inf
-
-    def set_speed(self, speed: float) -> None:
-        self.speed, self._zero = speed, -inf
+        self.real.restart()
 
     def step(self) -> None:
         """Go on to the next statement of any task, behind the changes that are yet to be made."""
         self.go_on()
-        if self._pending or self.now < self.until:
+        if self._made < len(self.record.changes) or self.now < self.until:
             self._steps_after_event = True
         else:
             self.watch.limit = self.watch.count + 1
@@ -197,8 +239,9 @@ class Play:
     def seek_rest(self) -> None:
         """Go on, without waiting for real time, until the program rests again."""
         self.go_on()
-        self._seeks_rest = self.now
-        if self.machine is not None:
+        self._seeks_rest = self.moment
+        self._awaited = []
+        if self.machine is not None and self.now >= self.until:
             self._awaited = self.watch.awaited(self.machine)
 
     # ---------------------------------------------------------------------------------------- the thread
@@ -215,13 +258,11 @@ class Play:
                 hook=self.watch,
                 keep_crash=True,
             )
-        except Abandoned:
-            return
-        self._tell()
-        while not self._is_abandoned:  # the last state stays, for pages that go back from it
-            if self._work_off():
+            while True:  # the last state stays, for pages that go back from it
                 self._tell()
-            self._wait(inf)
+                self._act(inf)
+        except Abandoned:
+            pass
 
     def _wired(self) -> dict[str, object]:
         """Return the settings with each input of the machine file moved to its shadow."""
@@ -246,29 +287,14 @@ class Play:
         if channel >= SHADOW and channel - SHADOW not in self.held and self.machine is not None:
             self.machine.controller.inputs[channel - SHADOW] = value
 
-    @property
-    def pending(self) -> list[str]:
-        """The changes that are yet to be made, in words."""
-        return list(map(str, self._pending))
-
-    @property
-    def driven(self) -> set[int]:
-        """The inputs that the machine file drives."""
-        entries = self.settings.get("input", ())
-        return {each["channel"] for each in entries}  # type: ignore[attr-defined]
-
     def _tick(self) -> bool:
         """Make the changes of this moment and wait for real time; True if nothing has changed."""
         assert self.machine is not None
-        made, changes = self._made, self.record.changes
-        while self._made < len(changes) and changes[self._made][0] <= self.now:
-            self._made += 1
-            self._make(changes[self._made - 1][1])
-        while self._pending and self.now >= self.until:
-            self.change(self._pending.pop(0))
+        made = self._made
+        self._make_until(self.now)
         if self._steps_after_event and self.now >= self.until:
             self._steps_after_event, self.watch.limit = False, self.watch.count + 1
-        if self._seeks_rest < inf and self._rests() and self._is_elsewhere():
+        if self.now >= self._seeks_rest and self._rests() and self._is_elsewhere():
             self.pause()
         self._hold()
         self._ticks += 1
@@ -277,33 +303,31 @@ class Play:
 
     def _hold(self) -> None:
         """Wait until real time has come to the present moment, or as long as the run is paused."""
-        now = self.now
+        now, seconds = self.now, 0.0
         while True:
+            any_came = self._act(seconds)
             self._is_in_time = False
-            if self._posted and self._work_off():
+            if any_came and not self.is_paused:
                 self._tell()
-            if self._is_abandoned:
-                raise Abandoned
-            if now < self.until:
+            if now < self.until or (self._seeks_rest < inf and not self._rests()):
                 self._tell(PUBLISH)
                 return
-            if self._pauses:
-                self._pauses, self.is_paused = False, True
             if self.is_paused:
-                self.is_late = False
                 self._tell()
-                self._wait(inf)
+                seconds = inf
                 continue
-            if self._seeks_rest < inf and not self._rests():
-                self._tell(PUBLISH)
-                return
-            left = self._left(now)
+            left = self.real.left(now)
             self._is_in_time = True
             self._tell(PUBLISH)
             if left < SHORT:
                 self._is_in_time = False
                 return
-            self._wait(min(left, PUBLISH))
+            seconds = min(left, PUBLISH)
+
+    @property
+    def _is_between(self) -> bool:
+        """True if the run is stopped between two events."""
+        return bool(self.stopped) or self.question is not None
 
     def _rests(self) -> bool:
         assert self.machine is not None
@@ -314,19 +338,6 @@ class Play:
         assert self.machine is not None
         return self.watch.news >= self._seeks_rest or self.watch.awaited(self.machine) != self._awaited
 
-    def _left(self, now: float) -> float:
-        """Return the real time until a machine time; what the computer is too slow for is lost."""
-        real = monotonic()
-        if self._zero == -inf:
-            self._zero, self.is_late = real - now / self.speed, False
-        left = self._zero + now / self.speed - real
-        if left < -LATE:
-            self._zero -= left
-            self.is_late = True
-        elif left > 0.0:
-            self.is_late = False
-        return left
-
     def _stop(self, task: Task, time: float, offset: int) -> None:
         """Wait before a statement, at the end of a step."""
         self.watch.limit = inf
@@ -334,10 +345,7 @@ class Play:
         self.is_paused = True
         while self.is_paused:
             self._tell()
-            self._wait(inf)
-            self._work_off()
-            if self._is_abandoned:
-                raise Abandoned
+            self._act(inf)
         self.stopped.clear()
 
     def _ask(self) -> str | None:
@@ -348,15 +356,19 @@ class Play:
             self.question = self.machine.operator.question
             while self._answer is None:
                 self._tell()
-                self._wait(inf)
-                self._work_off()
-                if self._is_abandoned:
-                    raise Abandoned
+                self._act(inf)
             answers.append((self.now, self._answer))
             self.question = self._answer = None
-            self._zero = -inf
+            self.real.restart()
         self._answered += 1
         return answers[self._answered - 1][1]
+
+    def _make_until(self, time: float) -> None:
+        """Make the recorded changes up to a time."""
+        changes = self.record.changes
+        while self._made < len(changes) and changes[self._made][0] <= time:
+            self._made += 1
+            self._make(changes[self._made - 1][1])
 
     def _make(self, change: Change) -> None:
         assert self.machine is not None
@@ -369,24 +381,26 @@ class Play:
             self.held.add(change.number)
         self.machine.add_entries(tables_of(((self.now, change),), self.now))
 
-    # ----------------------------------------------------------------------------------------- other threads
+    def _act(self, seconds: float = 0.0) -> bool:
+        """Do what pages have asked for, and wait for that at most so many seconds; True if there was anything.
 
-    def _work_off(self) -> bool:
-        """Call what other threads have posted; True if there was anything."""
+        Raises Abandoned if that has ended the run.
+        """
         any_came = False
-        while self._posted and not self._is_abandoned:
+        while (action := self._actions.take(0.0 if any_came else seconds)) is not None:
+            action(self)
             any_came = True
-            self._posted.popleft()()
+            if self._is_abandoned:
+                raise Abandoned
         return any_came
-
-    def _wait(self, seconds: float) -> None:
-        with self._changed:
-            if not self._posted and not self._is_abandoned:
-                self._changed.wait(None if seconds == inf else seconds)
 
     def _tell(self, every: float = 0.0) -> None:
         """Publish the state, unless it was published less than `every` seconds of real time ago."""
         real = monotonic()
-        if not self._is_abandoned and real - self._published >= every:
+        if real - self._published >= every:
             self._published = real
             self._publish(self)
+
+
+# What a page has asked a run for.
+Action = Callable[[Play], object]

@@ -1,7 +1,8 @@
 """The waits of a running program: its tasks, if they are at rest, and the channels that they read.
 
 A loop that polls is no wait of the scheduler, so rest is a matter of time: no statement begins that is not one of the
-last second, no move begins, and no axis is on its way to an end.
+last second, no move begins, and no axis is on its way to an end. The exploration finds rests in the statements of a
+whole trial; here the question is asked 50 times a second, of a run that may last all day.
 """
 
 from __future__ import annotations
@@ -10,13 +11,12 @@ from collections.abc import Iterator, Mapping
 from math import inf
 from typing import NamedTuple
 
+from motionlang.commands.explore.rests import SHORTEST
 from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
 from motionlang.kernel.lang import READ, ChannelUse, Statement
 
 # A statement that began within so many seconds belongs to a loop that goes on.
 RECENT = 1.0
-# So long nothing new has begun at rest, s.
-QUIET = 0.15
 # Inputs that the machine file drives change these channels, so far away from them, from which the panel copies them.
 SHADOW = 100_000
 # The tables of the machine file that drive a channel, by its kind; a bank of inputs is known by what it reads.
@@ -47,8 +47,10 @@ class RestWatch(Hook):
         super().__init__(lambda task, time, offset: None)
         self._structure = program.structure
         self._begun: dict[int, float] = {}
-        # When a statement began last that had begun not long before.
+        # When a statement began last that had begun not long before, and how long before that was.
         self._repeated: dict[int, float] = {}
+        self._period: dict[int, float] = {}
+        self._begun_by: dict[int, Task] = {}
         # The last statement of each task.
         self._last: dict[str, int] = {}
         # The statements of handlers, which wait for nothing.
@@ -65,14 +67,15 @@ class RestWatch(Hook):
         machine.controller.inputs.observer = self._reads
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
-        if time - self._begun.get(offset, -inf) > RECENT:
+        period = time - self._begun.get(offset, -inf)
+        if period > RECENT:
             self.news = time
         else:
-            self._repeated[offset] = time
+            self._repeated[offset], self._period[offset] = time, period
         scheduler = None if self._machine is None else self._machine.scheduler
         if scheduler is not None and scheduler.interrupts:
             self._handlers.add(offset)
-        self._begun[offset], self._last[task.name] = time, offset
+        self._begun[offset], self._begun_by[offset], self._last[task.name] = time, task, offset
         return super().begins(task, time, offset)
 
     def _reads(self, channel: int) -> None:
@@ -96,7 +99,9 @@ class RestWatch(Hook):
         now = machine.clock.now
         if machine.moves_made != self._moves:
             self._moves, self.news = machine.moves_made, now
-        if now - self.news < QUIET or any(now < machine.idle_time(axis) < inf for axis in machine.moving()):
+        if now - self.news < SHORTEST or any(
+            now < machine.idle_time(axis) < inf for axis in machine.moving()
+        ):
             return False
         return all(map(self._is_resting, _tasks(machine)))
 
@@ -115,9 +120,9 @@ class RestWatch(Hook):
         found = [
             PanelWait("input", channel, self.line(at))
             for channel, (time, at) in self._read.items()
-            if now - time <= QUIET
+            if now - time <= self._window(machine, at)
         ]
-        places = {at for at, time in self._begun.items() if now - time < QUIET}
+        places = {at for at, time in self._begun.items() if now - time < self._window(machine, at)}
         places |= {task.at for task in _tasks(machine) if not task.done}
         for at in sorted(places - self._handlers):
             statement = self._structure.statements.get(at)
@@ -125,6 +130,14 @@ class RestWatch(Hook):
                 found += _read_by(statement, self.line(at))
         found.sort()
         return list({each[:2]: each for each in found}.values())
+
+    def _window(self, machine: Machine, at: int) -> float:
+        """Return how long ago a statement that a loop repeats may have begun, s; a loop may wait for a time."""
+        task = self._begun_by.get(at)
+        wait = None if task is None else wait_of(machine, task)
+        if wait is None or wait.cause != "time":
+            return SHORTEST
+        return max(SHORTEST, 1.5 * self._period.get(at, 0.0))
 
 
 def _tasks(machine: Machine) -> list[Task]:

@@ -16,7 +16,7 @@ from motionlang.commands.explore.trials import number_in
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.panel.play import RELEASE, Play, PlayRecord
 from motionlang.commands.scenarios import FOLDER_SUFFIX, Scenario, unmet
-from motionlang.kernel import Program, ProgramError, Run, Source, read_machine, run, settings_next_to
+from motionlang.kernel import ProgramError, Run, Source, read_machine, run, settings_next_to
 from motionlang.kernel.files import create
 from motionlang.kernel.lang import layered
 from motionlang.kernel.tracks import axes_of
@@ -42,19 +42,14 @@ class Saved(NamedTuple):
     difference: str
 
 
-def save(
-    file: str,
-    program: Program,
-    settings: Mapping[str, object],
-    overrides: Mapping[str, float | str],
-    play: Play,
-) -> Saved:
+def save(file: str, play: Play) -> Saved:
     """Write the run so far as a scenario of a program.
 
     Raises NotSaved, and OSError if the file cannot be written. Called in the thread of the run.
     """
-    if overrides:
-        raise NotSaved(f"--set {next(iter(overrides))} is not in the program: write the value into it")
+    program = play.program
+    if play.overrides:
+        raise NotSaved(f"--set {next(iter(play.overrides))} is not in the program: write the value into it")
     try:
         if Source.read(file).text != program.source.text:
             raise NotSaved(f"{os.path.basename(file)} has changed: restart, and save then")
@@ -62,7 +57,7 @@ def save(
     except ProgramError as error:
         raise NotSaved(f"the machine file: {error.diagnostics[0].message}") from None
     below.pop("expect", None)
-    above = world_of(play, settings, below)
+    above = world_of(play, below)
     made = run(file, dialect=program.language, machine=layered(below, above))
     when = f"at {play.now:.2f} s" if play.result is None else "at its end"
     text = HEAD.format(name=program.source.name, when=when) + text_of(above, expected(made))
@@ -77,9 +72,9 @@ def save(
     return Saved(path, wrong[0] if wrong else _difference(play, made))
 
 
-def world_of(play: Play, settings: Mapping[str, object], below: Mapping[str, object]) -> dict[str, object]:
+def world_of(play: Play, below: Mapping[str, object]) -> dict[str, object]:
     """Return the settings of a scenario: what a hand did, and what the machine file next to the program lacks."""
-    record, now = play.record, play.now
+    record, settings, now = play.record, play.settings, play.now
     above: dict[str, object] = {
         key: value for key, value in settings.items() if below.get(key) != value and key != "expect"
     }

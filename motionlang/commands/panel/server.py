@@ -51,7 +51,7 @@ class PanelServer(ThreadingHTTPServer):
     def __init__(self, session: PanelSession, port: int = 0) -> None:
         self.session, self.secret = session, token_urlsafe(12)
         self.over = threading.Event()
-        self.pages = 0
+        self.pages = threading.BoundedSemaphore(MAX_PAGES)
         super().__init__((LOOPBACK, port), Handler)
 
     def server_bind(self) -> None:
@@ -104,7 +104,7 @@ class Handler(BaseHTTPRequestHandler):
             file, kind = FILES[name]
             self._send(HTTPStatus.OK, files(__package__).joinpath(file).read_bytes(), kind)
         elif name is not None:
-            self._refuse(HTTPStatus.NOT_FOUND, "nothing is here")
+            self._refuse(HTTPStatus.NOT_FOUND, "there is no such page")
 
     def do_POST(self) -> None:
         name = self._name()
@@ -154,13 +154,12 @@ class Handler(BaseHTTPRequestHandler):
     def _send_events(self) -> None:
         """Send the state whenever it changes, until the page or the server ends."""
         server, cursor = self.server, Cursor()
-        if server.pages >= MAX_PAGES:
+        if not server.pages.acquire(blocking=False):
             self._refuse(HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_PAGES} pages are open already")
             return
         self.close_connection = True
-        self._begin(HTTPStatus.OK, {"Content-Type": "text/event-stream"})
-        server.pages += 1
         try:
+            self._begin(HTTPStatus.OK, {"Content-Type": "text/event-stream"})
             while not server.over.is_set():
                 sent = monotonic()
                 found = server.session.updates(cursor, SILENCE)
@@ -169,7 +168,7 @@ class Handler(BaseHTTPRequestHandler):
         except OSError:
             pass  # the page is closed
         finally:
-            server.pages -= 1
+            server.pages.release()
 
 
 def _event(data: dict[str, Any]) -> bytes:

@@ -5,18 +5,22 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from math import floor, isfinite
+from operator import itemgetter
 from typing import Any
 
 from motionlang.cli.command import Refused
 from motionlang.commands.explore import TABLES, Change, Entry
 from motionlang.commands.explore.switches import FoundSwitches
 from motionlang.commands.explore.trials import TEXTS, tables_of
-from motionlang.commands.panel.play import PER_SECOND, RELEASE, Play, PlayRecord
+from motionlang.commands.panel.play import PER_SECOND, RELEASE, Action, ActionQueue, Play, PlayRecord
+from motionlang.commands.panel.play import in_words as change_in_words
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of
 from motionlang.kernel import Program, ProgramError, Run, dialect
+from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
 
 # Reads the program and its machine file again; raises Refused or ProgramError.
@@ -45,19 +49,23 @@ class Cursor:
 class PanelSession:
     """The run that the pages show; `act` is called with what a page asks for.
 
-    `file` is the path of the program, `watched` are the files that are checked for changes.
+    `file` is the path of the program, `watched` are the files that are checked for changes. All that is done to the run
+    is done in its thread, in the order in which pages asked for it, and so is replacing it by another run.
     """
+
+    _play: Play
 
     def __init__(
         self, load: Load, file: str, watched: Sequence[str], overrides: Mapping[str, float | str]
     ) -> None:
         self._load, self._file, self._watched, self._overrides = load, file, watched, overrides
-        self.program, self.settings = load()
-        # What a person has let the panel add to the machine file: switches of axes, and rules of inputs.
-        self._given: dict[str, object] = {}
-        self._contents = self._made()
+        # What a person has let the panel add to the machine file: switches of axes, and rules of inputs by number.
+        self._switches: dict[str, object] = {}
+        self._followers: dict[int, Entry] = {}
+        self._actions = ActionQueue()
+        # Held for what follows, which the threads of the pages read.
         self._news = threading.Condition()
-        self._acts = threading.Lock()
+        self._contents: Data = {}
         self._state: Data = {}
         # The numbers of the last state, run and notice, and the length of the output with what is not stored any more.
         self._states = self._runs = self._notices = 0
@@ -66,56 +74,62 @@ class PanelSession:
         self._rules: dict[int, Entry] = {}
         self._explained = -1
         self._notice = ""
-        self._seen = self._stamps()
-        self._is_changed = False
-        self._play = self._new(PlayRecord())
-        self._play.start()
+        # The state of the files that the program was read from, and that of which the pages know.
+        self._read = self._noticed = self._stamps()
+        program, settings = load()
+        self._begin(program, settings, PlayRecord())
 
-    def _made(self) -> Data:
-        return contents(self.program, dialect(self.program.language), self.settings)
-
-    def _new(self, record: PlayRecord, until: float = 0.0, *, goes_on: bool = True) -> Play:
-        """Return another run, from now on the present one, which ends the one before."""
-        before: Play | None = getattr(self, "_play", None)
-        if before is not None:
-            before.abandon()
-        speed = 1.0 if before is None else before.speed
-        self._play = Play(
-            self.program,
-            self.settings,
+    def _begin(
+        self,
+        program: Program,
+        settings: Mapping[str, object],
+        record: PlayRecord,
+        until: float = 0.0,
+        *,
+        speed: float = 1.0,
+        goes_on: bool = True,
+    ) -> None:
+        """Begin another run, from now on the present one."""
+        made = contents(program, dialect(program.language), settings)
+        play = Play(
+            program,
+            settings,
             self._overrides,
             record,
+            self._actions,
             self._publish,
             until=until,
             speed=speed,
             goes_on=goes_on,
         )
         with self._news:
-            self._runs, self._explained, self._rules = self._runs + 1, -1, {}
+            self._play, self._contents, self._runs = play, made, self._runs + 1
             # Nothing of the run before is shown as the state of this one.
             self._state, self._text, self._length = {}, "", 0
-        return self._play
+            self._explained, self._rules = -1, {}
+        play.start()
 
     def close(self) -> None:
         """End the run."""
-        self._play.abandon()
-        self._play.join(1.0)
+        self._actions.post(Play.abandon)
+        play: Play | None = None
+        while play is not self._play:  # it may just be replaced
+            play = self._play
+            play.join(1.0)
 
     # ------------------------------------------------------------------------------------------- for the pages
 
     def _publish(self, play: Play) -> None:
-        """Store the state of a run for the pages; called in its thread."""
+        """Store the state of the present run for the pages; called in its thread."""
         state = state_of(play, self._contents)
-        is_there = play.machine is not None and play.now >= play.until and play is self._play
-        if is_there and self._explained != len(play.record):
+        explained, found = self._explained, self._rules
+        if play.machine is not None and play.now >= play.until and explained != len(play.record):
             mine = [each for each in play.record.changes if each[1].number not in play.driven]
-            assert play.machine is not None
-            self._explained, self._rules = len(play.record), rules(mine, play.machine)
+            explained, found = len(play.record), rules(mine, play.machine)
+        new = "".join(play.text)
+        play.text.clear()
         with self._news:
-            if play is not self._play:
-                return
-            new = "".join(play.text)
-            play.text.clear()
+            self._explained, self._rules = explained, found
             self._length += len(new)
             self._text = (self._text + new)[-MAX_TEXT:]
             self._state, self._states = state, self._states + 1
@@ -139,9 +153,9 @@ class PanelSession:
             record = self._play.record
             if cursor.record != (len(record), self._explained):
                 cursor.record = len(record), self._explained
-                found["record"] = _in_words(record)
+                found["record"] = _entries(record)
                 found["rules"] = {number: in_words(entry) for number, entry in self._rules.items()}
-            found["changed"] = self._is_changed
+            found["changed"] = self._noticed != self._read
             if cursor.notice != self._notices:
                 found["notice"] = self._notice
             cursor.text, cursor.state, cursor.notice = self._length, self._states, self._notices
@@ -156,12 +170,13 @@ class PanelSession:
     def watch_files(self, over: threading.Event) -> None:
         """Take note of changes of the program and its machine file until `over`."""
         while not over.wait(CHECK):
-            is_changed = self._stamps() != self._seen
-            if is_changed != self._is_changed:
-                self._is_changed = is_changed
-                self.say(
-                    f"{os.path.basename(self._file)} or its machine file has changed" if is_changed else ""
-                )
+            stamps = self._stamps()
+            with self._news:
+                if stamps == self._noticed:
+                    continue
+                self._noticed = stamps
+                name = os.path.basename(self._file)
+                self.say(f"{name} or its machine file has changed" if stamps != self._read else "")
 
     def _stamps(self) -> list[tuple[int, int] | None]:
         return [_stamp(each) for each in self._watched]
@@ -169,141 +184,165 @@ class PanelSession:
     # ---------------------------------------------------------------------------------------- what pages ask for
 
     def act(self, request: Mapping[str, Any]) -> None:
-        """Do what a page asks for; raise WrongAction if that is not possible."""
-        with self._acts:
-            act = self._handlers().get(str(request.get("do", "")))
-            if act is None:
-                raise WrongAction("unknown action")
-            act(request)
+        """Let the run do what a page asks for; raise WrongAction if that is not possible."""
+        self._actions.post(self._action(request))
 
-    def _handlers(self) -> dict[str, Callable[[Mapping[str, Any]], object]]:
-        play = self._play
-        return {
-            "pause": lambda request: play.post(play.pause),
-            "run": lambda request: play.post(play.go_on),
-            "step": lambda request: play.post(play.step),
-            "rest": lambda request: play.post(play.seek_rest),
-            "speed": self._set_speed,
-            "change": self._change,
-            "reply": self._reply,
-            "back": lambda request: self._go_back(_number(request, "time")),
-            "restart": lambda request: self._restart(bool(request.get("keep"))),
-            "switch": lambda request: play.post(self._put_switch),
-            "rule": lambda request: self._follow(int(_number(request, "number"))),
-            "save": lambda request: play.post(self._save),
-        }
+    def _action(self, request: Mapping[str, Any]) -> Action:
+        match request.get("do"):
+            case "pause":
+                return Play.pause
+            case "run":
+                return Play.go_on
+            case "step":
+                return Play.step
+            case "rest":
+                return Play.seek_rest
+            case "speed":
+                speed = _number(request, "speed")
+                if not MIN_SPEED <= speed <= MAX_SPEED:
+                    raise WrongAction(f"the speed is {MIN_SPEED:g} to {MAX_SPEED:g}")
+                return lambda play: play.real.set_speed(speed)
+            case "change":
+                change = self._change(request)
+                is_button_up = bool(request.get("button_up"))
+                return lambda play: play.change(change, is_button_up=is_button_up)
+            case "reply":
+                text = str(request.get("text", ""))
+                if len(text) > MAX_LINE or not text.isprintable():
+                    raise WrongAction(f"an answer is one line of at most {MAX_LINE} characters")
+                return lambda play: play.reply(text)
+            case "back":
+                return partial(self._go_back, time=_number(request, "time"))
+            case "restart":
+                return self._restart(keeps=bool(request.get("keep")))
+            case "switch":
+                return self._put_switch
+            case "rule":
+                number = int(_number(request, "number"))
+                entry = self._rules.get(number)
+                if entry is None:
+                    raise WrongAction(f"no output explains the changes of input {number}")
+                return partial(self._follow, number=number, entry=entry)
+            case "save":
+                return self._save
+        raise WrongAction("unknown action")
 
-    def _set_speed(self, request: Mapping[str, Any]) -> None:
-        speed, play = _number(request, "speed"), self._play
-        if not MIN_SPEED <= speed <= MAX_SPEED:
-            raise WrongAction(f"the speed is {MIN_SPEED:g} to {MAX_SPEED:g}")
-        play.post(lambda: play.set_speed(speed))
-
-    def _change(self, request: Mapping[str, Any]) -> None:
-        table, number, play = str(request.get("table", "")), int(_number(request, "number")), self._play
+    def _change(self, request: Mapping[str, Any]) -> Change:
+        table, number = str(request.get("table", "")), int(_number(request, "number"))
         if table == RELEASE:
-            if number not in play.driven:
+            if number not in self._play.driven:
                 raise WrongAction(f"the machine file does not drive input {number}")
-            change = Change(RELEASE, number, 0.0)
-        elif table in TABLES and table != "answer":
-            value = str(request.get("value", "")) if table in TEXTS else _number(request, "value")
-            change = Change(table, number, value)
-            mistake = first_mistake(tables_of(((0.0, change),)))
-            if mistake:
-                raise WrongAction(mistake)
-        else:
-            raise WrongAction(f"nothing changes {table or 'this'}")
-        play.post(lambda: play.change(change))
+            return Change(RELEASE, number, 0.0)
+        if table not in TABLES or table == "answer":
+            raise WrongAction(f"{table or 'this'} cannot be changed by hand")
+        value = str(request.get("value", "")) if table in TEXTS else _number(request, "value")
+        change = Change(table, number, value)
+        mistake = first_mistake(tables_of(((0.0, change),)))
+        if mistake:
+            raise WrongAction(mistake)
+        return change
 
-    def _reply(self, request: Mapping[str, Any]) -> None:
-        text, play = str(request.get("text", "")), self._play
-        if len(text) > MAX_LINE or not text.isprintable():
-            raise WrongAction("this is no line")
-        play.post(lambda: play.reply(text))
-
-    def _go_back(self, time: float) -> None:
-        before = self._play
-        time = floor(time * PER_SECOND + 1e-6) / PER_SECOND
-        record = before.record.until(time)
-        cut = len(before.record) - len(record)
-        self._new(record, min(time, before.now), goes_on=False).start()
-        if cut:
-            self.say(f"back at {time:g} s: {_actions(cut)} after it cut off")
-        else:
-            self.say(f"back at {time:g} s")
-
-    def _restart(self, keeps: bool) -> None:
-        stamps, before = self._stamps(), self._play
+    def _restart(self, *, keeps: bool) -> Action:
+        """Read the files again, and return what begins a run of them."""
+        stamps = self._stamps()
         try:
-            self.program, settings = self._load()
+            program, settings = self._load()
         except (Refused, ProgramError) as error:
             first = error.diagnostics[0]
             where = f"line {first.line}: " if first.line else ""
-            raise WrongAction(f"the old program stays: {where}{first.message}") from None
-        self.settings = {**settings, **self._given}
-        self._seen, self._is_changed = stamps, False
-        self._contents = self._made()
-        if keeps:
-            self._new(before.record.until(before.now), before.now).start()
-            self.say(f"started again, with {_actions(len(before.record))} up to {before.now:.2f} s")
-        else:
-            self._new(PlayRecord()).start()
-            self.say("started again")
+            raise WrongAction(f"not restarted: {where}{first.message}") from None
 
-    def _put_switch(self) -> None:
-        """Put a switch where an axis looks for one; called in the thread of the run."""
-        play, machine = self._play, self._play.machine
-        if machine is None:
+        def begin(play: Play) -> None:
+            with self._news:
+                self._read = self._noticed = stamps
+            record, until = (play.record, play.moment) if keeps else (PlayRecord(), 0.0)
+            self._replace(play, record, until, program=program, settings=self._completed(settings))
+            with_them = f", with {_actions(len(record))} up to {until:.2f} s" if keeps else ""
+            self.say(f"started again{with_them}")
+
+        return begin
+
+    # ------------------------------------------------------------------------- actions, in the thread of the run
+
+    def _replace(
+        self,
+        play: Play,
+        record: PlayRecord,
+        until: float,
+        *,
+        program: Program | None = None,
+        settings: Mapping[str, object] | None = None,
+        goes_on: bool = True,
+    ) -> None:
+        """Begin another run in place of the present one, at the same speed."""
+        play.abandon()
+        self._begin(
+            play.program if program is None else program,
+            play.settings if settings is None else settings,
+            record,
+            until,
+            speed=play.real.speed,
+            goes_on=goes_on,
+        )
+
+    def _go_back(self, play: Play, time: float) -> None:
+        time = min(floor(time * PER_SECOND + 1e-6) / PER_SECOND, play.moment)
+        record = play.record.until(time)
+        cut = len(play.record) - len(record)
+        self._replace(play, record, time, goes_on=False)
+        self.say(f"back at {time:g} s" + (f": {cut} later action{'s' * (cut != 1)} cut off" if cut else ""))
+
+    def _put_switch(self, play: Play) -> None:
+        """Put a switch where an axis looks for one."""
+        switches = FoundSwitches(play.settings.keys())
+        if play.machine is None or not switches.add(
+            Run(play.program.source, dialect(play.program.language), play.machine)
+        ):
             return
-        switches = FoundSwitches(self.settings.keys())
-        if not switches.add(Run(self.program.source, dialect(self.program.language), machine)):
-            return
-        self._given |= switches.settings
-        self.settings = {**self.settings, **switches.settings}
+        self._switches |= switches.settings
         words = ", ".join(f"{key} = {value}" for key, value in switches.settings.items())
-        self._new(play.record, play.now, goes_on=not play.is_paused).start()
-        self.say(f"repeated with {words}")
+        self._repeat(play, play.record, f" with {words}")
 
-    def _follow(self, number: int) -> None:
-        """Let an input follow the output that explains what a hand did to it, and repeat the run."""
-        play, entry = self._play, self._rules.get(number)
-        if entry is None:
-            raise WrongAction(f"no output explains the changes of input {number}")
-        given = self.settings.get("input", ())
-        others = [each for each in given if each["channel"] != number]  # type: ignore[attr-defined]
-        self._given = {**self._given, "input": [*others, entry]}
-        self.settings = {**self.settings, **self._given}
-        self._contents = self._made()
-        changes = [
-            each
-            for each in play.record.changes
-            if (each[1].table, each[1].number) not in (("input", number), (RELEASE, number))
-        ]
-        self._new(PlayRecord(changes, play.record.answers), play.now, goes_on=not play.is_paused).start()
-        self.say(f"repeated: input {number} {in_words(entry)}")
+    def _follow(self, play: Play, number: int, entry: Entry) -> None:
+        """Let an input follow the output that explains what a hand did to it."""
+        self._followers[number] = entry
+        mine = ("input", number), (RELEASE, number)
+        changes = [each for each in play.record.changes if (each[1].table, each[1].number) not in mine]
+        record = PlayRecord(changes, play.record.answers)
+        self._repeat(play, record, f": input {number} {in_words(entry)}")
 
-    def _save(self) -> None:
-        """Write the run so far as a scenario; called in the thread of the run."""
+    def _repeat(self, play: Play, record: PlayRecord, how: str) -> None:
+        """Repeat the run up to the present moment with what the machine file lacked."""
+        settings = self._completed(play.settings)
+        self._replace(play, record, play.moment, settings=settings, goes_on=not play.is_paused)
+        self.say(f"repeated{how}")
+
+    def _completed(self, settings: Mapping[str, object]) -> dict[str, object]:
+        """Return the settings of a machine with the switches and the rules that a person has added."""
+        given: Sequence[Entry] = settings.get("input", ())  # type: ignore[assignment]
+        others = [each for each in given if each["channel"] not in self._followers]
+        added = {"input": [*others, *self._followers.values()]} if self._followers else {}
+        return {**settings, **self._switches, **added}
+
+    def _save(self, play: Play) -> None:
+        """Write the run so far as a scenario."""
         try:
-            saved = save(self._file, self.program, self.settings, self._overrides, self._play)
+            saved = save(self._file, play)
         except NotSaved as error:
             self.say(f"not saved: {error}")
         except OSError as error:
-            self.say(f"not saved: {error.strerror}: {error.filename}")
+            self.say(f"not saved: {error.filename}: {reason(error)}")
         else:
             differs = f", but its run differs: {saved.difference}" if saved.difference else ""
             self.say(f"saved {saved.path}{differs}; motionlang verify {self._file} runs it")
+        play.real.restart()
 
 
-def _in_words(record: PlayRecord) -> list[tuple[float, str]]:
+def _entries(record: PlayRecord) -> list[tuple[float, str]]:
     """Return the last entries of a record in words, with their times."""
-    words = [(time, _word(change)) for time, change in record.changes[-MAX_RECORD:]]
+    words = [(time, change_in_words(change)) for time, change in record.changes[-MAX_RECORD:]]
     words += [(time, f"answer {text}") for time, text in record.answers[-MAX_RECORD:]]
-    return sorted(words)[-MAX_RECORD:]
-
-
-def _word(change: Change) -> str:
-    return f"input {change.number} let go" if change.table == RELEASE else str(change)
+    return sorted(words, key=itemgetter(0))[-MAX_RECORD:]
 
 
 def _actions(count: int) -> str:
@@ -313,7 +352,7 @@ def _actions(count: int) -> str:
 def _number(request: Mapping[str, Any], key: str) -> float:
     value = request.get(key)
     if not isinstance(value, (int, float)) or not isfinite(value):
-        raise WrongAction(f"{key} is a number")
+        raise WrongAction(f"{key} must be a number")
     return value
 
 

@@ -114,8 +114,8 @@ def state_of(play: Play, made: Data) -> Data:
     return {
         "t": round(now, 5),
         "mode": _mode(play),
-        "speed": play.speed,
-        "late": play.is_late,
+        "speed": play.real.speed,
+        "late": play.real.is_late,
         "question": None if play.question is None else plain(play.question),
         "end": "" if play.result is None else _end(play.result),
         "axes": [_axis_state(machine, each["number"], now) for each in made["axes"]],
@@ -148,9 +148,9 @@ def _mode(play: Play) -> str:
         return "fault" if play.result.status == "fault" else "ended"
     if play.question is not None:
         return "asks"
-    if play.is_paused:
-        return "paused"
-    return "replays" if play.now < play.until else "runs"
+    if play.now < play.until:
+        return "replays"
+    return "paused" if play.is_paused else "runs"
 
 
 def _end(result: Run) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
+from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.session import Cursor, PanelSession
 from motionlang.kernel import Program, ProgramError, Source, dialect_for, settings_next_to
 
@@ -82,6 +84,22 @@ class Hand:
             lambda state: state["mode"] in over or (state["t"] > begin and state["mode"] == "paused")
         )
 
+    @contextmanager
+    def busy(self) -> Iterator[None]:
+        """Keep the run busy: it takes what it is asked for afterwards, all at once."""
+        is_busy, is_free = threading.Event(), threading.Event()
+
+        def work(play: Play) -> None:
+            is_busy.set()
+            is_free.wait(PATIENCE)
+
+        self.session._actions.post(work)
+        assert is_busy.wait(PATIENCE)
+        try:
+            yield
+        finally:
+            is_free.set()
+
     def _read(self, seconds: float) -> None:
         found = self.session.updates(self._cursor, seconds)
         if found is None:
@@ -89,6 +107,8 @@ class Hand:
         if "contents" in found:
             self.contents, self.text = found["contents"], ""
         self.state = found["state"]
+        if self.state["mode"] != "starts":
+            assert len(self.state["axes"]) == len(self.contents["axes"])
         self.text += found["text"]
         self.record = found.get("record", self.record)
         self.rules = found.get("rules", self.rules)

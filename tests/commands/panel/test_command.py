@@ -12,9 +12,19 @@ from motionlang.cli import main
 
 def test_a_program_with_an_error_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "wrong.mnt"
-    path.write_text("Pause INX(\n", encoding="utf-8")
+    path.write_text("SPED(0) = 5\n", encoding="utf-8")
     assert main(["panel", str(path)]) == 1
-    assert "error[syntax]" in capsys.readouterr().err
+    assert (
+        capsys.readouterr().err
+        == f"""\
+error[unknown-word]: SPED is unknown
+ --> {path}:1:1
+  |
+1 | SPED(0) = 5
+  | ^^^^
+  hint: did you mean SPEED?
+"""
+    )
 
 
 def test_a_port_in_use_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -24,7 +34,7 @@ def test_a_port_in_use_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[
         port = other.getsockname()[1]
         assert main(["panel", str(path), "--port", str(port)]) == 1
     text = capsys.readouterr().err
-    assert f"error[address]: port {port} cannot be used" in text
+    assert f"error[address]: port {port} cannot be used: address already in use" in text
     assert "leave out --port" in text
 
 

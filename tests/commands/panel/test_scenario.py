@@ -148,16 +148,26 @@ def test_an_input_of_the_machine_file_that_a_hand_took_is_saved_whole(
     [
         ({"pitch": 5.0}, "", "--set pitch is not in the program"),
         ({}, "Pause INX(4)\n", "press.mnt has changed: restart"),
+        ({}, None, "{path}: no such file or directory"),
     ],
 )
 def test_what_is_no_scenario_is_not_saved(
-    tmp_path: Path, overrides: dict[str, float | str], change: str, why: str
+    tmp_path: Path, overrides: dict[str, float | str], change: str | None, why: str
 ) -> None:
     path = tmp_path / "press.mnt"
     with operated(path, f"Dim pitch\npitch = 4\n{PRESS}", overrides) as hand:
         hand.rests()
         if change:
             path.write_text(change, encoding="utf-8")
+        elif change is None:
+            path.unlink()
         hand("save")
-        hand.hears(f"not saved: {why}")
+        hand.hears(f"not saved: {why.format(path=path)}")
         assert not (tmp_path / "press.scenarios").exists()
+
+
+def test_a_folder_that_cannot_be_made_is_reported(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        (tmp_path / "press.scenarios").write_text("", encoding="utf-8")
+        hand("save")
+        hand.hears(f"not saved: {tmp_path / 'press.scenarios'}: file exists")

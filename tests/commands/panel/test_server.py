@@ -134,6 +134,16 @@ def test_two_pages_see_what_either_does(tmp_path: Path) -> None:
         second.close()
 
 
+def test_a_page_too_many_is_refused(tmp_path: Path) -> None:
+    with served(tmp_path / "press.mnt") as (_, server):
+        server.pages = threading.BoundedSemaphore(1)
+        page = Page(server)
+        events = page.events()
+        assert next(events)["contents"]["file"] == "press.mnt"
+        assert page.ask(f"{page.begin}events")[0] == 503
+        events.close()
+
+
 def test_a_port_in_use(tmp_path: Path) -> None:
     with served(tmp_path / "press.mnt") as (hand, server), pytest.raises(OSError, match="in use"):
         PanelServer(hand.session, server.server_port)

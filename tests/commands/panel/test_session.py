@@ -5,12 +5,13 @@ from __future__ import annotations
 import threading
 from functools import partial
 from pathlib import Path
+from queue import Queue
 
 import pytest
 
-from motionlang.commands.panel.play import PlayRecord
+from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.session import Cursor, WrongAction
-from tests.commands.panel.hands import PRESS, State, operated
+from tests.commands.panel.hands import PATIENCE, PRESS, State, operated
 
 HOST = """\
 Dim k
@@ -45,13 +46,45 @@ def test_a_program_runs_from_rest_to_rest(tmp_path: Path) -> None:
         assert [words for _, words in hand.record] == ["input 1 on", "input 2 on"]
 
 
-def test_a_page_is_never_shown_the_run_before_as_the_present_one(tmp_path: Path) -> None:
+def test_a_page_is_never_shown_the_run_before_as_the_present_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with operated(tmp_path / "press.mnt", PRESS) as hand:
         hand.rests()
-        begun = hand.session._new(PlayRecord(), goes_on=False)
-        assert hand.session.updates(Cursor(), 0.0) is None
-        begun.start()
+        begun: Queue[Play] = Queue()
+
+        def hold(play: Play) -> None:
+            begun.put(play)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(Play, "start", hold)
+            hand("back", time=0)
+            play = begun.get(timeout=PATIENCE)
+            assert hand.session.updates(Cursor(), 0.0) is None
+        play.start()
         hand.sees(lambda state: state["t"] == 0.0)
+
+
+def test_nothing_is_lost_that_is_asked_for_while_the_run_is_replaced(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        with hand.busy():
+            hand.set(1, 1)
+            hand("restart", keep=True)
+            hand.set(2, 1)
+        hand.sees(lambda state: state["inputs"] == {1: 1, 2: 1})
+        assert [words for _, words in hand.record] == ["input 1 on", "input 2 on"]
+
+
+def test_a_run_that_goes_back_is_started_again_up_to_where_it_goes(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        hand.set(1, 1)
+        hand.rests()
+        with hand.busy():
+            hand("back", time=0.2)
+            hand("restart", keep=True)
+        hand.hears("started again, with 1 action up to 0.20 s")
 
 
 def test_what_the_page_has_comes_from_comments_and_statements(tmp_path: Path) -> None:
@@ -83,6 +116,36 @@ def test_a_change_at_a_step_is_made_at_the_next_event(tmp_path: Path) -> None:
         assert hand.record == [(0.02, "input 1 on")]
 
 
+def test_a_press_of_a_paused_program_lasts_until_it_goes_on(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        hand.set(1, 1)
+        hand("change", table="input", number=1, value=0, button_up=True)
+        assert hand.sees(lambda state: state["pending"])["pending"] == ["input 1 off"]
+        assert hand.state["inputs"] == {1: 1}
+        assert hand.rests()["waits"] == [("input", 2, 8)]
+        assert hand.record == [(0.16, "input 1 on"), (0.18, "input 1 off")]
+
+
+def test_a_change_by_hand_is_no_reading(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        hand.set(3, 1)
+        state = hand.sees(lambda state: state["inputs"] == {3: 1})
+        assert (state["waits"], state["read"]) == ([("input", 1, 7)], [1])
+
+
+def test_a_change_at_a_step_stays_if_the_run_is_started_again(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand("step")
+        hand.sees(lambda state: state["stopped"])
+        with hand.busy():
+            hand.set(1, 1)
+            hand("restart", keep=True)
+        hand.sees(lambda state: state["inputs"] == {1: 1})
+        assert hand.record == [(0.02, "input 1 on")]
+
+
 def test_back_to_an_earlier_moment_cuts_off_what_came_later(tmp_path: Path) -> None:
     with operated(tmp_path / "press.mnt", PRESS) as hand:
         hand.rests()
@@ -92,7 +155,7 @@ def test_back_to_an_earlier_moment_cuts_off_what_came_later(tmp_path: Path) -> N
         hand.set(2, 1)
         hand.rests()
         hand("back", time=before - 0.02)
-        hand.hears("1 action after it cut off")
+        hand.hears(": 1 later action cut off")
         state = hand.sees(lambda state: state["mode"] == "paused" and state["t"] < before)
         assert (state["t"], hand.text) == (round(before - 0.02, 5), "")
         assert [words for _, words in hand.record] == ["input 1 on"]
@@ -197,7 +260,7 @@ def test_a_changed_file_is_run_again_with_the_same_actions(tmp_path: Path) -> No
         hand.hears("started again, with 1 action")
         hand.sees(lambda state: state["waits"] == [("input", 3, 8)])
         path.write_text("Pause INX(\n", encoding="utf-8")
-        with pytest.raises(WrongAction, match="the old program stays: line 1"):
+        with pytest.raises(WrongAction, match="not restarted: line 1"):
             hand("restart", keep=True)
 
 
@@ -219,6 +282,13 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
         hand.session.watch_files(Twice())
         hand.hears("press.mnt or its machine file has changed")
         assert hand.is_changed
+        path.write_text(f"{PRESS}Pause INX(\n", encoding="utf-8")
+        with pytest.raises(WrongAction, match="not restarted: line 18"):
+            hand("restart", keep=False)
+        hand.session.say("")
+        path.write_text(PRESS, encoding="utf-8")
+        hand.session.watch_files(Twice())
+        hand.hears("press.mnt or its machine file has changed")
         hand("restart", keep=False)
         hand.hears("started again")
         assert not hand.is_changed
@@ -229,13 +299,13 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
     [
         ({"do": "fly"}, "unknown action"),
         ({"do": "speed", "speed": 1000}, "the speed is 0.1 to 100"),
-        ({"do": "back", "time": "now"}, "time is a number"),
-        ({"do": "change", "table": "fault", "number": 0, "value": 1}, "nothing changes fault"),
+        ({"do": "back", "time": "now"}, "time must be a number"),
+        ({"do": "change", "table": "fault", "number": 0, "value": 1}, "fault cannot be changed by hand"),
         ({"do": "change", "table": "input", "number": -1, "value": 1}, "channel"),
-        ({"do": "change", "table": "comms", "number": 1, "value": None}, "value is a number"),
+        ({"do": "change", "table": "comms", "number": 1, "value": None}, "value must be a number"),
         ({"do": "change", "table": "release", "number": 1}, "does not drive input 1"),
         ({"do": "rule", "number": 1}, "no output explains"),
-        ({"do": "reply", "text": "a\nb"}, "this is no line"),
+        ({"do": "reply", "text": "a\nb"}, "an answer is one line"),
     ],
 )
 def test_what_no_page_may_ask_for_is_refused(tmp_path: Path, asked: dict[str, object], why: str) -> None:
@@ -270,6 +340,24 @@ def test_an_input_that_follows_an_output_becomes_a_rule(tmp_path: Path) -> None:
         assert "{ channel = 2, output = 1, delay = 0.16 }" in made
 
 
+def test_a_rule_stays_if_the_machine_file_changes(tmp_path: Path) -> None:
+    text = "OUTX(1) = 1\nPause INX(2)\nOUTX(1) = 0\nPause INX(2) = 0\nPause INX(5)\nPause INX(6)\n"
+    with operated(tmp_path / "clamp.mnt", text) as hand:
+        for level in (1, 0):
+            hand.rests()
+            hand.set(2, level)
+        hand.rests()
+        hand("rule", number=2)
+        hand.hears("repeated: input 2 follows output 1")
+        (tmp_path / "clamp.machine.toml").write_text(
+            "input = [{ channel = 5, at = 0.0 }]\n", encoding="utf-8"
+        )
+        hand("restart", keep=False)
+        hand.sees(lambda state: state["waits"] == [("input", 6, 6)])
+        driven = {each["number"]: each["driven"] for each in hand.contents["inputs"]}
+        assert driven == {2: "follows output 1 after 0.16 s", 5: "set by the machine file", 6: ""}
+
+
 def test_an_axis_of_mccl_that_looks_for_its_switch_is_given_one(tmp_path: Path) -> None:
     text = "1US100\n1MN\n1VM,1DI1,1SV40,1GO,1FE0,1ST,1WS.1\nWN2\n"
     with operated(tmp_path / "home.mccl", text) as hand:
@@ -279,3 +367,19 @@ def test_an_axis_of_mccl_that_looks_for_its_switch_is_given_one(tmp_path: Path) 
         hand("switch")
         hand.hears("repeated with axis.1.home_switch = [-44.0, -40.0]")
         hand.sees(lambda state: state["waits"] == [("input", 2, 4)])
+
+
+def test_a_task_that_polls_now_and_then_is_no_other_rest(tmp_path: Path) -> None:
+    text = (
+        "Task heater\nDim n\nLoop\nIf ADC(0) < 50 Then\nOUTX(1) = 1\nEnd If\nWait(300)\nEnd Loop\nEnd Task\n"
+    )
+    with operated(tmp_path / "heat.mnt", f"{text}Run heater\nPause INX(2)\nPause INX(3)\n") as hand:
+        hand.rests()
+        hand("speed", speed=100)
+        hand("run")
+        waits = hand.sees(lambda state: state["t"] > 1.0)["waits"]
+        assert waits == [("analogue", 0, 4), ("input", 2, 11)]
+        hand("rest")
+        hand.set(2, 1)
+        hand.sees(lambda state: state["mode"] == "paused")
+        assert hand.state["waits"] == [("analogue", 0, 4), ("input", 3, 12)]

@@ -99,9 +99,13 @@ class Channels:
             self[channel] = 0
 
     def _notify(self, channel: int) -> None:
-        value = self[channel]
-        for listener in tuple(self.listeners):
-            listener(channel, value)
+        observer, self.observer = self.observer, None  # the program reads nothing here
+        try:
+            value = self[channel]
+            for listener in tuple(self.listeners):
+                listener(channel, value)
+        finally:
+            self.observer = observer
 
     def listen(self, call: Callable[[int, float], None]) -> None:
         """Call `call(channel, value)` after a value has changed."""
