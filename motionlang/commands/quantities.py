@@ -184,7 +184,6 @@ def quantity_names(text: str) -> tuple[str, ...]:
 
 
 def values_of(run: Run, names: Iterable[str]) -> dict[str, ResultValue]:
-    """Return results of a run by name."""
     return {name: row.read(run, number) for name in names for row, number in [quantity(name)]}
 
 

@@ -232,7 +232,6 @@ def _happened(events: _Events, width: int, colour: bool) -> list[str]:
 
 
 def events_table(rows: Sequence[Row]) -> Table:
-    """Return the table of events."""
     columns = (
         Column("time", unit="s", text=lambda time: figure(time, 6)),
         Column("kind", "event", left=True, style="warning"),

@@ -199,7 +199,6 @@ def _finite(value: Any) -> Any:
 
 
 def csv_cell(value: object) -> object:
-    """Return a value as CSV has it."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, float):

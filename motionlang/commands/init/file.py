@@ -363,7 +363,6 @@ def inline(entry: Entry) -> str:
 
 
 def toml_value(value: object) -> str:
-    """Return a value as TOML has it."""
     if isinstance(value, list):
         return f"[{', '.join(map(toml_value, value))}]"
     text = json.dumps(value, ensure_ascii=False)  # the numbers, truth values and texts of TOML

@@ -50,7 +50,6 @@ def is_remembered(row: Keyword, language: str) -> bool:
 
 
 def facts_of(row: Keyword) -> list[str]:
-    """Return the facts that a row has."""
     has = {
         "meaning": True,
         "short": row.short != "",

@@ -76,7 +76,6 @@ def standing(row: Keyword, dialect: str) -> str:
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:
-    """Return a fact with its evidence."""
     own, meaning = evidence.get(fact), evidence["meaning"]
     if not text or own is None or (own.strength, own.source) == (meaning.strength, meaning.source):
         return text

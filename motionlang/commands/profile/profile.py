@@ -43,7 +43,6 @@ class TimeProfile:
 
     @cached_property
     def tasks(self) -> list[TaskTime]:
-        """The time of each task."""
         return task_times(self.run, self._waits)
 
     @property

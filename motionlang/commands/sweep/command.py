@@ -108,7 +108,6 @@ examples:
         return self._compute(sweep, report, rows)
 
     def _made(self) -> tuple[sweeps.Sweep, SweepReport]:
-        """Return the sweep and its report."""
         source, language = self.source(), self.known_language()
         settings = with_world(self.settings(), self.entries())
         try:

@@ -159,7 +159,6 @@ def _signature(function: ApiFunction) -> Signature:
 
 
 def _method(function: ApiFunction, name: str) -> Callable[..., Any]:
-    """Return the method of a function."""
     signature = _signature(function)
 
     def method(self: Mcapi, *arguments: Any, **named: Any) -> Any:

@@ -32,7 +32,6 @@ _MAX_FLOAT = 3.4028234663852886e38
 
 
 def write_frame(element: int, text: str, card: int = 0) -> bytes:
-    """Return the frame that writes an element."""
     return _begin(card) + _sealed(_digits(element) + text.encode("ascii"))
 
 

@@ -113,5 +113,4 @@ def symbol(document: OpenDocument, each: OutlineEntry) -> types.DocumentSymbol:
 
 
 def markdown(text: str) -> types.MarkupContent:
-    """Return a text as Markdown content."""
     return types.MarkupContent(types.MarkupKind.Markdown, text)

@@ -66,7 +66,6 @@ class OpenDocument:
     # ------------------------------------------------------------- positions and offsets
 
     def offset(self, position: types.Position) -> int:
-        """Return the offset of a position."""
         starts = self._line_starts()
         if position.line >= len(starts):
             return len(self.text)

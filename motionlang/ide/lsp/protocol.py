@@ -124,7 +124,6 @@ class Protocol(LanguageServerProtocol):
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
     def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> None:
-        """Change a text."""
         self._server.session.change(params)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)

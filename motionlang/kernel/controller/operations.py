@@ -127,7 +127,6 @@ class Controller(Readings):
         power.fault(self.axes[axis], bit, action)
 
     def clear_faults(self, axis: int) -> None:
-        """Clear the faults of an axis."""
         power.clear_faults(self.axes[axis])
 
     def lock(self, axis: int, faults: int) -> None:

@@ -194,7 +194,6 @@ class Structure:
 
     @property
     def points(self) -> Sequence[GraphPoint]:
-        """The points of the graph."""
         return self.graph.points
 
     def inputs(self) -> Iterator[tuple[int, ChannelUse]]:

@@ -77,7 +77,6 @@ class Values:
         return self._numbers, self._kinds
 
     def append(self, value: object) -> None:
-        """Append a value."""
         kind, number = _FLOAT, 0.0
         if value.__class__ is float:
             number = value
@@ -139,7 +138,6 @@ class ColumnOfTexts(_Sequences):
         super().__init__("B")
 
     def append(self, text: str) -> None:
-        """Append a text."""
         self._append(text.encode("utf-8", "surrogatepass"))
 
     def read(self, first: int, past: int) -> Sequence[Any]:

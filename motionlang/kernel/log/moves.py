@@ -176,7 +176,6 @@ def _row(move: LoggedMove, a: Axis | None, is_live: bool) -> MoveRow:
 
 
 def _move(row: MoveRow, axes: Mapping[int, Axis]) -> LoggedMove:
-    """Return the move of a row."""
     move = (_Overlaid if row.overlaid else LoggedMove)(row.axis, row.command, row.line, row.target)
     move.commanded_speed, move.start_time, move.scale = row.commanded_speed, row.start_time, row.scale
     move.ended, move.zero, move.offset = row.ended, row.zero, row.offset

@@ -75,7 +75,6 @@ class Profiles:
         return self._rows[number].start
 
     def profile(self, number: int) -> Profile:
-        """Return a profile by its number."""
         return next(self.between(number, number + 1))[1]
 
     def forget_before(self, time: float) -> None:

@@ -197,13 +197,11 @@ class Profile:
         return pieces[i], time - knots[i]
 
     def position(self, time: float) -> float:
-        """Return the position at `time`."""
         if time >= self.duration:
             return self._beyond(time)
         return position_in(*self.piece_at(time)) if time > 0.0 else self.start
 
     def velocity(self, time: float) -> float:
-        """Return the velocity at `time`."""
         if time >= self.duration:
             return self.end_velocity
         return velocity_in(*self.piece_at(time)) if time > 0.0 else self.start_velocity

@@ -91,13 +91,11 @@ class FormulaProfile(Profile):
     # -- at a time
 
     def position(self, time: float) -> float:
-        """Return the position at `time`."""
         if time >= self.duration:
             return self._beyond(time)
         return self.state(time).position if time > 0.0 else self.start
 
     def velocity(self, time: float) -> float:
-        """Return the velocity at `time`."""
         if time >= self.duration:
             return self.end_velocity
         return self.state(time).velocity if time > 0.0 else self.start_velocity

@@ -76,12 +76,10 @@ class Reparametrised(FormulaProfile):
     # Searches call these three for many times; each equals the component of `state` to the last bit.
 
     def position(self, time: float) -> float:
-        """Return the position at `time`."""
         found = self._inside(time)
         return super().position(time) if found is None else position_in(*found[2:]) + self.lift
 
     def velocity(self, time: float) -> float:
-        """Return the velocity at `time`."""
         found = self._inside(time)
         if found is None:
             return super().velocity(time)

@@ -77,7 +77,6 @@ class SampleBlock:
 
     @property
     def current(self) -> Array:
-        """Currents."""
         return self._row("current")
 
     def _row(self, column: str) -> Array:

@@ -127,7 +127,6 @@ def cycle(behaviour: MachineBehaviour) -> Table:
 
 
 def states(behaviour: MachineBehaviour) -> Table:
-    """Return the table of all states."""
     columns = [
         Column("name", "state", left=True),
         Column("statement", left=True),
@@ -137,7 +136,6 @@ def states(behaviour: MachineBehaviour) -> Table:
 
 
 def transitions(behaviour: MachineBehaviour) -> Table:
-    """Return the table of all transitions."""
     rows = [(state, way) for state in behaviour.states for way in state.transitions]
 
     def name(row: tuple[StateRow, TransitionRow]) -> str:

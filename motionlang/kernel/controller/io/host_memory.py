@@ -102,7 +102,6 @@ def product(model: str) -> str:
 
 
 def named_product(model: str) -> str | None:
-    """Return the product of `PRODUCTS` that a model names, or None."""
     name = "".join(letter for letter in model.lower() if letter.isalnum())
     for family in ("nextmove", "microflex", "motiflex"):
         name = name.removeprefix(family)

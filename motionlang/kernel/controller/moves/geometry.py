@@ -75,7 +75,6 @@ class StraightLine:
         return self.targets
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> PathSegment:
-        """Return the segment from `starts`."""
         deltas = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
         length = hypot(*deltas) if self.length is None else self.length
         if length == 0.0:
@@ -127,7 +126,6 @@ class Arc:
         return self._joined(self._end(start, last, scale), self.rest)
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> PathSegment:
-        """Return the segment from `starts`."""
         (start, others), (scale, along) = self._split(starts), self._split(scales)
         (x, y), (out_x, out_y) = self._radii(start, scale)
         radius, sweep = hypot(x, y), radians(self.angle)

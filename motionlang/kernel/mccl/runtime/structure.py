@@ -118,7 +118,6 @@ def _statement(line: Line, command: Command, at: int, branches: bool) -> Stateme
 
 
 def use_of(command: Command, row: Keyword, at: int) -> Use:
-    """Return the use of its row by a command."""
     access = READ if row.access == "R" else WRITE
     value = float(command.value) if command.kind == NUMBER else None
     written = [Written(_parameter(command), value)] if command.kind in (NUMBER, REGISTER) else []

@@ -279,7 +279,6 @@ class CommandTask(StepTask):
         return self.board.registers[number]
 
     def set_register(self, number: int, value: float | int) -> None:
-        """Set a register."""
         if number < PRIVATE:
             self.registers[number] = value
             return

@@ -118,7 +118,6 @@ class Symbols:
         self._surveys.clear()
 
     def _declare_names(self, module: nodes.Module) -> None:
-        """Declare all names of the module."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)

@@ -60,7 +60,6 @@ _TIMES = {"ms": 1000.0, "%": 100.0}
 
 
 def row_of(name: str) -> Keyword:
-    """Return the row of a keyword."""
     row = table().get(name)
     assert row is not None, name
     return row

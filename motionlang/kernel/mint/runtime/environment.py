@@ -320,7 +320,6 @@ class Environment(Waits):
         return scale.to_user(float(round(scale.to_counts(distance_uu))))
 
     def print_text(self, text: str) -> None:
-        """Print a text."""
         self.acts += 1
         self.machine.terminal.write(text)
 
@@ -359,7 +358,6 @@ class Environment(Waits):
         scheduler.start(task)
 
     def end_task(self, name: str) -> None:
-        """`End name`: end a task."""
         task = self.by_name.get(name)
         if task is None or task.done:
             return

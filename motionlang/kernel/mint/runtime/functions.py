@@ -53,7 +53,6 @@ def modulo(a: float, b: float) -> float:
 
 
 def power(a: float, b: float) -> float:
-    """Return a to the power of b as a Float."""
     if a == 0 and b < 0:
         raise ZeroDivisionError
     try:

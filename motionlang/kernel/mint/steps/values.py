@@ -193,7 +193,6 @@ def _mirrored(level: Level, at: float) -> Level:
 
 
 def arithmetic(op: str, left: Value, right: Value) -> Value:
-    """Return `left op right` for + - *."""
     combine, first, second = ARITHMETIC[op], left.get, right.get
     sum_of = left.sum_of | right.sum_of
     if FLOAT in (left.type, right.type):

@@ -39,7 +39,6 @@ class _BlockToken:
 
 
 def layout(text: str) -> list[LineLayout]:
-    """Return the layout of each line of a text."""
     lines: list[LineLayout] = []
     kinds: list[str] = []
     owners: list[LineLayout] = []  # the line of each token

@@ -37,7 +37,6 @@ class SerialPort:
             raise PortRefused(f"parameter {parameter:#x} is not simulated")
 
     def read(self, parameter: int) -> tuple[int, ...]:
-        """Read a parameter."""
         if parameter == serial.TRAJECTORY_PARAMETER:
             return (self.configuration,)
         if parameter == serial.PARAMETER:
