@@ -19,6 +19,8 @@ from motionlang.kernel.tools import as_hint
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.
 _ENDS = "the run ends here"
+# What a reading shows that is kept for the machine file alone.
+_SHOWS = "reads 0", "is empty"
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
@@ -75,11 +77,16 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
     `by` is the statement that writes it or carries it out.
     """
-    if row.function == STORED or _is_stored(row, by):
+    is_known = by is None and row.name.upper() in b.program.supplied
+    if row.function == STORED and row.access == "R":
+        if not is_known:
+            shows = _SHOWS[row.unit == "text"]
+            _once(b, node, row, f"{row.word} is a Mint keyword that is not simulated: it {shows}")
+    elif row.function == STORED or _is_stored(row, by):
         _once(b, node, row, f"{row.word} is stored but has no effect")
     elif row.function == unsimulated.COMMAND:
         _once(b, node, row, f"{row.word} is a Mint keyword that is not simulated: it has no effect")
-    elif by is not None or row.name.upper() not in b.program.supplied:
+    elif not is_known:
         _ending(b, node, row, by is not None)
 
 
