@@ -34,7 +34,7 @@ from time import monotonic
 
 from motionlang.commands.explore import Change
 from motionlang.commands.explore.trials import tables_of
-from motionlang.commands.panel.real_time import RealTime
+from motionlang.commands.panel.pace import PlayPace
 from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 
@@ -117,7 +117,7 @@ class Play:
         goes_on: bool = True,
     ) -> None:
         self.program, self.settings, self.overrides, self.record = program, settings, overrides, record
-        self.until, self.real = until, RealTime(speed)
+        self.until, self.pace = until, PlayPace(speed)
         # True if the run waits, or will at `until`.
         self.is_paused = not goes_on
         # The result of a run that is over.
@@ -176,7 +176,7 @@ class Play:
         """The machine time that a page shows, s: that of real time, which comes to the next event."""
         if not self._is_in_time:
             return self.now
-        return min(self.now, max(self.real.machine_time, self.now - 1.0 / PER_SECOND))
+        return min(self.now, max(self.pace.machine_time, self.now - 1.0 / PER_SECOND))
 
     @property
     def pending(self) -> list[str]:
@@ -221,12 +221,12 @@ class Play:
 
     def pause(self) -> None:
         self.is_paused, self._seeks_rest = True, inf
-        self.real.restart()
+        self.pace.restart()
 
     def go_on(self) -> None:
         self.is_paused, self._seeks_rest = False, inf
         self.watch.limit = inf
-        self.real.restart()
+        self.pace.restart()
 
     def step(self) -> None:
         """Go on to the next statement of any task, behind the changes that are yet to be made."""
@@ -316,7 +316,7 @@ class Play:
                 self._tell()
                 seconds = inf
                 continue
-            left = self.real.left(now)
+            left = self.pace.left(now)
             self._is_in_time = True
             self._tell(PUBLISH)
             if left < SHORT:
@@ -359,7 +359,7 @@ class Play:
                 self._act(inf)
             answers.append((self.now, self._answer))
             self.question = self._answer = None
-            self.real.restart()
+            self.pace.restart()
         self._answered += 1
         return answers[self._answered - 1][1]
 

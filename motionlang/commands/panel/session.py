@@ -85,11 +85,12 @@ class PanelSession:
         settings: Mapping[str, object],
         record: PlayRecord,
         until: float = 0.0,
+        notice: str = "",
         *,
         speed: float = 1.0,
         goes_on: bool = True,
     ) -> None:
-        """Begin another run, from now on the present one."""
+        """Begin another run, from now on the present one; its first state brings the notice."""
         made = contents(program, dialect(program.language), settings)
         play = Play(
             program,
@@ -107,6 +108,7 @@ class PanelSession:
             # Nothing of the run before is shown as the state of this one.
             self._state, self._text, self._length = {}, "", 0
             self._explained, self._rules = -1, {}
+            self.say(notice)
         play.start()
 
     def close(self) -> None:
@@ -201,7 +203,7 @@ class PanelSession:
                 speed = _number(request, "speed")
                 if not MIN_SPEED <= speed <= MAX_SPEED:
                     raise WrongAction(f"the speed is {MIN_SPEED:g} to {MAX_SPEED:g}")
-                return lambda play: play.real.set_speed(speed)
+                return lambda play: play.pace.set_speed(speed)
             case "change":
                 change = self._change(request)
                 is_button_up = bool(request.get("button_up"))
@@ -256,9 +258,9 @@ class PanelSession:
             with self._news:
                 self._read = self._noticed = stamps
             record, until = (play.record, play.moment) if keeps else (PlayRecord(), 0.0)
-            self._replace(play, record, until, program=program, settings=self._completed(settings))
             with_them = f", with {_actions(len(record))} up to {until:.2f} s" if keeps else ""
-            self.say(f"started again{with_them}")
+            notice, completed = f"started again{with_them}", self._completed(settings)
+            self._replace(play, record, until, notice, program=program, settings=completed)
 
         return begin
 
@@ -269,19 +271,24 @@ class PanelSession:
         play: Play,
         record: PlayRecord,
         until: float,
+        notice: str,
         *,
         program: Program | None = None,
         settings: Mapping[str, object] | None = None,
         goes_on: bool = True,
     ) -> None:
-        """Begin another run in place of the present one, at the same speed."""
+        """Begin another run in place of the present one, at the same speed.
+
+        From here on the thread of the other run carries out the actions, so `notice` comes with its first state.
+        """
         play.abandon()
         self._begin(
             play.program if program is None else program,
             play.settings if settings is None else settings,
             record,
             until,
-            speed=play.real.speed,
+            notice,
+            speed=play.pace.speed,
             goes_on=goes_on,
         )
 
@@ -289,8 +296,8 @@ class PanelSession:
         time = min(floor(time * PER_SECOND + 1e-6) / PER_SECOND, play.moment)
         record = play.record.until(time)
         cut = len(play.record) - len(record)
-        self._replace(play, record, time, goes_on=False)
-        self.say(f"back at {time:g} s" + (f": {cut} later action{'s' * (cut != 1)} cut off" if cut else ""))
+        cut_off = f": {cut} later action{'s' * (cut != 1)} cut off" if cut else ""
+        self._replace(play, record, time, f"back at {time:g} s{cut_off}", goes_on=False)
 
     def _put_switch(self, play: Play) -> None:
         """Put a switch where an axis looks for one."""
@@ -314,8 +321,8 @@ class PanelSession:
     def _repeat(self, play: Play, record: PlayRecord, how: str) -> None:
         """Repeat the run up to the present moment with what the machine file lacked."""
         settings = self._completed(play.settings)
-        self._replace(play, record, play.moment, settings=settings, goes_on=not play.is_paused)
-        self.say(f"repeated{how}")
+        goes_on = not play.is_paused
+        self._replace(play, record, play.moment, f"repeated{how}", settings=settings, goes_on=goes_on)
 
     def _completed(self, settings: Mapping[str, object]) -> dict[str, object]:
         """Return the settings of a machine with the switches and the rules that a person has added."""
@@ -335,7 +342,7 @@ class PanelSession:
         else:
             differs = f", but its run differs: {saved.difference}" if saved.difference else ""
             self.say(f"saved {saved.path}{differs}; motionlang verify {self._file} runs it")
-        play.real.restart()
+        play.pace.restart()
 
 
 def _entries(record: PlayRecord) -> list[tuple[float, str]]:

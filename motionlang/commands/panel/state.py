@@ -114,8 +114,8 @@ def state_of(play: Play, made: Data) -> Data:
     return {
         "t": round(now, 5),
         "mode": _mode(play),
-        "speed": play.real.speed,
-        "late": play.real.is_late,
+        "speed": play.pace.speed,
+        "late": play.pace.is_late,
         "question": None if play.question is None else plain(play.question),
         "end": "" if play.result is None else _end(play.result),
         "axes": [_axis_state(machine, each["number"], now) for each in made["axes"]],

@@ -9,7 +9,7 @@ from time import monotonic
 MAX_LAG = 0.25
 
 
-class RealTime:
+class PlayPace:
     """Machine time as real time has it, at a speed.
 
     If the computer is too slow for the machine, the run is late and does not catch up.
