@@ -46,7 +46,9 @@ examples:
   motionlang compare pick.mnt scope.txt --map position.0=3 --plot both.html
 """
     file: str = argument("FILE", "the program")
-    recording: str = argument("CSV", "the recording, in columns; - reads standard input")
+    recording: str = argument(
+        "REC", "the recording, as columns of text, Parquet or MCAP; - reads standard input"
+    )
     tolerance: list[tuple[str, float]] = option(
         "WHAT=SIZE",
         "the largest residual allowed: position=0.05uu for every axis, position.0=0.05uu for one; may be repeated",

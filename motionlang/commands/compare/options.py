@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,13 +10,13 @@ from sys import float_info
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, flag, option
-from motionlang.cli.complaints import complain
+from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.option_groups import OutputOptions, read
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, real
 from motionlang.commands.compare.view import comparison_document, render_comparison
 from motionlang.commands.scope import write_comparison
-from motionlang.kernel import ProgramError, Run
+from motionlang.kernel import ProgramError, Run, Source
 from motionlang.views.terminal import table_width, wants_colour
 
 if TYPE_CHECKING:  # which needs numpy
@@ -36,6 +37,20 @@ def mapped(text: str) -> Mapped:
         return Mapped(what.strip(), name.strip(), float(factor))
     except ValueError:
         raise ValueError(f"{text!r}: {factor!r} is not a number to multiply by") from None
+
+
+def recorded(path: str) -> Source:
+    """Return the text of a recording, also of a Parquet or MCAP file; Refused if it cannot be read."""
+    from motionlang.commands.compare.recording import BINARY, text_of
+
+    if os.path.splitext(path)[1].lower() not in BINARY:
+        return read(path)
+    try:
+        return text_of(path)
+    except OSError as error:
+        raise Refused([unreadable(path, error)], file=path) from None
+    except ProgramError as error:
+        raise Refused(error.diagnostics, file=path) from None
 
 
 @dataclass
@@ -68,7 +83,7 @@ class Compared(OutputOptions, Recording):
         """Compare a recording with a run, print the result, and return the exit status."""
         from motionlang.commands.compare.comparison import compare
 
-        recording = read(path)
+        recording = recorded(path)
         try:
             made = compare(result, recording, self.map, tolerances=tolerances, delay=self.delay)
         except ProgramError as error:

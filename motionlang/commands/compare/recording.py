@@ -1,12 +1,18 @@
-"""Recordings of a drive, an oscilloscope or a data logger: columns in a text file.
+"""Recordings of a drive, an oscilloscope or a data logger: columns in a text file, or in one of Parquet or MCAP.
 
 The separator is detected from the lines (tab, semicolon, comma, blanks). If it is not a comma, a comma may be
 the decimal point. A row of names and a row of units may come first, preceded by any number of comment lines.
+
+A Parquet or MCAP file is read as the text that it would be. MCAP has a topic for each axis and channel: there is a row
+for each message of the topic that has the most, with the last values of the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import json
+import os
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from math import isfinite, nan
 from typing import NamedTuple
@@ -15,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Diagnostic, ProgramError, Source
-from motionlang.kernel.tools import count_of, nearest
+from motionlang.kernel.tools import count_of, nearest, need
 
 Array = NDArray[np.float64]
 
@@ -64,6 +70,70 @@ class RecordedColumns(NamedTuple):
             f"{source.name} has no column {name!r}",
             hint=f"{hint}its columns are {', '.join(names)}",
         )
+
+
+def text_of(path: str) -> Source:
+    """Return a Parquet or MCAP file as columns of text; raise OSError, MissingExtra, or ProgramError if it is none."""
+    name = os.path.basename(path)
+    columns, units = BINARY[os.path.splitext(path)[1].lower()](path, name)
+    rows = zip(*(values.tolist() for values in columns.values()), strict=True)
+    lines: list[Iterable[object]] = [columns, *([units.values()] if any(units.values()) else []), *rows]
+    return Source(name, "\n".join("\t".join(map(str, line)) for line in lines))
+
+
+def _from_parquet(path: str, name: str) -> tuple[dict[str, Array], dict[str, str]]:
+    """Return the columns of numbers of a Parquet file, and their units; dates become seconds."""
+    need("a Parquet recording", "pyarrow")
+    from pyarrow import ArrowInvalid  # type: ignore[import-untyped]
+    from pyarrow.parquet import read_table  # type: ignore[import-untyped]
+
+    try:
+        table = read_table(path)
+    except ArrowInvalid:
+        raise ProgramError.of("recording", f"{name} is not a Parquet file") from None
+    columns: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    for field in table.schema:
+        values = table.column(field.name).to_numpy()
+        if values.dtype.kind == "M":
+            values = (values - values[:1]) / np.timedelta64(1, "s")
+        if values.dtype.kind in "biuf":
+            columns[field.name] = values.astype(np.float64)
+            units[field.name] = (field.metadata or {}).get(b"unit", b"").decode()
+    return columns, units
+
+
+def _from_mcap(path: str, name: str) -> tuple[dict[str, Array], dict[str, str]]:
+    """Return the numbers of the JSON messages of an MCAP file; other messages are left out."""
+    need("an MCAP recording", "mcap")
+    from mcap.exceptions import McapError
+    from mcap.reader import make_reader
+
+    topics: dict[str, list[tuple[int, dict[str, object]]]] = defaultdict(list)
+    try:
+        with open(path, "rb") as file:
+            for _, channel, message in make_reader(file).iter_messages():
+                found = json.loads(message.data) if channel.message_encoding == "json" else None
+                if isinstance(found, dict):
+                    topics[channel.topic].append((message.log_time, found))
+    except (McapError, ValueError):
+        raise ProgramError.of("recording", f"{name} is not an MCAP file") from None
+    if not topics:
+        hint = "save it as CSV"
+        raise ProgramError.of("recording", f"{name} has no messages in JSON", hint=hint)
+    rows = np.array([time for time, _ in max(topics.values(), key=len)])
+    columns: dict[str, Array] = {"time_s": rows / 1e9}
+    for topic, messages in topics.items():
+        at = np.searchsorted([time for time, _ in messages], rows, "right") - 1
+        last = topic.rpartition("/")[2]
+        for field, first in messages[0][1].items():
+            if isinstance(first, (int, float)):
+                values = np.array([float(str(each.get(field, nan))) for _, each in messages])
+                columns[last if field == "value" else f"{last}_{field}"] = np.where(at < 0, nan, values[at])
+    return columns, {}
+
+
+BINARY = {".parquet": _from_parquet, ".mcap": _from_mcap}
 
 
 def read_table(source: Source) -> RecordedColumns:

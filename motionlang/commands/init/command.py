@@ -17,7 +17,7 @@ from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.compare.options import mapped
+from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.explore import Entry, Exploration, Interrupted, explore
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
@@ -97,7 +97,8 @@ examples:
     )
     recording: str | None = option(
         "REC",
-        "a recording of the machine, as CSV: its inputs, outputs and positions replace guesses by measured rules",
+        "a recording of the machine, as CSV, Parquet or MCAP: its inputs, outputs and positions replace guesses by "
+        "measured rules",
     )
     map: list[Mapped] = option(
         "WHAT=COLUMN",
@@ -222,7 +223,7 @@ examples:
         from motionlang.commands.init.recorded.recording import read_recording
 
         path = self.recording or ""
-        source = read(path)
+        source = recorded(path)
         try:
             recording = read_recording(source, self.map)
             complain(recording.remarks, source, path)

@@ -111,7 +111,7 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     )
     sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(exploration.program.structure)]
     for table in (each for each in HEADS if each != "input"):
-        guessed = [_guess(each) for each in draft.entries(table)]
+        guessed = [_guess(each, draft) for each in draft.entries(table)]
         sections += _table(table, HEADS[table], _lines(draft, table) + guessed)
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
         sections.append(_axis(number, _switches(draft, number), result))
@@ -169,7 +169,7 @@ def scenario_text(choice: Choice, draft: Draft, below: Draft, until: float) -> s
             mine = [*changed, *({"channel": each, "at": 0.0, "value": 0} for each in off)]
         elif mine == others:
             continue
-        sections += _table(table, "\n", [_guess(each) for each in mine])
+        sections += _table(table, "\n", [_guess(each, draft) for each in mine])
     sections.append(STATUS.format(status="stopped") if stop else _status(draft.run))
     return "".join(sections)
 
@@ -227,7 +227,7 @@ def _inputs(draft: Draft) -> list[str]:
         lines = list(leads.get(channel, read_at.get(channel, {})))
         found += [f"  # line {line}: {_quoted(program.source.line(line))}" for line in lines[:MAX_LINES]]
         if channel in mine:
-            found += map(_guess, mine[channel])
+            found += [_guess(each, draft) for each in mine[channel]]
         elif channel in given:
             found += [
                 line for line in _lines(draft, "input") if line.startswith(f"  {{ channel = {channel},")
@@ -284,17 +284,18 @@ def _unknown(structure: Structure) -> list[str]:
 
 
 def _lines(draft: Draft, table: str) -> list[str]:
-    """Return the lines of the entries that a person or a recording has given, with what was measured."""
-    texts = [inline(each) for each in entries(draft.given, table)]
-    comments = [draft.comments.get(each, "") for each in texts]
-    return [
-        f"  {text}," + (f"    # {comment}" if comment else "")
-        for text, comment in zip(texts, comments, strict=True)
-    ]
+    """Return the lines of the entries that a person or a recording has given."""
+    return [_measured(inline(each), draft) for each in entries(draft.given, table)]
 
 
-def _guess(entry: Entry) -> str:
-    return f"  {inline({**entry, 'guess': True})},"
+def _guess(entry: Entry, draft: Draft) -> str:
+    return _measured(inline({**entry, "guess": True}), draft)
+
+
+def _measured(text: str, draft: Draft) -> str:
+    """Return the line of an entry, with what was measured."""
+    comment = draft.comments.get(text, "")
+    return f"  {text}," + (f"    # {comment}" if comment else "")
 
 
 def _table(name: str, head: str, lines: list[str]) -> list[str]:

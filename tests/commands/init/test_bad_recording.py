@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording, RecordedChange
-from motionlang.commands.init.recorded.rules import rule_of
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell, Outcome
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
@@ -50,12 +49,13 @@ def test_a_recording_that_begins_late(cell: Cell) -> None:
 
 
 @pytest.mark.slow
-def test_a_clock_that_drifts(cell: Cell) -> None:
-    """0.3 % are seen between outputs with no input between them, and everything is measured in right seconds."""
-    ran = init(cell, columns("saw.mccl", 0.001, 0.003), "saw.mccl")
+@pytest.mark.parametrize("step", [0.001, 0.005, 0.02])
+def test_a_clock_that_drifts(cell: Cell, step: float) -> None:
+    """Strokes show 0.3 %, also where an input comes between any two outputs; all is measured in right seconds."""
+    ran = init(cell, columns("saw.mccl", step, 0.003), "saw.mccl")
     assert "note: the clock of the recording is 0.3 % fast; its times are corrected" in ran.err
     (bar,) = entries(cell, 4, "saw")
-    assert abs(bar["every"] - 2.6) < 0.002  # type: ignore[operator]
+    assert abs(bar["every"] - 2.6) < 0.003  # type: ignore[operator]
 
 
 @pytest.mark.slow
@@ -143,29 +143,59 @@ def test_a_file_without_channels(cell: Cell) -> None:
     assert "error[recording]: no column of rec.csv is an input, an output or a position\n" in ran.err
 
 
-def test_another_scale(cell: Cell) -> None:
-    millimetres = columns("saw.mccl")
-    ran = init(
-        cell, {**millimetres, "axis1_position_uu": millimetres["axis1_position_uu"] / 25.4}, "saw.mccl"
-    )
-    assert "times as far as the run (millimetres and inches): if its unit differs, give --map" in ran.err
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("program", "axis", "scale", "name"),
+    [
+        ("saw.mccl", 1, 25.4, "millimetres and inches"),
+        ("saw.mccl", 1, 1000.0, "a prefix of the unit, such as µm and mm"),
+        ("saw.mccl", 1, 1.5, "a gear of 2:3"),
+        (
+            "stamp.mnt",
+            0,
+            25.4,
+            "millimetres and inches",
+        ),  # where a mark ends the strokes elsewhere in the run
+    ],
+)
+def test_another_scale(cell: Cell, program: str, axis: int, scale: float, name: str) -> None:
+    column = f"axis{axis}_position_uu"
+    right = columns(program)
+    ran = init(cell, {**right, column: right[column] / scale}, program)
+    (line,) = (each for each in ran.err.splitlines() if "times as far as the run" in each)
+    assert f"({name}): if its unit differs, give --map position.{axis}={column}*" in line
+    assert float(line.rpartition("*")[2]) == pytest.approx(scale, rel=0.005)
 
 
-def test_a_machine_in_trouble() -> None:
-    """Parts are missing: the rule stays a guess, and names the times."""
-    on = [1.0 + 2.0 * k for k in range(10)]
-    valve = [RecordedChange(at + later, level, 0.001) for at in on for later, level in ((0.0, 1), (1.0, 0))]
-    seen = [
-        RecordedChange(at + later, level, 0.001)
-        for k, at in enumerate(on)
-        for later, level in ((0.3, 1), (1.3, 0))
-        if k not in (4, 5)
-    ]
-    part = Digital("in3", 0, tuple(seen), 0)
-    recording = MeasuredRecording(
-        "rec.csv", 0.0, 21.5, 0.002, {3: part}, {9: Digital("out9", 0, tuple(valve), 0)}
-    )
-    rule = rule_of(3, part, recording)
-    assert [{**each} for each in rule.entries] == [{"channel": 3, "output": 9, "delay": 0.3}]
-    assert rule.missed == (9.0, 11.0)
-    assert rule.is_guess
+@pytest.mark.slow
+def test_a_drive_with_a_lag(cell: Cell) -> None:
+    """The position is that of a drive with a time constant of 15 ms; the switches are where they were."""
+    exact = Logger(0.002).table(machine_run(FOLDER / "picker.mnt"))
+    late = exact["axis0_position_uu"].copy()
+    for row in range(1, len(late)):
+        late[row] = late[row - 1] + (late[row] - late[row - 1]) * (1.0 - np.exp(-0.002 / 0.015))
+    ran = init(cell, {**exact, "axis0_position_uu": late}, "picker.mnt")
+    (lag,) = re.findall(r"note: axis 0: the position is (\S+) ms behind the run \(\d+ strokes\)", ran.err)
+    assert float(lag) == pytest.approx(15.0, abs=3.0)
+
+
+@pytest.mark.slow
+def test_a_drive_that_does_not_reach_its_speed(cell: Cell) -> None:
+    """Strokes are as long as in the run, and slower at their top."""
+    text = (FOLDER / "picker.mnt").read_text().replace("SPEED(0) = 300", "SPEED(0) = 240")
+    slow = machine_run(cell.write("slow.mnt", text), world_of(FOLDER / "picker.mnt"))
+    ran = init(cell, Logger(0.002).table(slow), "picker.mnt")
+    assert re.search(r"note: axis 0, line \d+: 240 uu/s recorded, 300 uu/s run: the drive does not", ran.err)
+
+
+@pytest.mark.slow
+def test_missed_parts(cell: Cell) -> None:
+    """The machine was in trouble in cycles 5 and 6: the rule stays a guess, and names the times."""
+    seen = columns("picker.mnt")
+    times, caught = seen["time_s"] - 100.0, seen["in1"].copy()
+    caught[(times > 11.5) & (times < 15.0)] = 0.0
+    ran = init(cell, {**seen, "in1": caught}, "picker.mnt")
+    assert "note: input 1 follows output 0, but not after output 0 at " in ran.err
+    (vacuum,) = entries(cell, 1, "picker")
+    assert (vacuum["output"], vacuum["guess"]) == (0, True)
+    assert vacuum["delay"] == pytest.approx(0.3, abs=0.003)

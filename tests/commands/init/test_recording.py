@@ -62,3 +62,45 @@ def test_the_rules_of_the_world_come_back(cell: Cell, program: str, step: float)
 def test_what_happens_once_stays_a_guess(cell: Cell) -> None:
     found, _ = measured(cell, "saw.mccl", Logger(0.005))
     assert [each["channel"] for each in found if "guess" in each] == [6]
+
+
+@pytest.mark.slow
+def test_switches_and_levels(cell: Cell) -> None:
+    """The homing turned at the switch, and the air came after four seconds."""
+    found, _ = measured(cell, "picker.mnt", Logger(0.005, jitter=0.5, noise=0.01, before=1.0))
+    assert found == [{"channel": 1, "output": 0, "delay": pytest.approx(0.3, abs=0.003)}]
+    machine = read_machine(Source.read(str(cell.folder / "picker.machine.toml")))
+    right = world_of(FOLDER / "picker.mnt")
+    assert machine["axis.0.home_switch"][1] == pytest.approx(right["axis.0.home_switch"][1], abs=0.3)  # type: ignore[index]
+    assert machine["axis.0.guess"] is True  # it was seen once
+    assert machine["analogue"] == [
+        {"channel": 0, "value": 20.0, "at": 0.0},
+        {"channel": 0, "value": 65.0, "at": pytest.approx(4.0, abs=0.008)},
+    ]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("extension", ["parquet", "mcap"])
+def test_a_recording_in_another_format(cell: Cell, extension: str) -> None:
+    """A trace of each format has the same rules; `compare` reads it, too."""
+    cell.write("saw.mccl", (FOLDER / "saw.mccl").read_text())
+    world = cell.write("world.toml", (FOLDER / "saw.world.toml").read_text())
+    channels = [] if extension == "mcap" else ["--channels"]  # which it always has
+    options = ["--machine", str(world), "--columns", "position", "--rate", "500"]
+    recording = str(cell.folder / f"rec.{extension}")
+    assert cell("trace", "saw.mccl", recording, *options, *channels).status == 0
+    assert (
+        cell("compare", "saw.mccl", recording, "--machine", str(world), "--tolerance", "0.001uu").status == 0
+    )
+    assert cell("init", "saw.mccl", "--recording", recording, "--format", "none").status == 0
+    found = read_machine(Source.read(str(cell.folder / "saw.machine.toml")))["input"]
+    assert_same(found, world_of(FOLDER / "saw.mccl")["input"], 0.002, 300.0)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("extension", ["parquet", "mcap"])
+def test_a_file_of_another_format(cell: Cell, extension: str) -> None:
+    cell.write("saw.mccl", (FOLDER / "saw.mccl").read_text())
+    cell.write(f"rec.{extension}", "time,in4\n0,1\n1,0\n")
+    ran = cell("init", "saw.mccl", "--recording", f"rec.{extension}")
+    assert ran.status == 1
+    assert f"error[recording]: rec.{extension} is not a" in ran.err

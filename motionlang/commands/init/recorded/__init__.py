@@ -3,6 +3,8 @@
 recording.py   the columns of the file: changes of channels, positions of axes
 rules.py       the rule that explains the changes of an input
 levels.py      the level of an analogue input
+unrecorded.py  the entries that no column has: keys, answers, numbers of a host
 outcome.py     a run against the recording: power-up, the clock, the cycle
+axes.py        switches, scale, speed and lag of the axes, and the clock by their strokes
 drafting.py    the draft of the machine file: measured, the rest explored, and run
 """

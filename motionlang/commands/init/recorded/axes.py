@@ -2,22 +2,28 @@
 
 A homing turns behind its switch by what the axis needs to stop. The run needs the same, so the switch of the recording
 lies as far from the guessed one as the one turn lies from the other. The same holds for an index mark.
+
+A scale is that of the moves that end where their line sends the axis. What an input ends may end elsewhere in the run,
+so it has only the ratio of the speeds. Strokes that take longer between two positions show a wrong clock, or a slow
+drive; those that come later after an output, a lag.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from bisect import bisect_left
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from math import floor
+from math import floor, isfinite
 from statistics import median
 from typing import NamedTuple
 
 import numpy as np
 
 from motionlang.commands.compare.differences import usual_factor
-from motionlang.commands.init.recorded.outcome import OutcomeMark, matched, run_path
+from motionlang.commands.init.recorded.outcome import CLOCK, MAX_CLOCK, OutcomeMark, matched, near, run_path
 from motionlang.commands.init.recorded.recording import MeasuredRecording, Series, noise_of
 from motionlang.kernel import Run
+from motionlang.kernel.log import LoggedMove
 
 # An axis rests if it does not move for so long, s; it moves by at least so many standard deviations of the noise.
 REST, AT_REST = 0.08, 6.0
@@ -29,8 +35,14 @@ SCALE, SPEED = 0.01, 0.03
 MIN_STROKES = 3
 # The top speed of a stroke is reached in the fastest part of its rows, from this percentage on.
 TOP = 90
+# A lag is at least so long, s.
+MIN_LAG = 0.002
 # The rows at both ends of a stroke that its figures leave out.
 EDGE = 2
+# The clock is measured between these shares of the travel of a stroke, in so many strokes of so many rows at least. It
+# differs by so many standard deviations.
+PASSED, MIN_PASSED, MIN_ROWS = (0.25, 0.75), 6, 12
+CERTAIN = 4.0
 
 
 def switches(
@@ -99,64 +111,164 @@ def _turns(path: Series, least: float) -> list[float]:
 
 
 class _Stroke(NamedTuple):
-    """A stroke of the run and of the recording: begin, travel and top speed of both."""
+    """A stroke of the run and of the recording: its line, travel and top speed of both, and their rows.
 
-    begin: float
+    It is planned if the run ends where its line sends the axis, not at a switch or an input.
+    """
+
+    line: int
+    is_planned: bool
     mine: tuple[float, float]
     theirs: tuple[float, float]
+    rows: tuple[Series, Series]
+
+    @property
+    def scale(self) -> float:
+        """The travel of the recording as a share of that of the run."""
+        return self.theirs[0] / self.mine[0]
 
 
 def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
     """Yield the axes whose scale or speed in the recording is not that of the run."""
     for axis, path in sorted(recording.positions.items()):
         strokes = [*_strokes(run, axis, path, recording)]
+        # An input that follows a position ends others elsewhere.
+        strokes = [each for each in strokes if each.is_planned] or strokes
         if not strokes:
             continue
-        travel = median(each.theirs[0] / each.mine[0] for each in strokes)
+        travel = median(each.scale for each in strokes)
         speed = median(each.theirs[1] / each.mine[1] for each in strokes)
-        name = usual_factor(speed, run.controller.axes[axis].scale.counts, "position")
-        if abs(speed - 1.0) > SPEED and (name or abs(travel - speed) < SPEED * speed):
+        scale = travel if strokes[0].is_planned else speed
+        name = usual_factor(scale, run.controller.axes[axis].scale.counts, "position")
+        if abs(scale - 1.0) > SPEED and (name or abs(travel - speed) < SPEED * speed):
             yield (
-                f"axis {axis}: {path.column} moves {speed:.4g} times as far as the run{name and f' ({name})'}: "
-                f"if its unit differs, give --map position.{axis}={path.column}*{1.0 / speed:.6g}"
+                f"axis {axis}, {_lines(strokes)}: {path.column} moves {scale:.4g} times as far as the run"
+                f"{name and f' ({name})'}: "
+                f"if its unit differs, give --map position.{axis}={path.column}*{1.0 / scale:.6g}"
             )
             continue
-        same = [each for each in strokes if abs(each.theirs[0] / each.mine[0] - 1.0) < SCALE]
+        same = [each for each in strokes if abs(each.scale - 1.0) < SCALE]
+        lags = _lags(run, recording, same)
+        if len(lags) >= MIN_PASSED and (lag := median(lags)) > max(MIN_LAG, recording.step / 2):
+            spread = median(abs(each - lag) for each in lags)
+            if spread < lag / 2:
+                yield (
+                    f"axis {axis}: the position is {1000.0 * lag:.2g} ms behind the run ({len(lags)} strokes), "
+                    "as of a drive with this time constant"
+                )
         slow = [each for each in same if each.theirs[1] < (1.0 - SPEED) * each.mine[1]]
         # A few strokes may seem slow because a row is missing at their top.
         if len(slow) >= MIN_STROKES and len(slow) > len(same) / 2:
             worst = min(slow, key=lambda each: each.theirs[1] / each.mine[1])
-            begun = [each for each in run.machine.log.moves if each.axis == axis]
-            lines = [each.line for each in begun if each.start_time <= worst.begin + recording.step]
-            line = f", line {lines[-1]}" if lines else ""
             yield (
-                f"axis {axis}{line}: {worst.theirs[1]:.4g} uu/s recorded, {worst.mine[1]:.4g} uu/s run: "
+                f"axis {axis}, {_lines([worst])}: {worst.theirs[1]:.4g} uu/s recorded, {worst.mine[1]:.4g} uu/s run: "
                 "the drive does not reach its speed"
             )
+
+
+def _lags(run: Run, recording: MeasuredRecording, strokes: Sequence[_Stroke]) -> list[float]:
+    """Return how much later the middle of each stroke comes after the output before it than in the run, s.
+
+    No input may be waited for in between.
+    """
+    found = matched(run, recording, ("output",))
+    outputs = [(found.mine[a].time, found.theirs[b].time) for a, b in found.pairs]
+    waits = [each for each in run.machine.log.waits if each.cause == "input" and each.until > each.since]
+    lags: list[float] = []
+    for each in strokes:
+        mine, theirs = (_passed(rows, each.mine[0] / 2) for rows in each.rows)
+        at = bisect_left(outputs, (mine, 0.0)) - 1
+        if at >= 0 and not any(wait.since < mine and wait.until > outputs[at][0] for wait in waits):
+            lags.append(theirs - outputs[at][1] - (mine - outputs[at][0]))
+    return lags
+
+
+def _lines(strokes: Sequence[_Stroke]) -> str:
+    """Return the lines that begin strokes."""
+    lines = sorted({each.line for each in strokes})
+    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
+
+
+def stroke_clock(run: Run, recording: MeasuredRecording) -> float | None:
+    """Return how many seconds the recording counts for one of the run, by strokes; None if that is not certain.
+
+    An input may end the wait before a stroke, or the stroke, but nothing changes the time between two positions within
+    it. These are passed between two rows, so strokes show a clock that outputs, which have rows, do not.
+    """
+    times: list[tuple[float, float]] = []
+    for axis, path in sorted(recording.positions.items()):
+        strokes = [*_strokes(run, axis, path, recording)]
+        usual = median(each.scale for each in strokes) if strokes else 1.0
+        unit = 1.0 if abs(usual - 1.0) < SCALE else usual
+        for each in strokes:
+            if abs(each.scale - usual) < SCALE * abs(usual):
+                mine, theirs = each.rows
+                passed = _passing(mine, each.mine[0]), _passing(theirs, unit * each.mine[0])
+                times += [passed] if min(passed) > MIN_ROWS * recording.step else []
+    if len(times) < MIN_PASSED:
+        return None
+    usual = median(theirs / mine for mine, theirs in times)
+    rest = CERTAIN * median(abs(theirs - usual * mine) for mine, theirs in times) + 1e-9
+    mine, theirs = np.array([each for each in times if abs(each[1] - usual * each[0]) <= rest]).T
+    ratio = float(theirs.sum() / mine.sum())
+    error = float(np.sqrt(np.square(theirs - ratio * mine).sum()) / mine.sum())
+    return ratio if max(CLOCK, CERTAIN * error) < abs(ratio - 1.0) < MAX_CLOCK else None
+
+
+def _passing(rows: Series, travel: float) -> float:
+    """Return the time that a stroke takes for most of a travel, s."""
+    first, last = (_passed(rows, share * travel) for share in PASSED)
+    return last - first
+
+
+def _passed(rows: Series, travel: float) -> float:
+    """Return the time at which a stroke has a travel behind it, s."""
+    way = np.maximum.accumulate((rows.values - rows.values[0]) * np.sign(travel))
+    return float(np.interp(abs(travel), way, rows.times))
 
 
 def _strokes(run: Run, axis: int, path: Series, recording: MeasuredRecording) -> Iterator[_Stroke]:
     """Yield the strokes of an axis that a run and a recording both have, and that end where the next mark is."""
     found = matched(run, recording, ("axis",))
-    ends = {("axis", axis, level) for level in (0, 1)}
-    pairs = [(found.mine[a], found.theirs[b]) for a, b in found.pairs if found.mine[a].label in ends]
+    pairs = [(found.mine[a], found.theirs[b]) for a, b in found.pairs if found.mine[a].label[1] == axis]
     mine = run_path(run, axis, recording)
     least = SCALE * float(np.ptp(mine.values))
+    moves = [each for each in run.machine.log.moves if each.axis == axis]
     for (begin, their_begin), (end, their_end) in pairwise(pairs):
         if begin.label[2] and not end.label[2]:
-            own = _figures(mine, begin, end)
-            theirs = _figures(path, their_begin, their_end)
-            if own is not None and theirs is not None and abs(own[0]) > least:
-                yield _Stroke(begin.time, own, theirs)
+            rows = _rows(mine, begin, end), _rows(path, their_begin, their_end)
+            if min(len(each.times) for each in rows) >= 4 * EDGE:
+                own, theirs = map(_figures, rows)
+                begun = [each for each in moves if each.start_time <= begin.time + near(recording)]
+                if abs(own[0]) > least and begun:
+                    stroke = _Stroke(begun[-1].line, _is_planned(begun[-1], own[0]), own, theirs, rows)
+                    yield stroke if stroke.is_planned else _with_speed(stroke, begun[-1])
 
 
-def _figures(path: Series, begin: OutcomeMark, end: OutcomeMark) -> tuple[float, float] | None:
-    """Return the travel of a stroke and its top speed; None if it has too few rows."""
+def _with_speed(stroke: _Stroke, move: LoggedMove) -> _Stroke:
+    """Return a stroke that ends elsewhere in the run with the speed of its move, which the run may not reach."""
+    if abs(stroke.scale - 1.0) < SPEED or not move.commanded_speed:
+        return stroke
+    return stroke._replace(mine=(stroke.mine[0], move.size_to_user(move.commanded_speed)))
+
+
+def _is_planned(move: LoggedMove, travel: float) -> bool:
+    """True if an axis has travelled as far as a move sends it."""
+    if move.profile is None or move.ended or not isfinite(move.profile.end):
+        return False
+    distance = move.to_user(move.profile.end) - move.to_user(move.profile.start)
+    return abs(distance - travel) < SCALE * abs(travel)
+
+
+def _rows(path: Series, begin: OutcomeMark, end: OutcomeMark) -> Series:
     first, last = np.searchsorted(path.times, [begin.time, end.time])
-    times = path.times[max(first - EDGE, 0) : last + EDGE]
-    values = path.values[max(first - EDGE, 0) : last + EDGE]
-    if len(times) < 4 * EDGE:
-        return None
+    inside = slice(max(first - EDGE, 0), last + EDGE)
+    return path._replace(times=path.times[inside], values=path.values[inside])
+
+
+def _figures(rows: Series) -> tuple[float, float]:
+    """Return the travel of a stroke and its top speed."""
+    times, values = rows.times, rows.values
     width = max(len(times) // 8, 1)
     speeds = np.abs(values[width:] - values[:-width]) / (times[width:] - times[:-width])
     return float(values[-1] - values[0]), float(np.percentile(speeds, TOP))

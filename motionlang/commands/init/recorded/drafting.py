@@ -17,12 +17,13 @@ from typing import NamedTuple
 from motionlang.commands.explore import TABLES, Entry, entries
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import inline
-from motionlang.commands.init.recorded.axes import axis_remarks, switches
+from motionlang.commands.init.recorded.axes import axis_remarks, stroke_clock, switches
 from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.outcome import (
+    LONGER,
     SWAPPED,
     MatchedMarks,
-    clock,
+    clock_of,
     cycle_text,
     matched,
     power_up,
@@ -36,12 +37,14 @@ from motionlang.commands.init.recorded.recording import (
     since,
 )
 from motionlang.commands.init.recorded.rules import MeasuredRule, rule_of
+from motionlang.commands.init.recorded.unrecorded import Tables, fitted, in_words, subject
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.tools import count_of
 
 # Nothing changes any more if it did not for so long, s, and for so many times the longest time between two changes.
 QUIET, QUIET_TIMES = 5.0, 3.0
 
+BEST = "not recorded; agrees best with the recording"
 OTHER_PROGRAM = (
     "check the program, the columns with --map output.1=NAME, and whether the machine was in trouble"
 )
@@ -65,29 +68,69 @@ def measure(
     `drafting` explores the program with given settings; a run ends at `until`, s.
     """
     recording, sentences = power_up_of(program, raw, board)
-    sentences += _unread(program, raw)
-    rules, given, comments = entries_of(recording)
-    draft = drafting({**board, **given})
+    draft = drafting({**board, **entries_of(recording)[1]})
     missed = _missed_inputs(draft.run, recording)
     if missed:
         sentences += missed.values()
         seen = {number: each for number, each in recording.inputs.items() if number not in missed}
         recording = replace(recording, inputs=seen)
-        rules, given, comments = entries_of(recording)
-        draft = drafting({**board, **given})
+        draft = drafting({**board, **entries_of(recording)[1]})
+    guesses = {table: draft.entries(table) for table in TABLES}
+    sentences += unread(program, raw, guesses)
     check_program(program, draft.run, recording)
-    recording, more = of_clock(draft.run, recording)
-    if more:
-        sentences += more
+
+    def play(measured: Mapping[str, object], tables: Tables, end: float) -> Run:
+        return program_run(program, _world(draft, {**board, **measured}, tables), end)
+
+    found = refined(recording, guesses, draft.exploration.switches.axes, play)
+    draft = replace(
+        draft,
+        world=draft.world._replace(settings=found.tables),
+        run=play(found.given, found.tables, until),
+        given={**board, **found.given},
+        comments=found.comments,
+    )
+    sentences += [*found.sentences, *outcome(draft.run, found.recording), *rules_in_words(found.rules)]
+    return Measured(draft, found.rules, sentences)
+
+
+class Refined(NamedTuple):
+    """A recording in right seconds, its rules, measured settings with comments, and the entries that no column has."""
+
+    recording: MeasuredRecording
+    rules: dict[int, MeasuredRule]
+    given: dict[str, object]
+    comments: dict[str, str]
+    tables: dict[str, list[Entry]]
+    sentences: list[str]
+
+
+def refined(
+    recording: MeasuredRecording,
+    guesses: Tables,
+    guessed_switches: Mapping[int, Mapping[str, object]],
+    play: Callable[[Mapping[str, object], Tables, float], Run],
+) -> Refined:
+    """Return what a recording says about entries that no column has, about its clock, and about switches.
+
+    `play` runs the program with measured settings and such entries up to a time.
+    """
+    rules, given, comments = entries_of(recording)
+    measured = given
+    found = fitted(guesses, recording, lambda tables: play(measured, tables, LONGER * recording.end))
+    sentences: list[str] = []
+    measure_clock = stroke_clock if recording.positions else clock_of
+    clock = measure_clock(found.run, recording)
+    if clock is not None:
+        text = f"{100.0 * abs(clock - 1.0):.1g} % {'fast' if clock > 1.0 else 'slow'}"
+        sentences.append(f"the clock of the recording is {text}; its times are corrected")
+        recording, found = since(recording, 0.0, clock), found.corrected(clock)
         rules, given, comments = entries_of(recording)
-    measured, texts = switches(draft.run, recording, draft.exploration.switches.axes)
-    if more or measured:
-        comments |= texts
-        draft = _again(program, draft, {**board, **given, **measured}, until)
-    sentences += axis_remarks(draft.run, recording)
-    sentences += outcome(draft.run, recording)
-    sentences += rules_in_words(rules)
-    return Measured(replace(draft, comments=comments), rules, sentences)
+    sentences += in_words(found)
+    sentences += axis_remarks(found.run, recording)
+    settings, texts = switches(found.run, recording, guessed_switches)
+    comments |= {inline({**entry, "guess": True}): BEST for _, entry in found.changed}
+    return Refined(recording, rules, given | settings, comments | texts, found.tables, sentences)
 
 
 def power_up_of(
@@ -96,7 +139,12 @@ def power_up_of(
     """Return a recording whose times count from power-up, with sentences about it."""
     _check_axes(program, raw, board)
     sentences = [*short_remarks(raw)]
-    zero, late = _power_up(program, raw, board)
+    found, late = _power_up(program, raw, board)
+    zero = raw.begin if found is None else found
+    if found is None and not late:
+        sentences.append(
+            "nothing recorded shows when the machine was switched on: times count from the begin of the recording"
+        )
     if late:
         sentences.append(
             f"the recording begins while the machine runs, since {late}: "
@@ -107,15 +155,6 @@ def power_up_of(
             f"the machine is switched on {zero - raw.begin:.4g} s after the begin of the recording"
         )
     return since(replace(raw, is_late=bool(late)), zero), sentences
-
-
-def of_clock(result: Run, recording: MeasuredRecording) -> tuple[MeasuredRecording, list[str]]:
-    """Return a recording in the seconds of a run, with a sentence if its clock is wrong."""
-    ratio = clock(result, recording)
-    if ratio is None:
-        return recording, []
-    text = f"{100.0 * abs(ratio - 1.0):.2g} % {'fast' if ratio > 1.0 else 'slow'}"
-    return since(recording, 0.0, ratio), [f"the clock of the recording is {text}; its times are corrected"]
 
 
 def check_program(program: Program, result: Run, recording: MeasuredRecording) -> None:
@@ -155,50 +194,52 @@ def _missed_text(rule: MeasuredRule) -> str:
     return f"; not after {rule.subject} at {times} s{more}"
 
 
-def _power_up(program: Program, raw: MeasuredRecording, board: Mapping[str, object]) -> tuple[float, str]:
+def _power_up(
+    program: Program, raw: MeasuredRecording, board: Mapping[str, object]
+) -> tuple[float | None, str]:
     """Return the time of a recording at which the machine was switched on, s, and what shows that it was before.
 
-    It is the begin if nothing shows it.
+    The time is None if nothing shows it.
     """
     _, given, _ = entries_of(since(raw, raw.begin))
     first = program_run(program, {**board, **given}, raw.end - raw.begin)
     late = running(first, raw)
     if late:
-        return raw.begin, late
-    inputs = entries(given, "input")
-    times = [at for each in inputs if isinstance(at := each.get("at"), float) and at > 0.0]
-    found = power_up(first, raw, min(times, default=raw.end))
-    return raw.begin if found is None else found, ""
+        return None, late
+    recorded = entries(given, "input") + entries(given, "analogue")
+    times = [at for each in recorded if isinstance(at := each.get("at"), float) and at > 0.0]
+    return power_up(first, raw, min(times, default=raw.end)), ""
 
 
 def program_run(program: Program, settings: Mapping[str, object], until: float) -> Run:
     return run(program, machine=dict(settings), until=until)
 
 
-def _again(program: Program, draft: Draft, given: Mapping[str, object], until: float) -> Draft:
-    """Return a draft with other measured settings and the guesses that it has."""
-    settings = {**draft.exploration.switches.settings, **given, **draft.world.settings}
+def _world(draft: Draft, given: Mapping[str, object], tables: Tables) -> dict[str, object]:
+    """Return the settings of a draft with measured ones and entries that no column has."""
+    settings = {**draft.exploration.switches.settings, **given, **tables}
     for table in TABLES:
         if entries(given, table):
-            settings[table] = [*entries(given, table), *entries(draft.world.settings, table)]
-    return replace(draft, run=program_run(program, settings, until), given=given)
+            settings[table] = [*entries(given, table), *tables.get(table, ())]
+    return settings
 
 
 # ------------------------------------------------------------------------------------------ sentences
 
 
-def _unread(program: Program, raw: MeasuredRecording) -> Iterator[str]:
+def unread(program: Program, raw: MeasuredRecording, guesses: Tables) -> Iterator[str]:
     """Yield what the recording has and the program does not read, and the other way round."""
     uses = [use for _, use in program.structure.inputs()]
-    if any(use.channel != "input" or not use.number.isdecimal() for use in uses):
-        return
-    known = {int(use.number) for use in uses}
-    unused = sorted(raw.inputs.keys() - known)
-    if unused:
-        yield f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}"
-    missing = sorted(known - raw.inputs.keys())
+    missing: list[str] = []
+    if all(use.channel == "input" and use.number.isdecimal() for use in uses):
+        known = {int(use.number) for use in uses}
+        unused = sorted(raw.inputs.keys() - known)
+        if unused:
+            yield f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}"
+        missing = [f"input {each}" for each in sorted(known - raw.inputs.keys())]
+    missing += [subject(table, each) for table in TABLES for each in guesses.get(table, ())]
     if missing:
-        yield f"not recorded: {_list('input', missing)}; the entries are guesses"
+        yield f"not recorded: {', '.join(dict.fromkeys(missing))}; the entries are guesses"
 
 
 def _list(one: str, numbers: list[int]) -> str:

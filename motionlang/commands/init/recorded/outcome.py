@@ -38,7 +38,8 @@ NEAR_ROWS, NEAR = 2.0, 0.01
 # What happens so soon after power-up, s, may be before the first row.
 SOON = 0.05
 # A clock differs by at least this share, and by more than so many rows for each stretch over the time that is compared.
-CLOCK, CLOCK_ROWS = 4e-4, 1.5
+# What differs by more than the second share is the motion.
+CLOCK, MAX_CLOCK, CLOCK_ROWS = 4e-4, 0.02, 1.5
 # A program that polls an input answers within this time, s.
 ANSWER = 0.03
 # The marks of a program are in a recording if this share of the recorded ones is matched, in so many at least.
@@ -57,7 +58,7 @@ Label = tuple[str, int, int]
 
 
 class OutcomeMark(NamedTuple):
-    """Something that a recording and a run both show."""
+    """Something that a recording and a run both show: the level of an output, or the direction of an axis."""
 
     time: float
     label: Label
@@ -97,11 +98,12 @@ def run_marks(run: Run, recording: MeasuredRecording) -> list[OutcomeMark]:
 
 
 def run_path(run: Run, axis: int, recording: MeasuredRecording) -> Series:
-    """Return the positions of an axis in a run, sampled as those of a recording, from the rest before power-up on."""
+    """Return the positions of an axis in a run, sampled as those of a recording, with a rest before and after it."""
     trace, path = run.trace, recording.positions[axis]
     rest = 2.0 * window_of(path) * recording.step
-    times = np.arange(-rest, min(trace.end, LONGER * recording.end), recording.step)
-    return machine_positions(Series("", times, trace.at(axis, "position", np.maximum(times, 0.0))))
+    times = np.arange(-rest, min(trace.end + rest, LONGER * recording.end), recording.step)
+    inside = np.clip(times, 0.0, trace.end)
+    return machine_positions(Series("", times, trace.at(axis, "position", inside)))
 
 
 def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[OutcomeMark]:
@@ -109,12 +111,14 @@ def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[OutcomeMark]
     window = window_of(recorded)
     if len(path.times) < 2 * window + 3 or not float(np.ptp(recorded.values)) > 0.0:
         return
-    moves = np.abs(slopes(path, window)) > least_speed(slopes(recorded, window))
+    speeds = slopes(path, window)
+    moves = np.abs(speeds) > least_speed(recorded, window)
     edges = np.flatnonzero(moves[1:] != moves[:-1]).tolist()
     edges = _without_short(edges, moves, window, is_moving=False)  # a slow part of a move
     edges = _without_short(edges, moves, window, is_moving=True)  # noise
     for k in edges:
-        yield OutcomeMark(float(path.times[k] + path.times[k + 1]) / 2, ("axis", axis, int(moves[k + 1])))
+        direction = int(np.sign(speeds[k + 1])) if moves[k + 1] else 0
+        yield OutcomeMark(float(path.times[k] + path.times[k + 1]) / 2, ("axis", axis, direction))
 
 
 def _without_short(edges: list[int], moves: NDArray[np.bool_], window: int, *, is_moving: bool) -> list[int]:
@@ -142,27 +146,31 @@ def power_up(run: Run, recording: MeasuredRecording, before: float) -> float | N
     times: dict[Label, list[float]] = defaultdict(list)
     for each in theirs:
         times[each.label].append(each.time)
-    best: tuple[int, float, float] | None = None
+    before_begin = {*_at_begin(recording)}
+
+    def has(mark: OutcomeMark, offset: float) -> bool:
+        """True if the recording has a mark of the run, or it was before the first row."""
+        time = mark.time + offset
+        is_before = abs(time - recording.begin) <= SOON and mark.label in before_begin
+        return is_before or abs(_nearest(times[mark.label], time) - time) <= near(recording)
+
+    offsets = [recording.begin] if before_begin else []
     for label in dict.fromkeys(each.label for each in mine[:FIRST]):
         first = next(each for each in mine if each.label == label)
-        for time in times[label][:FIRST]:
-            offset = time - first.time
-            count = [_has(times[each.label], each.time + offset, recording) for each in mine].count(True)
-            if best is None or (count, -abs(offset - recording.begin)) > best[:2]:
-                best = count, -abs(offset - recording.begin), offset
-    if best is None or not best[0]:
+        offsets += [time - first.time for time in times[label][:FIRST]]
+    ranks = [
+        (sum(has(each, offset) for each in mine), -abs(offset - recording.begin), offset)
+        for offset in offsets
+    ]
+    count, _, offset = max(ranks, default=(0, 0.0, 0.0))
+    if not count:
         return None
-    offset = best[2]
     lags = (_nearest(times[each.label], each.time + offset) - each.time for each in mine)
-    near = [each for each in lags if abs(each - offset) <= _near(recording)]
-    return fmean(near)
+    close = [each for each in lags if abs(each - offset) <= near(recording)]
+    return fmean(close) if close else offset
 
 
-def _has(times: Sequence[float], time: float, recording: MeasuredRecording) -> bool:
-    return abs(_nearest(times, time) - time) <= _near(recording)
-
-
-def _near(recording: MeasuredRecording) -> float:
+def near(recording: MeasuredRecording) -> float:
     """Return by how much the times of a mark may differ, s."""
     return NEAR_ROWS * recording.step + NEAR
 
@@ -172,16 +180,25 @@ def _nearest(times: Sequence[float], time: float) -> float:
     return min(times[max(at - 1, 0) : at + 1], key=lambda each: abs(each - time), default=inf)
 
 
+def _at_begin(recording: MeasuredRecording) -> Iterator[Label]:
+    """Yield the marks that were before the first row of a recording: outputs that are on, axes that move."""
+    for number, channel in sorted(recording.outputs.items()):
+        if channel.first:
+            yield "output", number, 1
+    for axis, path in sorted(recording.positions.items()):
+        window = window_of(path)
+        speed = slopes(path, window)[0]
+        if abs(speed) > 2.0 * least_speed(path, window):
+            yield "axis", axis, int(np.sign(speed))
+
+
 def running(run: Run, recording: MeasuredRecording) -> str:
     """Return what a machine does at the begin of its recording, and not so soon after power-up; "" if it is nothing."""
     soon = {each.label for each in run_marks(run, recording) if each.time <= SOON + recording.step}
-    for number, channel in sorted(recording.outputs.items()):
-        if channel.first and ("output", number, 1) not in soon:
-            return f"output {number} is on"
-    for axis, path in sorted(recording.positions.items()):
-        speeds = slopes(path, window_of(path))
-        if abs(speeds[0]) > 2.0 * least_speed(speeds) and ("axis", axis, 1) not in soon:
-            return f"axis {axis} moves"
+    for label in _at_begin(recording):
+        if label not in soon:
+            kind, number, _ = label
+            return f"output {number} is on" if kind == "output" else f"axis {number} moves"
     return ""
 
 
@@ -212,11 +229,27 @@ def matched(
     beside = _beside(run)
     theirs = [each for each in recorded_marks(recording) if _counts(each, kinds, beside)]
     mine = [each for each in run_marks(run, recording) if _counts(each, kinds, beside)]
-    mine = [each for each in mine if each.time <= LONGER * recording.end]
-    matcher = SequenceMatcher(None, [a.label for a in mine], [b.label for b in theirs], autojunk=False)
-    pairs = {block.b + k: block.a + k for block in matcher.get_matching_blocks() for k in range(block.size)}
-    _pair_swapped(mine, theirs, pairs)
-    return MatchedMarks(mine, theirs, sorted((a, b) for b, a in pairs.items()))
+    # What happens at power-up may be in no row.
+    since, until = recording.begin + near(recording), LONGER * recording.end
+    mine, theirs = (
+        _grouped([each for each in marks if since < each.time <= until], recording)
+        for marks in (mine, theirs)
+    )
+    pairs: list[tuple[int, int]] = []
+    for voice in dict.fromkeys(map(_voice, theirs)):
+        at, by = ([k for k, each in enumerate(marks) if _voice(each) == voice] for marks in (mine, theirs))
+        matcher = SequenceMatcher(
+            None, [mine[k].label for k in at], [theirs[k].label for k in by], autojunk=False
+        )
+        for block in matcher.get_matching_blocks():
+            pairs += zip(at[block.a : block.a + block.size], by[block.b : block.b + block.size], strict=True)
+    return MatchedMarks(mine, theirs, sorted(pairs, key=lambda pair: pair[1]))
+
+
+def _voice(mark: OutcomeMark) -> tuple[str, int]:
+    """Return what a mark is in order with: all outputs, or the same axis; an axis may stop a little later."""
+    kind, number, _ = mark.label
+    return (kind, number) if kind == "axis" else (kind, -1)
 
 
 def _counts(mark: OutcomeMark, kinds: Sequence[str], beside: Collection[int]) -> bool:
@@ -236,22 +269,18 @@ def _beside(run: Run) -> set[int]:
     return {channel for channel, tasks in by.items() if working and not tasks & working}
 
 
-def _pair_swapped(mine: Sequence[OutcomeMark], theirs: Sequence[OutcomeMark], pairs: dict[int, int]) -> None:
-    """Pair marks of both that are in another order next to each other, since they were recorded in the same row."""
-    used = set(pairs.values())
-    before = -1
-    for k, each in enumerate(theirs):
-        if k in pairs:
-            before = max(before, pairs[k])
-            continue
-        near = range(max(before - SWAPPED, 0), min(before + SWAPPED + 2, len(mine)))
-        found = next((a for a in near if a not in used and mine[a].label == each.label), None)
-        if found is not None:
-            pairs[k] = found
-            used.add(found)
+def _grouped(marks: Sequence[OutcomeMark], recording: MeasuredRecording) -> list[OutcomeMark]:
+    """Return marks with those that may be in the same row in the order of their labels, not of their times."""
+    groups: list[list[OutcomeMark]] = []
+    for each in marks:
+        if groups and each.time - groups[-1][-1].time <= near(recording):
+            groups[-1].append(each)
+        else:
+            groups.append([each])
+    return [each for group in groups for each in sorted(group, key=lambda mark: mark.label)]
 
 
-def clock(run: Run, recording: MeasuredRecording) -> float | None:
+def clock_of(run: Run, recording: MeasuredRecording) -> float | None:
     """Return how many seconds the recording counts for one of the run; None if that is not certain.
 
     Only times between marks that follow each other count, and none in which the run waits for an input. An output that
@@ -286,7 +315,7 @@ def clock(run: Run, recording: MeasuredRecording) -> float | None:
     mine, theirs = (float(np.sum(np.array(each))) for each in zip(*good, strict=True))
     found = theirs / mine
     error = CLOCK_ROWS * recording.step * sqrt(stretches) / mine
-    return found if abs(found - 1.0) > max(CLOCK, error) else None
+    return found if max(CLOCK, error) < abs(found - 1.0) < MAX_CLOCK else None
 
 
 # ------------------------------------------------------------------------------------------ the cycle

@@ -290,9 +290,11 @@ def slopes(path: Series, window: int) -> Array:
     return found
 
 
-def least_speed(speeds: Array) -> float:
-    """Return the speed above which an axis moves."""
-    return MOVING * float(np.abs(speeds).max())
+def least_speed(path: Series, window: int) -> float:
+    """Return the speed above which an axis moves, which no noise reaches over so many rows to each side."""
+    seconds_apart = 2.0 * window * float(np.median(np.diff(path.times)))
+    noise = float(np.median(np.abs(np.diff(path.values, 2)))) / SECOND
+    return max(MOVING * float(np.abs(slopes(path, window)).max()), NOISE * noise / seconds_apart)
 
 
 def _gap_remarks(gaps: Sequence[tuple[float, float]]) -> Iterator[Diagnostic]:

@@ -326,10 +326,11 @@ def _along(
     if len(channel.changes) < SEEN or not float(np.ptp(path.values)) > 0.0:
         return
     times = np.array([each.time for each in channel.changes])
-    speeds = slopes(path, window_of(path))
+    window = window_of(path)
+    speeds = slopes(path, window)
     at = np.interp(times, path.times, path.values)
     speed = np.interp(times, path.times, speeds)
-    moves = np.abs(speed) > least_speed(speeds)
+    moves = np.abs(speed) > least_speed(path, window)
     if moves.mean() < IN_MOVES:
         return
     pairs = [

@@ -11,20 +11,22 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from motionlang.commands.explore import Entry, entries
+from motionlang.commands.explore import TABLES, Entry, entries
 from motionlang.commands.init.file import inline, toml_value
-from motionlang.commands.init.recorded.axes import axis_remarks, switches
 from motionlang.commands.init.recorded.drafting import (
+    Refined,
     check_program,
     entries_of,
-    of_clock,
     outcome,
     power_up_of,
     program_run,
+    refined,
     rules_in_words,
+    unread,
 )
 from motionlang.commands.init.recorded.recording import MeasuredRecording
-from motionlang.kernel import Program
+from motionlang.commands.init.recorded.unrecorded import Tables
+from motionlang.kernel import Program, Run
 
 MEASURED = ("input", "analogue")
 # A figure of a person agrees with the measured one within this share, or this size.
@@ -44,33 +46,53 @@ def update(
     program: Program, raw: MeasuredRecording, text: str, settings: Mapping[str, object], until: float
 ) -> FileUpdate:
     """Return a machine file, given as text and settings, with what a recording measured."""
-    base = {key: value for key, value in settings.items() if key not in MEASURED}
+    known, guesses = _known(settings, raw)
+    base = {key: value for key, value in known.items() if key not in MEASURED}
     recording, sentences = power_up_of(program, raw, base)
-    rules, measured, comments = entries_of(recording)
-    world = _with(settings, measured)
-    result = program_run(program, world, until)
-    check_program(program, result, recording)
-    recording, more = of_clock(result, recording)
-    if more:
-        sentences += more
-        rules, measured, comments = entries_of(recording)
-        world = _with(settings, measured)
-        result = program_run(program, world, until)
-    found, texts = switches(result, recording, _guessed_switches(settings))
-    if found:
-        comments |= texts
-        world |= found
-        result = program_run(program, world, until)
-    sentences += axis_remarks(result, recording)
-    sentences += outcome(result, recording)
-    sentences += rules_in_words(rules)
+    sentences += unread(program, raw, guesses)
+
+    def play(measured: Mapping[str, object], tables: Tables, end: float) -> Run:
+        world = _with(known, measured)
+        for table, mine in tables.items():
+            world[table] = [*entries(world, table), *mine]
+        return program_run(program, world, end)
+
+    _, measured, _ = entries_of(recording)
+    check_program(program, play(measured, guesses, until), recording)
+    found = refined(recording, guesses, _guessed_switches(settings), play)
+    measured = found.given
+    sentences += found.sentences
+    sentences += outcome(play(measured, found.tables, until), found.recording)
+    sentences += rules_in_words(found.rules)
     for table in MEASURED:
         for channel in _channels(measured, table):
             mine, theirs = _about(settings, table, channel), _about(measured, table, channel)
             if mine and not _is_guess(mine) and not _agree(mine, theirs):
                 shown = " and ".join(map(inline, theirs))
                 sentences.append(f"{table} {channel} stays as it is; the recording has {shown}")
-    return FileUpdate(_text(text, settings, measured, found, comments), sentences)
+    lines = _text(text, settings, found)
+    for table in TABLES:
+        lines = _fitted(lines, guesses.get(table, []), found.tables.get(table, []), found.comments)
+    return FileUpdate("\n".join(lines), sentences)
+
+
+def _known(
+    settings: Mapping[str, object], raw: MeasuredRecording
+) -> tuple[dict[str, object], dict[str, list[Entry]]]:
+    """Return settings without the guesses that no column has, and those; the recording says where a run ends."""
+    columns: dict[str, set[object]] = {"input": {*raw.inputs}, "analogue": {*raw.analogue}}
+    known = {key: value for key, value in settings.items() if key != "run.stop"}
+    guesses: dict[str, list[Entry]] = {}
+    for table in TABLES:
+        mine = [
+            each
+            for each in entries(settings, table)
+            if each.get("guess") and each.get("channel") not in columns.get(table, set())
+        ]
+        if mine:
+            known[table] = [each for each in entries(settings, table) if each not in mine]
+            guesses[table] = [{key: value for key, value in each.items() if key != "guess"} for each in mine]
+    return known, guesses
 
 
 def _with(settings: Mapping[str, object], measured: Mapping[str, object]) -> dict[str, object]:
@@ -136,15 +158,9 @@ def _guessed_switches(settings: Mapping[str, object]) -> dict[int, dict[str, obj
 # ------------------------------------------------------------------------------------------ the text
 
 
-def _text(
-    text: str,
-    settings: Mapping[str, object],
-    measured: Mapping[str, object],
-    found: Mapping[str, object],
-    comments: Mapping[str, str],
-) -> str:
-    """Return the text of a machine file with measured lines in place of guesses; all others stay."""
-    lines = text.split("\n")
+def _text(text: str, settings: Mapping[str, object], found: Refined) -> list[str]:
+    """Return the lines of a machine file with measured ones in place of guesses; all others stay."""
+    lines, measured, comments = text.split("\n"), found.given, found.comments
     for table in MEASURED:
         for channel in _channels(measured, table):
             about = _about(settings, table, channel)
@@ -157,10 +173,24 @@ def _text(
     for k, line in enumerate(lines):
         section = _SECTION.match(line)
         axis = section[1] if section is not None else "" if line.startswith("[") else axis
-        key = f"axis.{axis}.{line.partition('=')[0].strip()}" if axis else line.partition("=")[0].strip()
-        if key in found and not key.endswith(".guess"):
-            lines[k] = f"{line.partition('=')[0].rstrip()} = {toml_value(found[key])}    # {comments[key]}"
-    return "\n".join(lines)
+        key = f"axis.{axis}.{line.partition('=')[0].strip()}" if axis else ""
+        if key in measured and not key.endswith(".guess"):
+            lines[k] = f"{line.partition('=')[0].rstrip()} = {toml_value(measured[key])}    # {comments[key]}"
+    return lines
+
+
+def _fitted(
+    lines: list[str], before: list[Entry], after: list[Entry], comments: Mapping[str, str]
+) -> list[str]:
+    """Return lines with guesses of one table as they agree with the recording, if their lines are those of a draft."""
+    gone = [inline({**each, "guess": True}) for each in before if each not in after]
+    made = [_line({**each, "guess": True}, comments, []) for each in after if each not in before]
+    kept = [inline({**each, "guess": True}) for each in before if each in after]
+    at = [k for k, line in enumerate(lines) if any(each in line for each in gone or kept[-1:])]
+    if not made or len(at) != len(gone or kept[-1:]):
+        return lines
+    above = [line for k, line in enumerate(lines[: at[-1] + 1]) if not gone or k not in at]
+    return [*above, *made, *lines[at[-1] + 1 :]]
 
 
 def _line(entry: Entry, comments: Mapping[str, str], about: list[Entry]) -> str:
