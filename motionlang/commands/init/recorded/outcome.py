@@ -159,7 +159,7 @@ def power_up(run: Run, recording: MeasuredRecording, before: float) -> float | N
         first = next(each for each in mine if each.label == label)
         offsets += [time - first.time for time in times[label][:FIRST]]
     ranks = [
-        (sum(has(each, offset) for each in mine), -abs(offset - recording.begin), offset)
+        (len([each for each in mine if has(each, offset)]), -abs(offset - recording.begin), offset)
         for offset in offsets
     ]
     count, _, offset = max(ranks, default=(0, 0.0, 0.0))
