@@ -145,10 +145,9 @@ def _warn_of_decisions(result: Run) -> None:
                 continue
             line, column, length = result.dialect.locate(result.source, use.at)
             if line in assumed[use.row.name]:
-                read = "is empty" if use.row.unit == "text" else "reads 0"
-                message = f"the program decides by {use.row.word}, which is not simulated and {read} here"
-                value = '"…"' if use.row.unit == "text" else "1"
-                hint = f"give it in the machine file: [{result.dialect.name}.values] {use.row.name} = {value}"
+                shown = f"is not simulated and {use.row.without_value} here"
+                message = f"the program decides by {use.row.word}, which {shown}"
+                hint = f"give it in the machine file: [{result.dialect.name}.values] {use.row.example_value}"
                 result.diagnostics.append(
                     Diagnostic(
                         "not-simulated", message, line, column, length=length, hint=hint, severity="warning"

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import os
+import struct
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
@@ -116,7 +117,7 @@ def _from_mcap(path: str, name: str) -> tuple[dict[str, Array], dict[str, str]]:
                 found = json.loads(message.data) if channel.message_encoding == "json" else None
                 if isinstance(found, dict):
                     topics[channel.topic].append((message.log_time, found))
-    except (McapError, ValueError):
+    except (McapError, ValueError, struct.error):
         raise ProgramError.of("recording", f"{name} is not an MCAP file") from None
     if not topics:
         hint = "save it as CSV"
@@ -128,7 +129,8 @@ def _from_mcap(path: str, name: str) -> tuple[dict[str, Array], dict[str, str]]:
         last = topic.rpartition("/")[2]
         for field, first in messages[0][1].items():
             if isinstance(first, (int, float)):
-                values = np.array([float(str(each.get(field, nan))) for _, each in messages])
+                found = (each.get(field) for _, each in messages)
+                values = np.array([float(each) if isinstance(each, (int, float)) else nan for each in found])
                 columns[last if field == "value" else f"{last}_{field}"] = np.where(at < 0, nan, values[at])
     return columns, {}
 

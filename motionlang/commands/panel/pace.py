@@ -1,4 +1,4 @@
-"""Real time, to which the machine time of a run is held."""
+"""The pace of a run: its machine time is held to real time."""
 
 from __future__ import annotations
 

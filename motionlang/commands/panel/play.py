@@ -77,7 +77,7 @@ class PlayRecord:
 
 
 class ActionQueue:
-    """What pages have asked for: any thread posts, and the thread of the present run takes."""
+    """The actions that pages have asked for: any thread adds one, the thread of the run carries them out."""
 
     def __init__(self) -> None:
         self._posted: deque[Action] = deque()

@@ -68,11 +68,9 @@ def standing(row: Keyword, dialect: str) -> str:
     """Return what a reader should know of a keyword first: that it is not simulated, or only remembered; or ""."""
     if is_remembered(row, dialect):
         return "as remembered, not as printed: no document that could be read says what it does."
-    return (
-        f"{row.lack}: the keyword is recognised, and a program that uses it gets a message."
-        if row.lack
-        else ""
-    )
+    if row.caveat:
+        return f"{row.caveat}: the keyword is recognised, and a program that uses it gets a message."
+    return ""
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:

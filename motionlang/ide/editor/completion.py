@@ -171,7 +171,7 @@ def _call(row: Keyword, name: str, is_statement: bool) -> str:
 
 def _detail(row: Keyword) -> str:
     unit = f", {row.unit}" if row.unit else ""
-    return f"{row.kind}{unit}" if row.simulated else f"{row.kind}, {row.lack}"
+    return f"{row.kind}{unit}" if row.simulated else f"{row.kind}, {row.caveat}"
 
 
 def _plain(parameter: str) -> str:

@@ -212,9 +212,20 @@ class Keyword:
         return f"{self.word} cannot be {value:.10g}", hint
 
     @property
-    def lack(self) -> str:
-        """What is missing: "not simulated", "kept, not simulated", or "" for a simulated keyword."""
+    def caveat(self) -> str:
+        """The words "not simulated" or "kept, not simulated"; "" for a simulated keyword."""
         return "" if self.simulated else KEPT if self.group == KEPT else "not simulated"
+
+    @property
+    def without_value(self) -> str:
+        """What a reading shows that has no value, in words."""
+        return "is empty" if self.unit == "text" else "reads 0"
+
+    @property
+    def example_value(self) -> str:
+        """A line by which the machine file gives its value."""
+        value = {"text": '"…"', "number": "1.5"}.get(self.unit, "1")
+        return f"{self.name} = {value}"
 
     @property
     def accepted(self) -> str:

@@ -97,10 +97,11 @@ def test_a_recording_in_another_format(cell: Cell, extension: str) -> None:
     assert_same(found, world_of(FOLDER / "saw.mccl")["input"], 0.002, 300.0)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("text", ["time,in4\n0,1\n1,0\n", "hello", ""])
 @pytest.mark.parametrize("extension", ["parquet", "mcap"])
-def test_a_file_of_another_format(cell: Cell, extension: str) -> None:
+def test_a_file_of_another_format(cell: Cell, extension: str, text: str) -> None:
     cell.write("saw.mccl", (FOLDER / "saw.mccl").read_text())
-    cell.write(f"rec.{extension}", "time,in4\n0,1\n1,0\n")
+    cell.write(f"rec.{extension}", text)
     ran = cell("init", "saw.mccl", "--recording", f"rec.{extension}")
     assert ran.status == 1
     assert f"error[recording]: rec.{extension} is not a" in ran.err

@@ -25,12 +25,13 @@ def measured(cell: Cell, program: str, logger: Logger) -> tuple[dict[str, Table]
 @pytest.mark.slow
 @pytest.mark.parametrize("step", [0.001, 0.005, 0.02])
 def test_a_host_starts_a_batch(cell: Cell, step: float) -> None:
-    """Nothing moves before, so times count from the begin of the recording, 1.7 s before power-up."""
+    """Nothing moves before, so times count from the first row of the recording, 1.7 s before power-up."""
     machine, notes = measured(
         cell, "feeder.mnt", Logger(step, jitter=0.5, noise=0.01, before=1.7, drift=0.003)
     )
     assert (
-        "note: nothing recorded shows when the machine was switched on: times count from the begin" in notes
+        "note: nothing recorded shows when the machine was switched on: times count from the first row"
+        in notes
     )
     assert "note: not recorded: comms element 1, comms element 2; the entries are guesses\n" in notes
     clock = re.findall(r"note: the clock of the recording is (\S+) % fast; its times are corrected\n", notes)

@@ -143,7 +143,7 @@ def power_up_of(
     zero = raw.begin if found is None else found
     if found is None and not late:
         sentences.append(
-            "nothing recorded shows when the machine was switched on: times count from the begin of the recording"
+            "nothing recorded shows when the machine was switched on: times count from the first row of the recording"
         )
     if late:
         sentences.append(

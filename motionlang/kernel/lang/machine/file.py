@@ -314,6 +314,8 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
         )
     elif "for" in entry and what[0] not in ("channel", "analogue"):
         yield f"[[remote]] with {what[0]} takes no for", TABLES["remote"]["for"][1], "for"
+    elif what[0] == "event" and "value" in entry:
+        yield "[[remote]] with event takes no value", TABLES["remote"]["event"][1], "value"
     element = entry.get("element", 1)
     if isinstance(element, int) and not 1 <= element <= 99:
         yield (

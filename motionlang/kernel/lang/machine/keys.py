@@ -202,10 +202,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "object": ("register", "Instead: an object of its dictionary, such as 0x6041."),
         "sub": ("channel", "The sub-index of the object. Default 0."),
         "event": ("node event", "Instead: the new state of the node, live, dead or emergency."),
-        "value": (
-            "number",
-            "The value: a level (default 1), a percentage, counts, or the code of the emergency.",
-        ),
+        "value": ("number", "The value: a level (default 1), a percentage, or counts. An event has none."),
         "at": _WHEN["at"],
         "for": ("positive", "Time that an input keeps the value, in seconds. Default: forever."),
     },

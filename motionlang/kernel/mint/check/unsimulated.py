@@ -19,8 +19,6 @@ from motionlang.kernel.tools import as_hint
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.
 _ENDS = "the run ends here"
-# What a reading shows that is kept for the machine file alone.
-_SHOWS = "reads 0", "is empty"
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
@@ -80,8 +78,8 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
     is_known = by is None and row.name.upper() in b.program.supplied
     if row.function == STORED and row.access == "R":
         if not is_known:
-            shows = _SHOWS[row.unit == "text"]
-            _once(b, node, row, f"{row.word} is a Mint keyword that is not simulated: it {shows}")
+            message = f"{row.word} is a Mint keyword that is not simulated: it {row.without_value}"
+            _once(b, node, row, message)
     elif row.function == STORED or _is_stored(row, by):
         _once(b, node, row, f"{row.word} is stored but has no effect")
     elif row.function == unsimulated.COMMAND:

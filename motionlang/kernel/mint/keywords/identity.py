@@ -1,4 +1,4 @@
-"""What a program may ask the virtual controller about itself, and words that do nothing.
+"""Readings of the virtual controller about itself, and words without an effect.
 
 The section `[mint.values]` of the machine file can override each value.
 """

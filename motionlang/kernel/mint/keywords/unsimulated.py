@@ -93,8 +93,7 @@ def _end(row: Keyword, message: str, at: object, with_hint: bool = False) -> NoR
     """
     hint = f"{row.name}: {row.help.rstrip('.')}"
     if with_hint:
-        example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")
-        hint = f"{hint}; give it in the machine file: [mint.values] {row.name} = {example}"
+        hint = f"{hint}; give it in the machine file: [mint.values] {row.example_value}"
     raise NotSimulated(message, hint, int(at))  # type: ignore[call-overload]
 
 
