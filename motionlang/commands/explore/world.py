@@ -112,8 +112,12 @@ def _with_more_on(
     """
     changes = [each for _, each in trial.timeline if each.table == "input"]
     once = [each for each, times in Counter(each.number for each in changes).items() if times == 1]
-    later = [each for time, each in trial.timeline if each.number in once and each.value and time > 0.0]
-    later = [each for each in later if each.table == "input" and each.number not in explorer.triggers]
+    later = [
+        each._replace(moment=AT_REST)
+        for time, each in trial.timeline
+        if each.table == "input" and each.number in once and each.value and time > 0.0
+    ]
+    later = [each for each in later if each.number not in explorer.triggers]
     if cycle.repeats and later:
         other = played(explorer, cycle, tuple(later))
         if _count(cycle, other) >= count:
@@ -413,7 +417,10 @@ def _blinking(switched: Switches, trial: Trial, found: list[Rest]) -> set[int]:
 
 
 def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
-    """Return the entries by the position of an axis for inputs that change in the middle of moves."""
+    """Return the entries by the position of an axis for inputs that change in the middle of moves.
+
+    A change that was found in a move may come at another time of the played run, when the axis is at rest.
+    """
     changes: dict[tuple[int, int], list[tuple[float, Moment]]] = defaultdict(list)
     for time, each in trial.timeline:
         if each.moment.line and each.value:
@@ -429,7 +436,10 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
 
         begins = [position(time) for time, _ in moments]
         time, (_, _, _, times, every) = moments[0]
-        move = next(each for each in trial.motions if each.axis == axis and each.begin <= time < each.end)
+        passing = (each for each in trial.motions if each.axis == axis and each.begin <= time < each.end)
+        move = next(passing, None)
+        if move is None:
+            continue
         end = position(time + every / 2 if every else (time + move.end) / 2)
         between = [round(each, 2) for each in sorted((begins[0], end))]
         entry: Entry = {"channel": number, "axis": axis, "between": between}

@@ -5,6 +5,7 @@ Each of them had a wrong world when `init` concluded from the text of a program.
 * `stopline.mccl` homes first: the cycle is line 3, with input 2.
 * `door.mccl` prints an alarm while the door is open: the cycle is "piece", with the door shut.
 * `key.prg` compares the key less 48: the cycle begins with key 1.
+* `once.mnt` has a change in a move of the way there, which comes at another time when the start is on from power-up.
 * `comms.mnt` waits for an element of the comms array, which the host writes again in each cycle.
 """
 
