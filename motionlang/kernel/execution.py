@@ -286,8 +286,7 @@ def _execute(
             scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         if result.machine.stop is not None:
             result.machine.stop.end = scheduler.stop
-        has_limit = until is not None or "run.until" in settings or result.machine.stop is not None
-        scheduler.gives_up = not has_limit
+        scheduler.gives_up = until is None  # a caller that wants so much time gets it
         result.status = scheduler.run(end_of(settings) if until is None else until)
         if result.status == "until":
             report_futile_waits(result, scheduler)

@@ -150,8 +150,8 @@ class Exploration:
                         yield varied, played(self._explorer, varied, times=1)
 
     def run(self, settings: Mapping[str, object], until: float) -> Run:
-        """Run the program in the world with some entries of a machine file up to a time."""
-        return self._explorer.trials.run_in(settings, until)[0]
+        """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""
+        return self._explorer.trials.run_in({**settings, "run.until": until})[0]
 
     def line(self, at: int) -> int:
         """Return the line of a source offset."""

@@ -746,7 +746,7 @@ def _pulses(change: Change, times: int) -> Causes:
 def _beside(structure: Structure) -> frozenset[int]:
     """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
 
-    They blink, regulate or watch.
+    They blink, regulate or watch. If no task works, none is beside it.
     """
     points, graph = structure.points, structure.graph
     work = {
@@ -759,7 +759,7 @@ def _beside(structure: Structure) -> frozenset[int]:
     for task in structure.tasks():
         reached = {points[point].at for point in graph.reached(task.entry)}
         (others if reached.isdisjoint(work) else working).update(reached)
-    return frozenset(others - working)
+    return frozenset(others - working) if working else frozenset()
 
 
 def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, int]:

@@ -466,7 +466,7 @@ class Trials:
         changes = tuple(each for each in timeline if each[0] >= start.since)
         machine.add_entries(tables_of(changes, machine.clock.now))
 
-    def _run(self, tables: Mapping[str, object], until: float, recorder: TrialRecorder) -> Run:
+    def _run(self, tables: Mapping[str, object], until: float | None, recorder: TrialRecorder) -> Run:
         settings = CheckedSettings(merged(self.base, tables))
         return self._noted(
             run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
@@ -481,8 +481,11 @@ class Trials:
             raise Interrupted(result)
         return result
 
-    def run_in(self, tables: Mapping[str, object], until: float) -> tuple[Run, set[int]]:
-        """Run the program with some tables of the machine file up to a time, and return what has begun, too."""
+    def run_in(self, tables: Mapping[str, object], until: float | None = None) -> tuple[Run, set[int]]:
+        """Run the program with some tables of the machine file up to a time, and return what has begun, too.
+
+        Without a time the run ends where that of a machine file does.
+        """
         self.count += 1
         recorder = TrialRecorder(inf)
         result = self._run(tables, until, recorder)
