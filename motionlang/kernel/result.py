@@ -218,12 +218,12 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
     is_over = scheduler.is_over()
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == inf:
-            line, _, _ = result.dialect.locate(result.source, task.at)
+            line = _line_of(result, task)
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
             result.idle.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif is_over and task.polls_in_vain and task.polled:
-            line, _, _ = result.dialect.locate(result.source, task.at)
+            line = _line_of(result, task)
             polled = f"line {line}: {task.name} still polled {task.polled}, which could no longer change"
             result.idle.append(polled)
     result.notes += result.idle
@@ -388,8 +388,7 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
     result.notes.append(f"line {line}: {message}")
     others = _others(result, stuck.task)
     for each in others:
-        where, _, _ = result.dialect.locate(result.source, each.at)
-        result.notes.append(f"line {where}: {each.name} waits {_why(each)}")
+        result.notes.append(f"line {_line_of(result, each)}: {each.name} waits {_why(each)}")
 
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (
@@ -398,7 +397,7 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
         for task, wait in waits
     )
     start = "start a move first, or add a machine file with the event that it waits for"
-    hint = next(filter(None, hints), start)
+    hint = next(filter(None, hints), _deadlock(result, others) or start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 
@@ -407,6 +406,16 @@ def _others(result: Run, task: Task) -> list[Task]:
     scheduler = result.machine.scheduler
     assert scheduler is not None
     return [each for each in scheduler.tasks if each is not task and each.wait is not None]
+
+
+def _deadlock(result: Run, others: Sequence[Task]) -> str:
+    """Return what each of the other tasks waits for; "" if there is none."""
+    waits = [f"{each.name} in line {_line_of(result, each)} {_why(each)}" for each in others if _why(each)]
+    return f"the tasks wait for each other: {', '.join(waits)}" if waits else ""
+
+
+def _line_of(result: Run, task: Task) -> int:
+    return result.dialect.locate(result.source, task.at)[0]
 
 
 def _why(task: Task) -> str:
