@@ -3,17 +3,18 @@
 Problem. A machine could be faster than its program, but not everywhere: what is not on the critical path gains nothing,
 and what is must not exceed a limit, change the order of what the machine does, or break what a scenario expects.
 
-Idea. Only literals and constants count that set such a quantity of an axis on the critical path. Each is changed as far
-as a run allows: the text is edited, run, certified against `[axis.N.limits]`, and compared with the original run. One
-is changed after the other, on top of what was gained, until none gains more. Of these edits the fewest are chosen that
-reach the wanted gain, by trying all sets of one, of two, and so on.
+Idea. Only literals and constants count that such a quantity of an axis on the critical path follows, through whatever
+variables: each is made a little lower, and the run shows it. Each of these is changed as far as a run allows: the text
+is edited, run, certified against `[axis.N.limits]`, and compared with the original run. One is changed after the other,
+on top of what was gained, until none gains more. Of these edits the fewest are chosen that reach the wanted gain, by
+trying all sets of one, of two, and so on.
 
     must not change    what each task does and in which order: moves with their ends, outputs, prints (their figures
                        may); the place of an output in a move; the final positions, the status, limits met and faults
                        (`behaviour.py`), the expectations of scenarios
     must hold          every limit of the machine file, also that of the motor's torque if there is one
 
-Each change is found by doubling and bisection, because more of a speed is never slower, until it is not allowed. Of
+Each change is found by doubling and bisection, in both directions, until it is not allowed or gains nothing more. Of
 values with the same gain the one nearest to the original is chosen, rounded to three digits.
 
 A dwell in ticks of a timer hides what one edit gains. So all numbers that could be larger without a loss are then tried
@@ -36,7 +37,7 @@ from typing import Any
 
 from motionlang.commands.certify import MOTOR, CertifiedLimit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour
-from motionlang.commands.improve.process import AS_SAID, Process
+from motionlang.commands.improve.process import AS_SAID, QUANTITIES, SPEED, MoveChange, Process
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import TimeProfile
@@ -46,7 +47,6 @@ from motionlang.commands.sweep.job import SweepJob, SweepWorker
 from motionlang.kernel import (
     CheckedSettings,
     Dialect,
-    Keyword,
     ProgramError,
     Run,
     Source,
@@ -55,14 +55,13 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
-from motionlang.kernel.lang import Literal, canonical, number, number_text, replaced
+from motionlang.kernel.lang import Literal, Structure, Use, canonical, number, number_text, replaced
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tools import nearest
 
-# The quantities that limits bound, in the order in which they are named.
-QUANTITIES = ("speed", "acceleration", "jerk")
-# The units of what is not changed: nothing, and the number of a choice. Those of which more is never slower.
+# The units of what is not changed: nothing, and the number of a choice.
 CHOICES = frozenset(("", "integer"))
+# The units of speeds, rates and jerks.
 RATES = frozenset(("uu/s", "uu/s2", "uu/s3"))
 # A change of the cycle below this share of it is none; one below `WORTH` is not worth an edit.
 NOTHING, WORTH = 1e-9, 2e-3
@@ -79,8 +78,8 @@ MAX_FACTOR, STEPS = 16.0, 7
 UNTRIED = f"more than {MAX_FACTOR:.0f} times was not tried"
 # Of more edits than this not all sets are tried, but those of the best ones.
 MAX_EDITS = 8
-# A speed is made lower by this factor to see which moves it is that of.
-SLOWER = 0.97
+# A number is made lower by this factor to see which moves follow it: by enough for a speed of a few counts.
+LOWER = 0.75
 # The name that frees all numbers of a process.
 ALL = "all"
 # A wait that ends less than this after the motion is not too long, s.
@@ -182,7 +181,7 @@ class Improver:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
         self.until, self._progress, self._runs = until, progress, 0
-        # What runs the program in each world with other numbers, in full; the numbers as they are.
+        # What runs the program in each world with other numbers, in full; the numbers of all trials, as they are.
         self._worker = self._short = self._worker_until(until)
         self._numbers: dict[str, float] = {}
         program = self._worker.program(world.settings)
@@ -193,12 +192,10 @@ class Improver:
         self.held: list[Held] = []
         self.skipped: list[str] = []
         self._refused: dict[str, str] = {}
-        # The axes whose speed a literal sets, and its moves; the literals that are a speed or a rate by themselves.
-        self._axes: dict[str, set[int]] = {}
+        # The moves whose speed follows a literal; the literals that speeds, rates or jerks are proportional to, with
+        # their highest values by the limits, and what these are in words.
         self._moves: dict[str, list[LoggedMove]] = {}
-        self._rates: set[str] = set()
-        # The highest values of these, by the limits, and what they are in words.
-        self._highest: dict[str, tuple[float, str]] = {}
+        self._rates: dict[str, tuple[float, str]] = {}
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
         self.cycle = cycle if found is None else found.name or "cycle"
@@ -336,7 +333,7 @@ class Improver:
         """Return the largest value of a literal that is allowed and loses nothing."""
 
         def is_allowed(factor: float) -> bool:
-            cost, reason = self._judge({**values, literal.address: _rounded(literal.value * factor, True)})
+            cost, reason = self._judge({**values, literal.address: literal.value * factor})
             return not reason and cost <= best * (1.0 + WORTH)
 
         low, high = 1.0, 2.0
@@ -366,6 +363,8 @@ class Improver:
         values = {each.literal.address: each.value for each in edits}
         result = self._trial(self.world, values, self._worker)
         reason = self._whole.difference(result, self._starts(result)) or self._beyond(result)
+        if not reason and self._cost(result) > self.before * (1.0 - NOTHING):
+            reason = "the cycle of the whole run is no shorter"
         if reason:
             return reason
         for world, before in zip((self.world, *self.others), self._unmet, strict=True):
@@ -416,37 +415,24 @@ class Improver:
     # ------------------------------------------------------------------------------------------------ candidates
 
     def _candidates(self) -> list[Literal]:
-        """Return the literals that set a speed, a rate and so on of a limited axis on the critical path."""
+        """Return the literals that a speed, a rate and so on of a limited axis on the critical path follows."""
         spans = TimeProfile(self._base).spans()
         axes = {axis for _, _, about in spans if about[0] in MOVING for axis in about[3]}
         axes = axes or {move.axis for move in self._base.moves}  # with a motor, waits are for a condition
         limited = {each.axis for each in self._limits}
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
-        structure = self._structure
-        starts = sorted(structure.statements)
-        uses = [
-            use
-            for statement in structure.statements.values()
-            for use in statement.axes
-            if use.row.topic == "speed" and use.row.unit not in CHOICES
-            if use.axis is None or use.axis in axes
-        ]
+        self._leading = _leading_to_rates(self._structure)
+        self._offsets = sorted(self._structure.statements)
+        self._numbers = {each.address: each.value for each in self.literals if self._may_set(each)}
         lacking: dict[int, dict[str, None]] = {}
         found = []
         for literal in self.literals:
-            at = starts[bisect_right(starts, literal.offset) - 1]
-            named = re.compile(rf"\b{re.escape(literal.base)}\b", re.IGNORECASE)
-            mine = [
-                use
-                for use in uses
-                if (use.at == at and literal.text in use.value) or named.search(use.value) is not None
-            ]
-            of_all = sorted(axes)
-            needed = [
-                (axis, _quantity(use.row))
-                for use in mine
-                for axis in (of_all if use.axis is None else [use.axis])
-            ]
+            if literal.address not in self._numbers:
+                continue
+            changes = self._process.changes(self._lowered(literal))
+            needed = dict.fromkeys(
+                (each.move.axis, each.quantity) for each in changes if each.move.axis in axes
+            )
             without = [
                 (axis, name)
                 for axis, name in needed
@@ -454,12 +440,11 @@ class Improver:
             ]
             for axis, name in without:
                 lacking.setdefault(axis, {})[name] = None
-            self._axes[literal.address] = {axis for axis, name in needed if name == "speed"}
-            if mine and literal.is_write and not without:
+            if needed and not without:
                 found.append(literal)
-                if all(use.row.unit in RATES and use.value in (literal.text, literal.base) for use in mine):
-                    self._rates.add(literal.address)
-                    self._highest[literal.address] = self._cap(literal, needed)
+                self._moves[literal.address] = [each.move for each in changes if each.quantity == SPEED]
+                if all(each.is_proportional(LOWER) for each in changes):
+                    self._rates[literal.address] = self._cap(literal, changes)
         if lacking:
             self._need(
                 {axis: sorted(names, key=QUANTITIES.index) for axis, names in sorted(lacking.items())},
@@ -467,9 +452,29 @@ class Improver:
             )
         return found
 
-    def _cap(self, literal: Literal, needed: Sequence[tuple[int, str]]) -> tuple[float, str]:
-        """Return the least limit of what a literal sets, in words, too; infinite without one, as with a motor."""
-        found = [(each.limit, _limit_text(each)) for each in self._limits if (each.axis, each.name) in needed]
+    def _may_set(self, literal: Literal) -> bool:
+        """True if a literal is written to a rate, or to a variable that may lead to one."""
+        if not (literal.is_write and literal.value):
+            return False
+        at = self._offsets[max(bisect_right(self._offsets, literal.offset) - 1, 0)]
+        name = re.compile(rf"\b{re.escape(literal.base)}\b", re.IGNORECASE)
+        return at in self._leading or any(name.search(text) for text in self._leading.values())
+
+    def _lowered(self, literal: Literal) -> Run | None:
+        """Return the run with a lower value of a literal; None if the program has an error then."""
+        try:
+            return self._trial(self.world, {literal.address: literal.value * LOWER})
+        except ProgramError:
+            return None
+
+    def _cap(self, literal: Literal, changes: Iterable[MoveChange]) -> tuple[float, str]:
+        """Return the highest value of a literal by the limits of what follows it, in words, too; infinite without."""
+        found = [
+            (abs(literal.value) * each.limit / change.value, _limit_text(each))
+            for change in changes
+            for each in self._limits
+            if (each.axis, each.name) == (change.move.axis, change.quantity)
+        ]
         value, words = min(found, default=(inf, ""))
         return max(value, abs(literal.value)), words
 
@@ -492,13 +497,9 @@ class Improver:
 
     def _free(self, candidates: Sequence[Literal]) -> list[Literal]:
         """Return the literals that may be changed: those that the process does not need as they are."""
-        self._numbers = {each.address: each.value for each in candidates}
-        speeds = [each for each in candidates if self._axes[each.address]]
+        speeds = [each for each in candidates if self._moves[each.address]]
         free = []
         for literal in candidates:
-            if literal in speeds:
-                slower = self._trial(self.world, {literal.address: literal.value * SLOWER})
-                self._moves[literal.address] = self._process.moves(slower, self._axes[literal.address])
             reason = self._why_held(literal, speeds)
             if reason:
                 self.held.append(Held(literal, reason))
@@ -516,7 +517,7 @@ class Improver:
         comment = self._process.comment(literal, speeds)
         if comment == AS_SAID or ALL in self._also:
             return comment if comment == AS_SAID else ""
-        return self._process.reason(self._moves.get(literal.address, ())) or comment
+        return self._process.reason(self._moves[literal.address]) or comment
 
     # -------------------------------------------------------------------------------------------------- searching
 
@@ -529,7 +530,7 @@ class Improver:
             return best, None
         found: tuple[float, Edit | None] = best, None
         bounds = []
-        for grows in (True,) if literal.address in self._rates else (True, False):
+        for grows in (True, False):
             cost, edit, bound = self._along(literal, was, values, best, grows)
             bounds.append(bound)
             if edit is not None and cost < found[0] * (1.0 - NOTHING):
@@ -545,8 +546,9 @@ class Improver:
         """Return the shortest cycle with a larger, or a smaller, value of a literal, and what bounds it."""
 
         def judged(factor: float) -> tuple[float, str]:
-            value = _rounded(was * factor if grows else was / factor, grows)
-            return self._judge({**values, literal.address: value})
+            value = was * factor if grows else was / factor
+            round_ = _rounded(value, grows)
+            return self._judge({**values, literal.address: value if round_ == was else round_})
 
         slower, low, cost, bound, is_free = 1.0, 1.0, best, SATED, False
         high, refused = 2.0, ""
@@ -600,7 +602,7 @@ class Improver:
         """Return the cycle with some values, and why they are not allowed; "" if they are."""
         for address, value in values.items():
             # Also a speed that no move reaches is none that the machine allows.
-            highest, words = self._highest.get(address, (inf, ""))
+            highest, words = self._rates.get(address, (inf, ""))
             if abs(value) > highest * (1.0 + NOTHING):
                 return inf, words
         result = self._trial(self.world, values)
@@ -689,11 +691,33 @@ def _names_of(literal: Literal) -> set[str]:
     return {*names, *(each.lower() for each in names)}
 
 
-def _quantity(row: Keyword) -> str:
-    """Return the limit that bounds what a keyword sets."""
-    if row.unit == "uu/s3" or "jerk" in row.gives:
-        return "jerk"
-    return "speed" if row.unit == "uu/s" else "acceleration"
+def _leading_to_rates(structure: Structure) -> dict[int, str]:
+    """Return the statements that write a rate, or a variable that may lead to one, with their texts, by offset."""
+    assigning: dict[tuple[str, int], list[int]] = {}
+    read_at: dict[int, set[tuple[str, int]]] = {}
+    for point, use in zip(structure.points, structure.graph.uses, strict=True):
+        if use is not None:
+            own = point.key[0]  # variables of a call have numbers below 0 in each list of steps
+            read_at.setdefault(point.at, set()).update((own if n < 0 else "", n) for n in use.reads)
+            for n in use.sets | use.parts:
+                assigning.setdefault((own if n < 0 else "", n), []).append(point.at)
+    left = [at for at, each in structure.statements.items() if any(map(_is_rate, each.uses))]
+    found = dict.fromkeys(left, "")
+    while left:
+        for variable in read_at.get(left.pop(), ()):
+            for at in assigning.pop(variable, ()):
+                if at not in found:
+                    found[at] = ""
+                    left.append(at)
+    return {at: structure.statements[at].text for at in found if at in structure.statements}
+
+
+def _is_rate(use: Use) -> bool:
+    """True if a keyword is written that sets a speed, a rate, a jerk, or what else bounds these."""
+    row = use.row
+    if row is None or use.role == "read":
+        return False
+    return row.unit in RATES or (row.topic == "speed" and row.unit not in CHOICES)
 
 
 def _works(run: Run) -> bool:

@@ -1,6 +1,6 @@
 """The behaviour that no edit may change: each task and each handler does the same things in the same order.
 
-Its moves with their ends, its outputs and its prints are compared, up to the shorter of two runs, counted in cycles.
+Its moves with their ends, its outputs and its prints are compared, up to the last whole cycle of the shorter run.
 Figures in prints may differ, and so may the rest of a homing or of a stopped motion. Two things bind tasks that read
 what others set to these, and each task to its own moves:
 
@@ -13,7 +13,7 @@ An act that does not come equally often in every cycle, such as that of a thermo
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import inf
 
 from motionlang.commands.improve.acts import LATE, OrderedAct, Place, acts_of, polls_of
@@ -36,6 +36,10 @@ class Behaviour:
     def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float], status: str = "") -> None:
         self._tasks, self._starts, self._status = tasks, starts, run.status
         self._statuses = {run.status, status or run.status}
+        # True if the last cycle may be cut anywhere: by the end of the run, or by an input at a fixed time.
+        self._is_cut = run.status != "ended" or any(
+            each > min(starts, default=0.0) for each in _fixed_times(run)
+        )
         self._ends, self._grave = _ends(run), _grave(run)
         self._acts = acts_of(run, tasks)
         self._polls = polls_of(run, tasks, self._acts)
@@ -60,9 +64,9 @@ class Behaviour:
         if _grave(run) != self._grave:
             return "a limit, a fault or a clamp comes or goes"
         own_until = until = inf
-        if len(starts) != len(self._starts):
+        if self._is_cut or run.status != "ended" or len(starts) != len(self._starts):
             common = min(len(starts), len(self._starts))
-            own_until, until = ((each[common - 1] if common else 0.0) for each in (self._starts, starts))
+            own_until, until = ((each[common - 1] if common else inf) for each in (self._starts, starts))
         others = acts_of(run, self._tasks)
         for task, acts in self._acts.items():
             for was, is_ in zip(acts, others.get(task, []), strict=False):
@@ -82,7 +86,7 @@ class Behaviour:
             where = "" if task == "program" else f" of {task}"
             return f"the order of outputs and prints{where}: {is_.text} in place of {was.text}"
         if was.end is not None and is_.end is not None and abs(was.end - is_.end) > SAME:
-            return f"the move of line {was.line} no longer ends at {was.end:.6g}"
+            return f"the move of line {was.line} no longer ends at {round(was.end, 6) + 0.0:.6g}"
         key = task, was.line, was.text
         for axis, place in is_.moving.items():
             mover = self._tasks.at(place.line)
@@ -97,7 +101,7 @@ class Behaviour:
             other = is_.moving.get(axis)
             is_there = other is not None and other.line == place.line
             if places and not (is_there and any(self._is_same(key, other, each, EXACT) for each in places)):
-                where = f"{place.distance:.6g} uu of the move of line {place.line}"
+                where = f"{round(place.distance, 6) + 0.0:.6g} uu of the move of line {place.line}"
                 return f"line {was.line}: {was.text} no longer at {where}"
         return ""
 
@@ -120,6 +124,12 @@ class Behaviour:
 
     def _is_at_rest(self, run: Run) -> bool:
         return all(abs(end - self._ends.get(axis, end)) <= SAME for axis, end in _ends(run).items())
+
+
+def _fixed_times(run: Run) -> Iterator[float]:
+    """Yield the times at which inputs change by the clock alone."""
+    entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
+    yield from (at for each in entries if isinstance(at := each.get("at"), (int, float)))
 
 
 def _ends(run: Run) -> dict[int, float]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from math import fsum, hypot, inf
 from typing import NamedTuple
@@ -21,6 +21,7 @@ from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Literal
 from motionlang.kernel.log import LoggedMove
+from motionlang.kernel.planners import Profile
 
 # The words of a comment that name a process, in English and in German.
 WORDS = """
@@ -40,8 +41,27 @@ AS_SAID = "as you said"
 ABOVE = 2
 # An output that is on for less than this during a move only follows or precedes it, s.
 SHORT = 1e-3
-# A speed that differs by less than this share is the same.
-SAME_SPEED = 1e-6
+# What differs by less than this share is the same.
+SAME_SHARE = 1e-6
+
+
+# The quantities that limits bound, in the order in which they are named.
+QUANTITIES = SPEED, ACCELERATION, JERK = "speed", "acceleration", "jerk"
+# Positions and distances that differ by less are the same, user units.
+SAME_PLACE = 1e-6
+
+
+class MoveChange(NamedTuple):
+    """A move of which a quantity follows a number: its values in user units in both runs, 0 for a jerk."""
+
+    move: LoggedMove
+    quantity: str
+    value: float
+    other: float
+
+    def is_proportional(self, ratio: float) -> bool:
+        """True if the other value is a share of the value, rounded to counts as a controller does."""
+        return abs(self.other - ratio * self.value) <= self.move.size_to_user(0.5) < self.value
 
 
 class _On(NamedTuple):
@@ -76,19 +96,18 @@ class Process:
                 self._highest[move.axis] = max(self._highest.get(move.axis, 0.0), self._speed(move))
         self._own, self._alone = _comments(run)
 
-    def moves(self, slower: Run, axes: Collection[int]) -> list[LoggedMove]:
-        """Return the moves of some axes that have another speed in another run."""
-        found = []
-        for axis in sorted(axes):
-            mine, others = (
-                [move for move in run.machine.log.moves if move.axis == axis and move.profile is not None]
-                for run in (self._run, slower)
-            )
-            for move, other in zip(mine, others, strict=False):
-                if (move.line, move.command) != (other.line, other.command):
+    def changes(self, other: Run | None) -> list[MoveChange]:
+        """Return how the moves follow a number that another run has changed, none if they go elsewhere then."""
+        found: list[MoveChange] = []
+        mine, others = (_planned(run) if run is not None else {} for run in (self._run, other))
+        for axis, moves in mine.items():
+            for move, now in zip(moves, others.get(axis, ()), strict=False):
+                if (move.line, move.command) != (now.line, now.command):
                     break
-                if abs(_own_speed(move) - _own_speed(other)) > SAME_SPEED * _own_speed(move):
-                    found.append(move)
+                is_whole = not (move.ended or now.ended or self._homes(move.command))
+                if is_whole and _goes_elsewhere(move, now):
+                    return []
+                found += _changes(move, now, is_whole)
         return found
 
     def reason(self, moves: Sequence[LoggedMove]) -> str:
@@ -103,7 +122,7 @@ class Process:
             return f"the program stops the {stopped.command} of line {stopped.line}"
         for move in moves:
             highest, on = self._highest.get(move.axis, 0.0), self.outputs([move])
-            if on and self._speed(move) < highest * (1.0 - SAME_SPEED):
+            if on and self._speed(move) < highest * (1.0 - SAME_SHARE):
                 return f"lower than {highest:.6g} while {on[0]} is on"
         return ""
 
@@ -150,6 +169,54 @@ class Process:
             if word is not None and literal in speeds and first == line and abs(literal.value) == lowest:
                 return f"the comment of line {each} says {word[0].lower()}"
         return ""
+
+
+def _planned(run: Run) -> dict[int, list[LoggedMove]]:
+    """Return the moves of each axis that have a profile."""
+    found: dict[int, list[LoggedMove]] = {}
+    for move in run.machine.log.moves:
+        if move.profile is not None:
+            found.setdefault(move.axis, []).append(move)
+    return found
+
+
+def _profile(move: LoggedMove) -> Profile:
+    assert move.profile is not None
+    return move.profile
+
+
+def _goes_elsewhere(move: LoggedMove, other: LoggedMove) -> bool:
+    """True if a move has another end, and another distance to it."""
+    ends = (
+        (each.to_user(_profile(each).end), each.size_to_user(_profile(each).distance))
+        for each in (move, other)
+    )
+    return all(abs(one - two) > SAME_PLACE for one, two in zip(*ends, strict=True))
+
+
+def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool) -> Iterator[MoveChange]:
+    """Yield the speed of a move if it differs, else its rates, else its jerk if it takes another time.
+
+    Of a homing, and of a move that is cut off, only what was commanded counts.
+    """
+    one, two = _own_speed(move), _own_speed(other)
+    if (is_whole or move.commanded_speed is not None) and abs(one - two) > SAME_SHARE * one:
+        yield MoveChange(move, SPEED, one, two)
+        return
+    rates = list(zip(_rates(move), _rates(other), strict=True))
+    differ = [(a, b) for a, b in rates if abs(a - b) > SAME_SHARE * a]
+    if is_whole or move.rates_in_force is not None:
+        yield from (MoveChange(move, ACCELERATION, a, b) for a, b in differ)
+    was, now = _profile(move), _profile(other)
+    is_same_way = is_whole and abs(was.distance - now.distance) <= SAME_SHARE * abs(was.distance)
+    if not differ and is_same_way and abs(was.duration - now.duration) > SAME_SHARE * was.duration:
+        yield MoveChange(move, JERK, 0.0, 0.0)
+
+
+def _rates(move: LoggedMove) -> tuple[float, ...]:
+    """Return the rates by which a move was planned; the highest acceleration if it has none, in user units."""
+    rates = move.rates_in_force
+    return tuple(map(move.size_to_user, (_profile(move).peak_acceleration,) if rates is None else rates))
 
 
 def _own_speed(move: LoggedMove) -> float:

@@ -79,7 +79,7 @@ edit        line  from    to    gain  bounded by
 SPEED[0]@1     1   100   200  0.1351  speed of axis 0: 200 uu/s
 ACCEL[0]@1     1   500  1000  0.1695  acceleration of axis 0: 1000 uu/s²
 DECEL[0]@1     1   500  1000  0.1954  acceleration of axis 0: 1000 uu/s²
-18 trials
+24 trials
 
 axis  limit                allowed  reached        at  line  margin
                                                     s
@@ -369,7 +369,7 @@ def test_a_gain_of_the_homing_is_none_of_the_cycle(cell: Cell) -> None:
     cell.write("home.machine.toml", f"run.until = 20\naxis.0.home_switch = [-200.0, -80.0]\n{LIMITS}")
     out = cell("improve", "home.mnt").out
     assert out.startswith("home.mnt: cycle 2.828 s → 0.9001 s, -68.2 % (lines 5 to 6, ")
-    assert "HOMESPEED[0]@1" not in out
+    assert "HOMESPEED[0]@1 = 20  the speed of a homing" in out
 
 
 def test_the_limits_that_are_missing_are_named_once(cell: Cell) -> None:
@@ -396,3 +396,35 @@ def test_an_edit_that_fails_in_a_scenario_is_taken_out_and_the_others_stay(shutt
     out = shuttle("improve", "shuttle.mnt").out
     assert "SPEED[0]@1 stays 100: scenario slow: axis 0 is at" in out
     assert "SPEED[0]@4     4    90   200" in out
+
+
+def test_a_constant_that_a_speed_follows_through_a_variable_is_a_candidate(cell: Cell) -> None:
+    """80 is twice the speed; at 400 uu/s and 4000 uu/s² a stroke of 100 takes 0.35 s, and the dwell 0.2 s."""
+    limits = "axis.0.limits.speed = 400\naxis.0.limits.acceleration = 4000\n"
+    for value, best in (("_FAST / 2", 800), ("_FAST", 400)):
+        cell.write(
+            "fast.mnt",
+            f"Const _FAST = 80\nDim v As Float\nv = {value}\nSPEED(0) = v\nACCEL(0) = 1000 : DECEL(0) = 1000\n"
+            "For i = 1 To 5\n  MOVER(0) = 100 : GO(0) : Pause IDLE(0)\n  Wait(200)\n"
+            '  MOVER(0) = -100 : GO(0) : Pause IDLE(0)\n  Print "part"\nNext\n',
+        )
+        cell.write("fast.machine.toml", limits)
+        out = cell("improve", "fast.mnt").out
+        assert f"-Const _FAST = 80\n+Const _FAST = {best}\n" in out
+        assert " → 0.9001 s, " in out
+
+
+def test_what_follows_the_last_whole_cycle_is_not_compared(cell: Cell) -> None:
+    """Input 7 ends the shift at 14 s, wherever in its cycle the machine is then."""
+    cell.write(
+        "shift.prg",
+        "AUTO\nSPEED.0 = 100 : ACCEL.0 = 500 : DECEL.0 = 500\nLOOP\n  IF INX.7 THEN EXIT\n  OUTX.4 = 1\n"
+        '  IF INX.0 THEN GOSUB BAG\nENDL\nOUT.0 = 0\n? "SHIFT"\nEND\n#BAG\n'
+        '  MOVER.0 = 200 : GO.0 : PAUSE IDLE.0\n  OUTX.4 = 0\n  PAUSE INX.0 = 0\n  ? "BAG"\nRETURN\n',
+    )
+    cell.write(
+        "shift.machine.toml",
+        "run.until = 60\ninput = [{ channel = 7, at = 14.0 }, { channel = 0, output = 4, delay = 1.0 }]\n"
+        "axis.0.limits.speed = 200\naxis.0.limits.acceleration = 2000\n",
+    )
+    assert cell("improve", "shift.prg").out.startswith("shift.prg: cycle 4.2 s → 3.1 s, -26.2 % (lines 5 to ")

@@ -121,7 +121,7 @@ End Task
 
 
 def test_the_speeds_of_a_homing_and_of_a_search() -> None:
-    """HOMESPEED is no candidate; the GO of line 2 runs until the edge of the switch."""
+    """The GO of line 2 runs until the edge of the switch, and the jog of line 2 until the input."""
     text = """\
 MD1,1SA800,1DS800,1MN,MJ2
 MD2,1VM,1DI1,1SV40,1GO,1FE0,1ST,1WS.1,1PM,1SV120,MJ3
@@ -133,7 +133,7 @@ MC1
     jog = f"{RATES}SPEED(0) = 90\nJOG(0) = 20 : Pause INX(3) : STOP(0) : Pause IDLE(0)\nLoop\n"
     jog += "  MOVER(0) = 9 : GO(0) : Pause IDLE(0)\nEnd Loop\n"
     given: dict[str, object] = {"input": [{"channel": 3, "at": 1.0}]}
-    assert "SPEED[0]@2" not in held(jog, given=given)
+    assert held(jog, given=given) == {"JOG[0]@3": "the program stops the JOG of line 3"}
 
 
 def test_a_note_says_how_far_other_rates_shift_the_rest_of_a_jog(cell: Cell) -> None:
